@@ -1,0 +1,95 @@
+/* render.h - from a scene to RGB565 pixels, a tile at a time, in the caller's memory.
+ *
+ *     scene --tia_view_init--> view     the scene prepared for one image size
+ *     view  --tia_trace------> hits     what each pixel of a tile sees
+ *     hits  --tia_light------> pixels   lit, clamped, packed
+ *
+ * When only lights moved, tia_view_set_lights and tia_light make the new picture from the old
+ * hits: exactly the picture that tracing again would make. Tiles may be drawn in any order, of
+ * any size, and from several threads at once (each pixel of a hit buffer by one thread at a
+ * time): the pixels do not depend on it. Nothing here allocates, prints or keeps state.
+ */
+#ifndef TIA_RENDER_H
+#define TIA_RENDER_H
+
+#include <tia/scene.h>
+
+#define TIA_SIZE_MAX 8192           /* the largest width and height of an image */
+#define TIA_NO_OBJECT UINT32_MAX    /* a pixel that sees the background */
+
+/* A rectangle of an image, in pixels from its upper left corner. */
+struct tia_tile {
+    uint16_t x, y, width, height;
+};
+
+/* Where a tile's pixels go. Both strides are in bytes: `step` to the pixel on the right
+ * (2 for plain RGB565), `pitch` to the pixel below. Rotated panels swap or negate them. */
+struct tia_surface {
+    tia_rgb565 *pixels;             /* the tile's upper left pixel */
+    ptrdiff_t step, pitch;          /* even */
+};
+
+/* What tia_light may be asked besides the pixels; all zero is the plain exact picture. */
+struct tia_options {
+    bool dither;                    /* ordered dithering, Bayer 8x8, before quantising */
+    uint32_t *reached;              /* NULL, or for each pixel of the tile, row by row, the set of
+                                       lights 0..31 that light it (bit n: light n) */
+};
+
+struct tia_view;                    /* a prepared scene, in the caller's memory */
+struct tia_hits;                    /* a hit buffer, in the caller's memory */
+
+/* Bytes for a view of `scene` that may hold up to `light_capacity` lights. */
+size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
+
+/* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for
+ * uint64_t. The scene's arrays must stay while the view is used. TIA_ERR_RANGE when
+ * tia_scene_check refuses the scene, TIA_ERR_MEMORY when `size` is too small. */
+int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                  uint32_t light_capacity, unsigned width, unsigned height);
+
+/* Replaces the lights (count <= light_capacity). TIA_ERR_RANGE leaves the old ones. */
+int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
+
+/* Bytes for the hits of `area`, and a hit buffer of it in `memory`, aligned for uint64_t. */
+size_t tia_hits_size(struct tia_tile area);
+int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area);
+
+/* The object that pixel (x, y) of the image sees: a sphere's index, or TIA_NO_OBJECT.
+ * Lights are not in the hits: tia_light adds them. */
+uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
+
+/* Finds what the pixels of `tile` see. TIA_ERR_ARGUMENT when the tile leaves the image or the
+ * hit buffer. */
+int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+
+/* Lights the traced pixels of `tile` and writes them, each once, left to right, top to bottom.
+ * `options` may be NULL. */
+int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                   const struct tia_surface *surface, const struct tia_options *options);
+
+/* tia_trace and tia_light_tile in one. */
+int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+               const struct tia_surface *surface, const struct tia_options *options);
+
+/* The same seven functions for each arithmetic that the program is linked with. */
+struct tia_core {
+    const char *name;               /* "q16", "f64", ... */
+    size_t (*view_size)(const struct tia_scene *, uint32_t);
+    int (*view_init)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned);
+    int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
+    size_t (*hits_size)(struct tia_tile);
+    int (*hits_init)(struct tia_hits **, void *, size_t, struct tia_tile);
+    uint32_t (*hits_object)(const struct tia_hits *, unsigned, unsigned);
+    int (*trace)(const struct tia_view *, struct tia_hits *, struct tia_tile);
+    int (*light)(const struct tia_view *, const struct tia_hits *, struct tia_tile, const struct tia_surface *,
+                 const struct tia_options *);
+};
+
+extern const struct tia_core tia_core_q16;
+
+/* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes; start with crc 0
+ * and feed a frame row by row. */
+uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
+
+#endif

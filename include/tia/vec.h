@@ -1,0 +1,20 @@
+/* vec.h - vectors and colours of the public interface. */
+#ifndef TIA_VEC_H
+#define TIA_VEC_H
+
+#include <tia/fixed.h>
+
+/* A position or a displacement, Q16.16. Right-handed: +x right, +y up, the camera looks along -z. */
+struct tia_vec3 {
+    tia_q16 x, y, z;
+};
+
+/* A linear colour, Q2.30 a channel; 1.0 is full. */
+struct tia_rgb {
+    tia_q30 r, g, b;
+};
+
+#define TIA_VEC3(x, y, z) { TIA_Q16(x), TIA_Q16(y), TIA_Q16(z) }
+#define TIA_RGB(r, g, b) { TIA_Q30(r), TIA_Q30(g), TIA_Q30(b) }
+
+#endif

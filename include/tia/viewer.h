@@ -1,0 +1,66 @@
+/* viewer.h - the interactive loop, for any display and input, with or without an OS.
+ *
+ * Polls all waiting keys, moves the light, draws, shows, and sleeps when nothing happens.
+ * Arrow keys move the first light by 1 along x and z, page up and down along y: once at the
+ * press, and while a key is held, after TIA_HOLD_DELAY_US, once every TIA_HOLD_STEP_US. Keys of
+ * the scene's bindings put lights. Every other key quits.
+ */
+#ifndef TIA_VIEWER_H
+#define TIA_VIEWER_H
+
+#include <tia/port.h>
+
+#define TIA_HOLD_DELAY_US 250000u
+#define TIA_HOLD_STEP_US 33333u
+
+/* One frame, told after it was presented. */
+struct tia_frame {
+    uint32_t number;                /* from 0 */
+    bool relit;                     /* the hits of the frame before were used */
+    uint64_t draw_us;               /* drawing, without waiting for the display */
+    uint64_t key_us;                /* from the oldest key shown by this frame to the end of present;
+                                       0 when no key led to it or the clock is not known */
+};
+
+struct tia_viewer {
+    /* What to draw and with which arithmetic. */
+    const struct tia_core *core;    /* NULL: tia_core_q16 */
+    const struct tia_scene *scene;
+    struct tia_light *lights;       /* room for light_capacity lights, the scene's among them */
+    uint32_t light_capacity;
+    struct tia_options options;     /* `reached` must be NULL */
+    uint32_t frame_limit;           /* stop after so many frames; 0: no limit */
+    const uint16_t *keys;           /* pressed before the first frame; NULL: none */
+    size_t key_count;
+
+    /* Where to draw, what to listen to. input may be NULL with a frame_limit: then frames are
+     * drawn one after the other. clock may be NULL: then held keys do not repeat. */
+    const struct tia_display *display;
+    const struct tia_input *input;
+    const struct tia_clock *clock;
+    const struct tia_workers *workers;
+    void *display_ctx, *input_ctx, *clock_ctx, *workers_ctx;
+
+    /* Memory for the view and the hits. memory(ctx, size) returns at least `size` bytes aligned
+     * for uint64_t, whose old contents may be gone, or NULL; asked again when the mode changes.
+     * Where a whole frame's hits do not fit, those of one tile do, and nothing is relit. */
+    void *(*memory)(void *ctx, size_t size);
+    void *memory_ctx;
+
+    /* NULL, or called after each frame. Not 0 ends the loop with that status. */
+    int (*frame_done)(void *ctx, const struct tia_frame *frame);
+    void *frame_ctx;
+    const volatile int *stop;       /* NULL, or the loop ends when it is not 0 */
+};
+
+/* Runs until a quitting key, the frame limit or *stop; then TIA_OK. Display and input must be
+ * open and stay so. Errors: what the ports return, TIA_ERR_RANGE, TIA_ERR_MEMORY. */
+int tia_viewer_run(struct tia_viewer *viewer);
+
+/* Applies one key press to the lights of a scene: 1 when they changed, 0 when the key does
+ * nothing to them but is taken, TIA_ERR_ARGUMENT when it is a quitting key. *count lights are
+ * in use of the array's `capacity`. A move that would leave the accepted range is not made. */
+int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
+              uint16_t key);
+
+#endif

@@ -1,0 +1,55 @@
+/* check.h - what every C test uses. A test program runs its cases one by one and prints a line
+ * for each: "ok NAME", "FAIL NAME: FILE:LINE: WHAT" or "skip NAME: WHY". tests/run counts them.
+ *
+ *     TEST(square_root_of_4) { CHECK(root(4) == 2); CHECK_EQ(root(5), 2); }
+ *     int main(void) { RUN(square_root_of_4); return check_status(); }
+ *
+ * The first CHECK of a case that fails is reported; the case goes on.
+ */
+#ifndef TESTS_CHECK_H
+#define TESTS_CHECK_H
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+static int check_failed, check_failures;
+static char check_why[400];
+
+#define TEST(name) static void name(void)
+#define SKIP(...) ((void)snprintf(check_why, sizeof check_why, __VA_ARGS__), check_failed = -1)
+#define CHECK_MSG(condition, ...)                                                                             \
+    do {                                                                                                      \
+        if (!(condition) && check_failed <= 0) {                                                              \
+            int check_n = snprintf(check_why, sizeof check_why, "%s:%d: ", __FILE__, __LINE__);               \
+            (void)snprintf(check_why + check_n, sizeof check_why - (size_t)check_n, __VA_ARGS__);             \
+            check_failed = 1;                                                                                 \
+        }                                                                                                     \
+    } while (0)
+#define CHECK(condition) CHECK_MSG(condition, "%s", #condition)
+#define CHECK_EQ(got, want)                                                                                   \
+    do {                                                                                                      \
+        intmax_t check_got = (intmax_t)(got), check_want = (intmax_t)(want);                                  \
+        CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                \
+    } while (0)
+
+static inline void check_run(const char *name, void (*test)(void))
+{
+    check_failed = 0;
+    test();
+    if (check_failed > 0) {
+        check_failures++;
+        printf("FAIL %s: %s\n", name, check_why);
+    } else if (check_failed < 0) {
+        printf("skip %s: %s\n", name, check_why);
+    } else {
+        printf("ok %s\n", name);
+    }
+    (void)fflush(stdout);
+}
+
+#define RUN(name) check_run(#name, name)
+
+static inline int check_status(void) { return check_failures != 0; }
+
+#endif
