@@ -1,0 +1,244 @@
+#include "oracle/oracle.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+#define BIAS (1.0 / 8192.0)
+
+struct ray {
+    struct oracle_vec origin, direction;
+};
+
+struct colour {
+    double channel[3];
+};
+
+static double q16(tia_q16 value)
+{
+    return value / 65536.0;
+}
+
+static struct oracle_vec position(struct tia_vec3 v)
+{
+    return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
+}
+
+static struct colour rgb(struct tia_rgb c)
+{
+    return (struct colour){{c.r / 1073741824.0, c.g / 1073741824.0, c.b / 1073741824.0}};
+}
+
+static struct oracle_vec sub(struct oracle_vec a, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/* a + s b */
+static struct oracle_vec along(struct oracle_vec a, double s, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+
+static double dot(struct oracle_vec a, struct oracle_vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static double length(struct oracle_vec a)
+{
+    return sqrt(dot(a, a));
+}
+
+static struct oracle_vec divide(struct oracle_vec a, double s)
+{
+    return (struct oracle_vec){a.x / s, a.y / s, a.z / s};
+}
+
+struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, unsigned x,
+                                   unsigned y)
+{
+    double a = tan(q16(camera->fov) * PI / 180.0 / 2.0);
+    double w = width, h = height;
+    struct oracle_vec d = {(2.0 * (x + 0.5) / w - 1.0) * a * w / h, (1.0 - 2.0 * (y + 0.5) / h) * a, -1.0};
+
+    return divide(d, length(d));
+}
+
+bool oracle_sphere_geometric(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
+                             double radius, double *t)
+{
+    struct oracle_vec l = sub(centre, origin);
+    double tca = dot(l, direction);
+
+    if (tca < 0)
+        return false;
+    struct oracle_vec perpendicular = along(l, -tca, direction);
+    double d2 = dot(perpendicular, perpendicular);
+    if (d2 > radius * radius)
+        return false;
+    double thc = sqrt(radius * radius - d2);
+    double t0 = tca - thc, t1 = tca + thc;
+    *t = t0 < 0 ? t1 : t0;
+    return true;
+}
+
+bool oracle_sphere_analytic(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
+                            double radius, double *t)
+{
+    struct oracle_vec o = sub(origin, centre);
+    double a = dot(direction, direction);
+    double b = 2.0 * dot(direction, o);
+    double c = dot(o, o) - radius * radius;
+    double discriminant = b * b - 4.0 * a * c;
+
+    if (discriminant < 0)
+        return false;
+    double t0 = (-b - sqrt(discriminant)) / (2.0 * a);
+    double t1 = (-b + sqrt(discriminant)) / (2.0 * a);
+    if (t1 < 0)
+        return false;
+    *t = t0 < 0 ? t1 : t0;
+    return true;
+}
+
+unsigned oracle_bayer(unsigned x, unsigned y)
+{
+    static const unsigned quadrant[2][2] = {{0, 2}, {3, 1}};
+    unsigned value = 0;
+
+    /* From M(1) to M(8): the bits of x and y, the lowest first, choose the quadrant. */
+    for (unsigned bit = 0; bit < 3; bit++)
+        value += quadrant[y >> bit & 1][x >> bit & 1] << (4 - 2 * bit);
+    return value;
+}
+
+/* The nearest sphere on the ray, the lower index on a tie; *t is its distance, or infinite. */
+static uint32_t nearest_sphere(const struct tia_scene *scene, struct ray ray, double *t)
+{
+    uint32_t nearest = TIA_NO_OBJECT;
+    double d;
+
+    *t = INFINITY;
+    for (uint32_t i = 0; i < scene->sphere_count; i++) {
+        const struct tia_sphere *s = &scene->spheres[i];
+        if (oracle_sphere_geometric(ray.origin, ray.direction, position(s->centre), q16(s->radius), &d) && d < *t) {
+            *t = d;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/* The same among the lights, where one is nearer than *t. A light of radius 0 cannot be seen. */
+static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double *t)
+{
+    uint32_t nearest = TIA_NO_OBJECT;
+    double d;
+
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        const struct tia_light *l = &scene->lights[i];
+        if (l->radius > 0 &&
+            oracle_sphere_geometric(ray.origin, ray.direction, position(l->centre), q16(l->radius), &d) && d < *t) {
+            *t = d;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+/* What is left of white light on its way along the ray up to `distance`. */
+static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance)
+{
+    struct colour left = {{1.0, 1.0, 1.0}};
+    double d;
+
+    for (uint32_t i = 0; i < scene->sphere_count; i++) {
+        const struct tia_sphere *s = &scene->spheres[i];
+        if (oracle_sphere_geometric(ray.origin, ray.direction, position(s->centre), q16(s->radius), &d) &&
+            d < distance) {
+            struct colour kept = rgb(scene->materials[s->material].transmission);
+            for (int c = 0; c < 3; c++)
+                left.channel[c] *= kept.channel[c];
+        }
+    }
+    return left;
+}
+
+/* Adds what one light gives the point p with normal n of a surface; true when any of it arrives. */
+static bool add_light(const struct tia_scene *scene, const struct tia_light *light, struct oracle_vec p,
+                      struct oracle_vec n, struct colour surface, double sum[3])
+{
+    struct oracle_vec way = sub(position(light->centre), p);
+    double distance = length(way);
+    struct oracle_vec ldir = divide(way, distance);
+    double cosine = dot(n, ldir);
+
+    if (!(cosine > 0))
+        return false;
+    struct colour left = transmission(scene, (struct ray){along(p, BIAS, n), ldir}, distance);
+    struct colour emission = rgb(light->emission);
+    for (int c = 0; c < 3; c++)
+        sum[c] += surface.channel[c] * left.channel[c] * cosine * emission.channel[c];
+    return left.channel[0] > 0 || left.channel[1] > 0 || left.channel[2] > 0;
+}
+
+static void shade(const struct tia_scene *scene, struct ray ray, struct oracle_pixel *pixel)
+{
+    const struct tia_sphere *s = &scene->spheres[pixel->object];
+    const struct tia_material *material = &scene->materials[s->material];
+    struct oracle_vec p = along(ray.origin, pixel->depth, ray.direction);
+    struct oracle_vec n = divide(sub(p, position(s->centre)), q16(s->radius));
+    struct colour emission = rgb(material->emission);
+
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        bool lit = add_light(scene, &scene->lights[i], p, n, rgb(material->colour), pixel->linear);
+        if (lit && i < 32)
+            pixel->reached |= UINT32_C(1) << i;
+    }
+    for (int c = 0; c < 3; c++)
+        pixel->linear[c] += emission.channel[c];
+}
+
+static void set_linear(struct oracle_pixel *pixel, struct colour colour)
+{
+    for (int c = 0; c < 3; c++)
+        pixel->linear[c] = colour.channel[c];
+}
+
+/* floor(levels c + threshold) of a channel clamped to [0, 1]. */
+static unsigned quantise(double linear, double levels, double threshold, double *margin)
+{
+    double clamped = linear < 0 ? 0 : linear > 1 ? 1 : linear;
+    double value = levels * clamped + threshold;
+
+    *margin = fmin(*margin, fabs(value - nearbyint(value)));
+    return (unsigned)floor(value);
+}
+
+static void pack(struct oracle_pixel *pixel, double threshold)
+{
+    unsigned r = quantise(pixel->linear[0], 31, threshold, &pixel->margin);
+    unsigned g = quantise(pixel->linear[1], 63, threshold, &pixel->margin);
+    unsigned b = quantise(pixel->linear[2], 31, threshold, &pixel->margin);
+
+    pixel->colour = (tia_rgb565)(r << 11 | g << 5 | b);
+}
+
+struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
+                                 bool dither)
+{
+    struct ray ray = {position(scene->camera.eye), oracle_direction(&scene->camera, width, height, x, y)};
+    struct oracle_pixel pixel = {.margin = 1};
+
+    pixel.sphere = nearest_sphere(scene, ray, &pixel.depth);
+    uint32_t light = nearest_light(scene, ray, &pixel.depth);
+    pixel.object = light == TIA_NO_OBJECT ? pixel.sphere : scene->sphere_count + light;
+    if (light != TIA_NO_OBJECT)
+        set_linear(&pixel, rgb(scene->lights[light].emission));
+    else if (pixel.object == TIA_NO_OBJECT)
+        set_linear(&pixel, rgb(scene->background));
+    else
+        shade(scene, ray, &pixel);
+    pack(&pixel, dither ? (oracle_bayer(x, y) + 0.5) / 64.0 : 0.5);
+    return pixel;
+}

@@ -1,0 +1,48 @@
+/* oracle.h - the same pictures computed a second time, to check the library against.
+ *
+ * Brute force in double precision: each formula of the ray tracer written down once, in the order
+ * in which a textbook has it, with no thought for speed. It shares no code with the library, only
+ * the public structs of a scene, whose integers it converts to double exactly.
+ */
+#ifndef TESTS_ORACLE_ORACLE_H
+#define TESTS_ORACLE_ORACLE_H
+
+#include <tia/render.h>
+
+struct oracle_vec {
+    double x, y, z;
+};
+
+/* What one pixel shows and why. */
+struct oracle_pixel {
+    tia_rgb565 colour;
+    uint32_t object;  /* a sphere's index, sphere_count + the index of a light, or TIA_NO_OBJECT */
+    uint32_t sphere;  /* the same as if lights could not be seen */
+    uint32_t reached; /* bit n: light n < 32 lights it: N.Ldir > 0 and the way is not black */
+    double linear[3]; /* r, g, b before clamping */
+    double depth;     /* distance from the eye; infinite for the background */
+    double margin;    /* how near 31c + 0.5 or 63c + 0.5 of any channel is to an integer, that is how
+                         large an error in units of one level can be without changing the colour */
+};
+
+/* The unit direction of the ray through the centre of pixel (x, y). */
+struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, unsigned x,
+                                   unsigned y);
+
+/* A ray (unit direction) against a sphere; true and the distance when it hits.
+ * Geometric: by the ray's point nearest to the centre; a sphere whose centre is behind is missed.
+ * Analytic: the smaller root not below 0 of |O + tD - C|^2 = r^2. The two differ only for a ray
+ * that starts inside and leads away from the centre. */
+bool oracle_sphere_geometric(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
+                             double radius, double *t);
+bool oracle_sphere_analytic(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
+                            double radius, double *t);
+
+/* Row y & 7, column x & 7 of the 8x8 matrix M(8): M(1) = 0, M(2n) = [4M, 4M+2; 4M+3, 4M+1]. */
+unsigned oracle_bayer(unsigned x, unsigned y);
+
+/* Pixel (x, y) of the width x height image of `scene`. */
+struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
+                                 bool dither);
+
+#endif
