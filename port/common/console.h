@@ -1,0 +1,66 @@
+/* console.h - the virtual console (VT) under a display that takes the whole screen, the signals
+ * by which the kernel switches it, and the one place where signals are let in.
+ *
+ * A display takes the console; inputs only listen and wait:
+ *
+ *     open:   console_listen(&listener);  if (console_state() == CONSOLE_OURS) grab();
+ *     wait:   console_wait(fds, count, timeout_ms);   // leave() and enter() are called from here
+ *     poll:   on Ctrl-Alt-Fn, console_switch(n);
+ *     close:  console_ignore(&listener);
+ *
+ * There is one console in a process, as there is one screen. All functions are called by the same
+ * thread; other threads must have every signal blocked, or they swallow the console's.
+ */
+#ifndef PORT_COMMON_CONSOLE_H
+#define PORT_COMMON_CONSOLE_H
+
+#include <poll.h>
+
+#include "ports.h"
+
+enum console_state {
+    CONSOLE_FREE,                   /* no display of this program has taken the screen: grab nothing */
+    CONSOLE_OURS,                   /* the screen is ours: draw, grab the keyboards */
+    CONSOLE_AWAY                    /* ours, but another console is in front: draw and grab nothing */
+};
+
+enum console_state console_state(void);
+
+/* Who wants to know when the screen comes and goes. Embedded in a port's context. */
+struct console_listener {
+    void (*enter)(void *arg);       /* it has become CONSOLE_OURS */
+    void (*leave)(void *arg);       /* it stops being ours when this returns: let go of everything */
+    void *arg;
+    struct console_listener *next;  /* console.c's */
+};
+
+/* Neither calls back: look at console_state(). Listeners enter in the order in which they began to
+ * listen and leave in reverse. console_ignore is safe when not listening. */
+void console_listen(struct console_listener *listener);
+void console_ignore(struct console_listener *listener);
+
+/* poll(2) with every signal let in while it waits, then does what the kernel's switching signals
+ * asked for. Every tia_input.wait is made of it, with or without a console. Returns how many
+ * descriptors are ready, 0 when none is (time is up or a signal came), or TIA_ERR_DEVICE. */
+int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms);
+
+/* Asks for console number `vt` (1..63) to come in front, as Ctrl-Alt-Fn does; it happens in a later
+ * console_wait. Does nothing when there is no VT or no such console. */
+void console_switch(unsigned vt);
+
+/* ---- for displays ---- */
+
+/* Takes the console: the controlling terminal when it is a VT, else the VT in front, else none
+ * (no VT in this kernel, or no right to open it: then the screen is ours and is never switched).
+ * Brings it in front, stops its text and takes part in switching. The guardian (guardian.h) puts
+ * it back if this process dies. TIA_ERR_DEVICE and a line in `why` when another program has it. */
+int console_open(char why[PORT_WHY]);
+
+/* Puts back what console_open changed. Safe when it is not open. */
+void console_close(void);
+
+/* "tty1, the controlling terminal", "tty1, the console in front" or "none: WHY"; of the console
+ * taken, or of the one that would be taken now. */
+const char *console_name(char text[PORT_WHY]);
+
+#endif
