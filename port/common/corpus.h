@@ -1,0 +1,31 @@
+/* corpus.h - the scenes that accuracy is measured on: the built-in one, and random ones that are the
+ * same on every machine.
+ */
+#ifndef PORT_COMMON_CORPUS_H
+#define PORT_COMMON_CORPUS_H
+
+#include <tia/port.h>
+
+#define CORPUS_BALLS 8
+#define CORPUS_LIGHTS 3
+
+/* A scene and the arrays that it points to: not to be copied. */
+struct corpus_scene {
+    struct tia_scene scene;
+    unsigned width, height;
+    struct tia_material materials[CORPUS_BALLS + 1];
+    struct tia_sphere spheres[CORPUS_BALLS + 1];
+    struct tia_light lights[CORPUS_LIGHTS];
+};
+
+/* Random scene number `index` of the series `seed`: a ground of radius 10000, 1 to 8 balls of radius
+ * 0.25 to 6 that may touch and overlap, 1 to 3 lights, an eye 0.5 to 60 above the ground, a field of
+ * view of 10 to 90 degrees, an image of 320x240 to 1920x1080. In every fourth scene some balls let
+ * light through, in every fifth some glow. tia_scene_check accepts all of them. */
+void corpus_random(struct corpus_scene *out, uint64_t seed, unsigned index);
+
+/* tia_thesis_scene after the presses of `keys`, for a width x height image. TIA_ERR_ARGUMENT when
+ * one of them would quit. */
+int corpus_thesis(struct corpus_scene *out, const char *keys, unsigned width, unsigned height);
+
+#endif
