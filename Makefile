@@ -2,7 +2,7 @@
 #
 #   make CC=clang, make CROSS=arm-linux-gnueabi-, make CFLAGS='-O3 -march=native', make BUILD=dir
 #   make F64=no          leaves the double-precision reference out (targets without an FPU)
-#   make DRM=no PNG=no   leaves a part out though its library is there
+#   make DRM=no PNG=no OSMESA=no EGL=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
@@ -26,6 +26,8 @@ F64 ?= yes
 have = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes || echo no)
 DRM ?= $(call have,libdrm)
 PNG ?= $(call have,libpng)
+OSMESA ?= $(call have,osmesa gl)
+EGL ?= $(call have,egl gl)
 MISSING :=
 LIBS := -lm
 ifeq ($(DRM),yes)
@@ -40,6 +42,14 @@ LIBS += $(shell $(PKG_CONFIG) --libs libpng)
 else
 MISSING += "no libpng: built without .png files"
 endif
+# The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
+GL := $(filter yes,$(OSMESA) $(EGL))
+ifneq ($(GL),)
+HOSTED += -DTIA_HAVE_OSMESA $(if $(filter yes,$(OSMESA)),-DTIA_HAVE_LIBOSMESA) $(if $(filter yes,$(EGL)),-DTIA_HAVE_EGL)
+LIBS += -ldl
+else
+MISSING += "no OSMesa, no EGL: built without the osmesa display"
+endif
 ifeq ($(F64),yes)
 HOSTED += -DTIA_HAVE_F64
 endif
@@ -47,7 +57,8 @@ endif
 # ---- sources: one object per file and arithmetic ----
 CORE_SRC  := $(sort $(wildcard src/*.c src/shape/*.c))
 NUM_SRC   := $(sort $(shell grep -l 'include "num.h"' $(CORE_SRC)))
-PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm)
+PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
+             $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
 ORACLE_SRC := $(sort $(wildcard tests/oracle/*.c))
 TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_*.c)))

@@ -1,0 +1,242 @@
+/* test_osmesa.c - the osmesa display: what is drawn through GL comes back bit by bit, with both libraries. */
+#include <stdlib.h>
+
+#include "check.h"
+
+#ifndef TIA_HAVE_OSMESA
+TEST(osmesa)
+{
+    SKIP("built without OSMesa and EGL (install libosmesa6-dev or libegl-dev)");
+}
+int main(void)
+{
+    RUN(osmesa);
+    return check_status();
+}
+#else
+#include "osmesa/osmesa.h"
+
+static const char *library; /* the one under test */
+static char why[PORT_WHY];
+
+static void *create(unsigned width, unsigned height)
+{
+    struct port_wish wish = {.device = library, .width = (uint16_t)width, .height = (uint16_t)height, .why = why};
+
+    return osmesa_create(&wish);
+}
+
+/* A display of this size, open; NULL after a failed check. */
+static void *opened(unsigned width, unsigned height)
+{
+    struct tia_mode mode = {0};
+    void *ctx = create(width, height);
+
+    if (!ctx || osmesa_display.open(ctx, &mode) != TIA_OK) {
+        CHECK_MSG(false, "%s", why);
+        osmesa_destroy(ctx);
+        return NULL;
+    }
+    CHECK_EQ(mode.width, width);
+    CHECK_EQ(mode.height, height);
+    return ctx;
+}
+
+static void closed(void *ctx)
+{
+    osmesa_display.close(ctx);
+    osmesa_destroy(ctx);
+}
+
+/* Writes an image tile by tile and presents it. */
+static void show(void *ctx, const tia_rgb565 *image, unsigned width, unsigned height, unsigned rows)
+{
+    for (unsigned top = 0; top < height; top += rows) {
+        unsigned count = height - top < rows ? height - top : rows;
+        struct tia_tile tile = {0, (uint16_t)top, (uint16_t)width, (uint16_t)count};
+        struct tia_surface surface = {0};
+
+        CHECK_EQ(osmesa_display.acquire(ctx, tile, &surface), TIA_OK);
+        for (unsigned i = 0; i < count && surface.pixels; i++) {
+            memcpy((char *)surface.pixels + (ptrdiff_t)i * surface.pitch, image + (size_t)(top + i) * width,
+                   width * sizeof *image);
+        }
+        CHECK_EQ(osmesa_display.submit(ctx, tile), TIA_OK);
+    }
+    CHECK_MSG(osmesa_display.present(ctx) == TIA_OK, "%s", why);
+}
+
+static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned height)
+{
+    const tia_rgb565 *seen = osmesa_read(ctx);
+
+    CHECK(seen != NULL);
+    for (size_t i = 0; seen && i < (size_t)width * height; i++) {
+        CHECK_MSG(seen[i] == image[i], "%ux%u: pixel (%zu, %zu) is %04x, not %04x", width, height, i % width, i / width,
+                  seen[i], image[i]);
+    }
+}
+
+/* 40503 is odd, so the pattern visits every colour before it repeats, and no two rows are alike. */
+static tia_rgb565 *pattern(unsigned width, unsigned height, unsigned seed)
+{
+    tia_rgb565 *image = malloc((size_t)width * height * sizeof *image);
+
+    for (size_t i = 0; image && i < (size_t)width * height; i++) {
+        image[i] = (tia_rgb565)((i + seed) * 40503u);
+    }
+    return image;
+}
+
+static void round_trip(unsigned width, unsigned height)
+{
+    tia_rgb565 *image = pattern(width, height, 1);
+    void *ctx = opened(width, height);
+
+    if (ctx) {
+        show(ctx, image, width, height, 7);
+        compare(ctx, image, width, height);
+        closed(ctx);
+    }
+    free(image);
+}
+
+TEST(every_colour)
+{
+    round_trip(256, 256);
+}
+
+/* Rows of an odd number of pixels, single rows and columns. */
+TEST(any_size)
+{
+    static const unsigned sizes[][2] = {{1, 1}, {3, 5}, {1, 67}, {67, 1}, {641, 9}, {17, 481}, {8192, 2}, {2, 8192}};
+
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        round_trip(sizes[i][0], sizes[i][1]);
+    }
+}
+
+/* A frame is seen when it is presented, not before, and a second one replaces it. */
+TEST(frame_after_frame)
+{
+    tia_rgb565 *first = pattern(65, 33, 1), *second = pattern(65, 33, 1000);
+    void *ctx = opened(65, 33);
+    struct tia_surface surface = {0};
+
+    if (ctx) {
+        show(ctx, first, 65, 33, 33);
+        CHECK_EQ(osmesa_display.acquire(ctx, (struct tia_tile){0, 0, 1, 1}, &surface), TIA_OK);
+        *surface.pixels = (tia_rgb565)~first[0];
+        compare(ctx, first, 65, 33);
+        show(ctx, second, 65, 33, 33);
+        compare(ctx, second, 65, 33);
+        closed(ctx);
+    }
+    free(first);
+    free(second);
+}
+
+/* Each display has a context of its own: what one shows does not depend on the other. */
+TEST(two_displays)
+{
+    tia_rgb565 *left = pattern(40, 30, 5), *right = pattern(33, 31, 77);
+    void *a = opened(40, 30), *b = opened(33, 31);
+
+    if (a && b) {
+        show(a, left, 40, 30, 30);
+        show(b, right, 33, 31, 31);
+        compare(a, left, 40, 30);
+        compare(b, right, 33, 31);
+        closed(a);
+        compare(b, right, 33, 31);
+        closed(b);
+    }
+    free(left);
+    free(right);
+}
+
+TEST(open_again)
+{
+    tia_rgb565 *image = pattern(31, 17, 3);
+    struct tia_mode mode;
+    void *ctx = opened(31, 17);
+
+    for (int i = 0; ctx && i < 5; i++) {
+        show(ctx, image, 31, 17, 17);
+        compare(ctx, image, 31, 17);
+        osmesa_display.close(ctx);
+        osmesa_display.close(ctx);
+        CHECK_EQ(osmesa_display.present(ctx), TIA_ERR_ARGUMENT);
+        CHECK_EQ(osmesa_display.open(ctx, &mode), TIA_OK);
+    }
+    if (ctx) {
+        closed(ctx);
+    }
+    free(image);
+}
+
+/* Refused with a reason in the form that every port uses, and safe to close. */
+TEST(refusals)
+{
+    struct port_wish other = {.device = "opengl", .why = why};
+    struct tia_surface surface;
+    struct tia_mode mode;
+    void *ctx = create(65535, 1);
+
+    CHECK_EQ(osmesa_display.open(ctx, &mode), TIA_ERR_UNSUPPORTED);
+    CHECK_MSG(strstr(why, library) && strstr(why, "65535x1"), "%s", why);
+    closed(ctx);
+    CHECK(osmesa_create(&other) == NULL);
+    CHECK_MSG(!strcmp(why, "osmesa:opengl: no such library in this build"), "%s", why);
+    ctx = opened(4, 4);
+    if (ctx) {
+        CHECK_EQ(osmesa_display.acquire(ctx, (struct tia_tile){1, 0, 4, 4}, &surface), TIA_ERR_ARGUMENT);
+        CHECK_EQ(osmesa_display.submit(ctx, (struct tia_tile){0, 4, 4, 1}), TIA_ERR_ARGUMENT);
+        closed(ctx);
+    }
+}
+
+static void count_line(void *arg, const char *text)
+{
+    CHECK_MSG(!strncmp(text, "osmesa:", 7) && strstr(text, "RGB565"), "%s", text);
+    ++*(int *)arg;
+}
+
+TEST(listed)
+{
+    int lines = 0;
+
+    osmesa_list(count_line, &lines);
+    CHECK(lines > 0);
+}
+
+static void run_all(const char *name)
+{
+    static const struct {
+        const char *name;
+        void (*test)(void);
+    } cases[] = {{"every_colour", every_colour}, {"any_size", any_size},     {"frame_after_frame", frame_after_frame},
+                 {"two_displays", two_displays}, {"open_again", open_again}, {"refusals", refusals}};
+    char title[64];
+
+    library = name;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        (void)snprintf(title, sizeof title, "%s_%s", name, cases[i].name);
+        check_run(title, cases[i].test);
+    }
+}
+
+int main(void)
+{
+    /* Mesa would keep compiled shaders in the user's home. */
+    (void)setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+#ifdef TIA_HAVE_LIBOSMESA
+    run_all("osmesa");
+#endif
+#ifdef TIA_HAVE_EGL
+    run_all("egl");
+#endif
+    RUN(listed);
+    return check_status();
+}
+#endif
