@@ -9,6 +9,11 @@ struct tia_vec3 {
     tia_q16 x, y, z;
 };
 
+/* A direction of length 1, Q2.30. */
+struct tia_dir3 {
+    tia_q30 x, y, z;
+};
+
 /* A linear colour, Q2.30 a channel; 1.0 is full. */
 struct tia_rgb {
     tia_q30 r, g, b;

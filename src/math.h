@@ -1,0 +1,172 @@
+/* math.h - the integer kernels under every computation of the core.
+ *
+ * All of them are branch-free or nearly so, keep no state, use no floating point and give the
+ * same bits on every machine. "ulp" is the last bit of the result. The kernels use wide products
+ * (32 x 32 to 64) and count-leading-zeros, one instruction each where the machine has them.
+ */
+#ifndef TIA_SRC_MATH_H
+#define TIA_SRC_MATH_H
+
+#include <stdint.h>
+#include <tia/vec.h>
+
+/* Signed right shifts keep the sign, as every compiler in use has it. */
+_Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
+
+/* Seeds: straight lines, see tools/gen-tables.py. */
+extern const uint32_t tia_rsqrt_lines[384];
+extern const uint32_t tia_reciprocal_lines[128];
+
+/* Leading zero bits. x must not be 0. */
+static inline unsigned tia_clz32(uint32_t x)
+{
+#if defined(__GNUC__)
+    return (unsigned)__builtin_clz((unsigned)x);
+#else
+    unsigned n = 0;
+    for (unsigned step = 16; step; step >>= 1)
+        if (!(x >> (32 - step))) {
+            n += step;
+            x <<= step;
+        }
+    return n;
+#endif
+}
+
+/* Leading zero bits. x must not be 0. */
+static inline unsigned tia_clz64(uint64_t x)
+{
+#if defined(__GNUC__) && UINTPTR_MAX > UINT32_MAX
+    return (unsigned)__builtin_clzll((unsigned long long)x);
+#else
+    uint32_t high = (uint32_t)(x >> 32);
+    return high ? tia_clz32(high) : 32 + tia_clz32((uint32_t)x);
+#endif
+}
+
+/* x / 2^s to nearest, ties up. s <= 63, |x| <= 2^62. */
+static inline int64_t tia_round_shift(int64_t x, unsigned s)
+{
+    return (x + (int64_t)((UINT64_C(1) << s) >> 1)) >> s;
+}
+
+/* The line of a table's entry at f / 2^16: Q1.31 in [2^31, 2^32). */
+static inline uint32_t tia_seed(uint32_t line, uint32_t f)
+{
+    uint32_t c0 = UINT32_C(0x80000000) | ((line >> 1) & ~UINT32_C(0x7ff));
+    return c0 - (((line & 0xfff) * f) >> 3);
+}
+
+/* 2^31 / sqrt(a / 2^32) within 3.8e-6, relative. a >= 2^30. */
+static inline uint32_t tia_rsqrt_seed(uint32_t a)
+{
+    return tia_seed(tia_rsqrt_lines[(a >> 23) - 128], (a >> 7) & 0xffff);
+}
+
+/* 2^31 / sqrt(n / 2^64), Q1.31 in [2^31, 2^32), within 2 ulp. n >= 2^62.
+ *
+ * One Newton step y (1 + e/2), e = 1 - n y^2, on the upper word of n: the lower one may be
+ * anything. Where a factor is cut to 32 bits half a unit is added, n as a + 1/2 and y^2 as
+ * q + 1/2; and e is raised by 2^-32, so that rounding down at the end loses nothing on average
+ * where y is near 2 and an ulp weighs least. y + step stays below 2^32 for every n. */
+static inline uint32_t tia_rsqrt(uint64_t n)
+{
+    uint32_t a = (uint32_t)(n >> 32);
+    uint32_t y = tia_rsqrt_seed(a);
+    uint32_t q = (uint32_t)(((uint64_t)y * y) >> 32);
+    uint64_t product = (uint64_t)a * q + (((uint64_t)a + q) >> 1);
+    int64_t e = (int64_t)((UINT64_C(1) << 62) + (UINT64_C(1) << 30) - product);
+    return y + (uint32_t)(((int64_t)(int32_t)(y >> 1) * (int32_t)(e >> 16)) >> 46);
+}
+
+/* 2^63 / d, at most 2^32 - 1; errs by -1.02 to +0.25 ulp. d >= 2^31.
+ *
+ * One Newton step y (1 + e), e = 1 - d y, rounded down. It leaves -e^2, a quarter of an ulp at
+ * d = 2^31; e is raised by 2^-34 to give that back, and no more, so that 2^63 / 2^31 stays below
+ * 2^32. */
+static inline uint32_t tia_reciprocal(uint32_t d)
+{
+    uint32_t y = tia_seed(tia_reciprocal_lines[(d >> 24) - 128], (d >> 8) & 0xffff);
+    int64_t e = (int64_t)((UINT64_C(1) << 63) + (UINT64_C(1) << 29) - (uint64_t)d * y);
+    return y + (uint32_t)(((int64_t)(int32_t)(y >> 1) * (int32_t)(e >> 16)) >> 46);
+}
+
+/* The square root of n >= 2^62, rounded down, exact.
+ *
+ * r0 = n y with the seed y; then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. It errs by
+ * -3/2 e^2 r, less than 0.1, and by less than 2^-12 either way; 2^12 off the remainder, 1/32 to
+ * 1/16 in the root, keep it from ever being too large, and rounding down takes less than one
+ * more: the root is what it gives, or one more. */
+static inline uint32_t tia_sqrt_normalised(uint64_t n)
+{
+    uint32_t a = (uint32_t)(n >> 32);
+    uint32_t y = tia_rsqrt_seed(a);
+    uint64_t r = (((uint64_t)a * y) >> 32) << 1;
+    int32_t rest = (int32_t)((int64_t)(n - r * r) >> 16) - (1 << 12);
+    r += (uint64_t)(((int64_t)rest * (int32_t)(y >> 1)) >> 47);
+    return (uint32_t)(r + (n - r * r > 2 * r));
+}
+
+/* The square root of x, rounded down, exact. */
+static inline uint32_t tia_sqrt64(uint64_t x)
+{
+    if (!x)
+        return 0;
+    unsigned s = tia_clz64(x) & ~1u;
+    return tia_sqrt_normalised(x << s) >> (s >> 1);
+}
+
+/* The square root of x, rounded down, exact: bit by bit, where speed does not matter. */
+static inline uint32_t tia_sqrt32(uint32_t x)
+{
+    uint32_t r = 0;
+    for (uint32_t bit = UINT32_C(1) << 15; bit; bit >>= 1) {
+        uint32_t t = r + bit;
+        if (t * t <= x)
+            r = t;
+    }
+    return r;
+}
+
+/* (x, y, z), in any unit, over its length: within 1.5 ulp a component. Not all three may be 0. */
+static inline struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
+{
+    uint64_t n = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y) + (uint64_t)((int64_t)z * z);
+    unsigned s = tia_clz64(n) & ~1u;
+    int64_t scale = tia_rsqrt(n << s);
+    /* 1/sqrt(n) = scale 2^(s/2 - 63), and 30 bits stay behind the point */
+    unsigned shift = 33 - (s >> 1);
+    return (struct tia_dir3){(tia_q30)tia_round_shift(x * scale, shift), (tia_q30)tia_round_shift(y * scale, shift),
+                             (tia_q30)tia_round_shift(z * scale, shift)};
+}
+
+/* An unsigned 128-bit integer in two halves. */
+struct tia_wide {
+    uint64_t high, low;
+};
+
+/* a b, exact. */
+static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
+{
+#if defined(__SIZEOF_INT128__)
+    __extension__ typedef unsigned __int128 wide;
+    wide p = (wide)a * b;
+    return (struct tia_wide){(uint64_t)(p >> 64), (uint64_t)p};
+#else
+    uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
+    uint64_t low = a0 * b0, middle = a1 * b0 + (low >> 32);
+    uint64_t cross = a0 * b1 + (uint32_t)middle;
+    return (struct tia_wide){a1 * b1 + (middle >> 32) + (cross >> 32), cross << 32 | (uint32_t)low};
+#endif
+}
+
+/* The sign of a b - c d, exact: -1, 0 or 1. */
+static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
+{
+    struct tia_wide p = tia_wide_product(a, b), q = tia_wide_product(c, d);
+    if (p.high != q.high)
+        return p.high < q.high ? -1 : 1;
+    return (p.low > q.low) - (p.low < q.low);
+}
+
+#endif
