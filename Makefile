@@ -18,7 +18,7 @@ VERSION := $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
 
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
 COMMON  := -std=c11 $(WARN) -Iinclude -MMD -MP
-CORE    := $(COMMON) -ffreestanding -Isrc
+CORE    := $(COMMON) -ffreestanding -iquote src
 HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -pthread
 
 # ---- optional libraries: found by pkg-config, else their parts are left out and named ----
@@ -56,7 +56,8 @@ endif
 
 # ---- sources: one object per file and arithmetic ----
 CORE_SRC  := $(sort $(wildcard src/*.c src/shape/*.c))
-NUM_SRC   := $(sort $(shell grep -l 'include "num.h"' $(CORE_SRC)))
+PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c)
+NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
@@ -65,7 +66,7 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_
 
 obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
-LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a)
+LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests
@@ -78,15 +79,19 @@ $(BUILD)/q16/%.o: %.c
 $(BUILD)/f64/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CORE) -DTIA_NUM_F64 -fno-math-errno $(CFLAGS) -c -o $@ $<
+$(BUILD)/f32/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CORE) -DTIA_NUM_F32 -fno-math-errno $(CFLAGS) -c -o $@ $<
 $(BUILD)/host/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(HOSTED) $(CFLAGS) -c -o $@ $<
 $(BUILD)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
-	$(CC) $(HOSTED) -Isrc -Itests $(CFLAGS) -c -o $@ $<
+	$(CC) $(HOSTED) -iquote src -iquote tests $(CFLAGS) -c -o $@ $<
 
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
+$(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 %.a:

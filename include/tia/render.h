@@ -86,7 +86,10 @@ struct tia_core {
                  const struct tia_options *);
 };
 
-extern const struct tia_core tia_core_q16;
+extern const struct tia_core tia_core_q16;  /* integers: the functions above */
+extern const struct tia_core tia_core_f64;  /* double: the reference, libtia-f64.a */
+extern const struct tia_core tia_core_f32;  /* float: for comparison, libtia-f32.a */
+extern const struct tia_core tia_core_chk;  /* q16 that reports what leaves its range, libtia-chk.a */
 
 /* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes; start with crc 0
  * and feed a frame row by row. */

@@ -1,0 +1,87 @@
+/* kernels.h - the hot loops: passes over a run of pixels in one row, at most CHUNK of them.
+ *
+ * Each takes its constants, prepared once a run, and arrays with one entry a pixel. They are
+ * all that a vector version has to replace; it must give the same bits.
+ */
+#ifndef TIA_KERNELS_H
+#define TIA_KERNELS_H
+
+#include "view.h"
+
+/* What sphere_distances knows of a run. */
+struct sphere_line {
+    num_wide b, b_step;       /* accumulator of L.v */
+    struct row_square square; /* accumulator of v.v */
+    num_u c_disc, c_top;
+    int t_shift, count;
+};
+
+/* t = c / (b + sqrt(b^2 - c v.v)). */
+void kernel_sphere(const struct sphere_line *line, num_u *t);
+
+/* t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
+void kernel_sphere_inside(const struct sphere_line *line, num_u *t);
+
+/* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v,
+ * everything that lighting needs is linear in s = t G.v, since |P|^2 = 2 L.P - c:
+ *
+ *     r N.(Q - P) = s + c - L.Q         |Q - P|^2 = Q.Q - c - 2 s
+ */
+struct light_line {
+    num_wide g, g_step;        /* accumulator of G.v */
+    num_wide facing, distance; /* c - L.Q and Q.Q - c, with the exponent of s */
+    int scale;                 /* facing * 2^(scale + half) is a mantissa */
+    num_u inverse;             /* num_inverse(r) */
+    int count;
+};
+
+/* What one light does to each pixel of a run. Where facing is 0, the rest is not defined. */
+struct lit {
+    num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
+    num_wide square[CHUNK]; /* |Q - P|^2 */
+    num_u near[CHUNK];      /* the same as a mantissa, times 4^half */
+    num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
+    uint8_t half[CHUNK];
+};
+
+/* Fills `lit`; false when no pixel faces the light. */
+bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit);
+
+/* lambert = max(0, N.Ldir), NUM_ONE is 1; inverse as in the light_line. */
+void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert);
+
+/* A sphere C that may stand between a light Q and the points P of a run. With B = C - Q and
+ * w = P - Q: B.w = t B.v - B.Q. The shadow ray starts at P + bias N and passes the light at
+ * Q + bias N, so B is taken from there, B' = B - bias N:
+ *
+ *     B'.w = B.w + bias r N.(Q - P) / r
+ *     |B'|^2 - R^2 = |B|^2 - R^2 - 2 bias N.B + bias^2,    r N.B = t B.v - B.L.
+ *
+ * It meets the sphere when (B'.w)^2 >= |w|^2 (|B'|^2 - R^2); after its start when |w|^2 >= B'.w
+ * and before the light when B'.w > 0. A light inside the sphere is met when P is outside. */
+struct shadow_line {
+    num_wide b, b_step;           /* accumulator of B.v */
+    num_wide to_light, to_centre; /* B.Q and B.L, with the exponent of t B.v */
+    int b_scale;                  /* B.w * 2^(b_scale + half) is a mantissa */
+    num_u b_bias;                 /* bias/r for B'.w */
+    num_u k;                      /* |B|^2 - R^2 + bias^2 */
+    num_u k_bias;                 /* 2 bias/r for k */
+    int k_bias_shift;
+    int reach_shift;                 /* B.w as a mantissa * 2^reach_shift is |w|^2 * 2^half */
+    bool enclosed;                   /* the light is inside */
+    int square_scale, product_scale; /* when enclosed: |w|^2 and B.w to one exponent, */
+    num_wide outside;                /* and |B|^2 - R^2 with it */
+    int count;
+};
+
+/* Sets facing to 0 where the sphere stands before the light. */
+void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *lit);
+
+/* sum = min(1, sum + lambert * colour). */
+void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count);
+
+/* Clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
+void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
+                 tia_rgb565 *out);
+
+#endif

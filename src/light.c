@@ -1,0 +1,272 @@
+/* light.c - from hits to pixels: a row is taken in chunks, a chunk in runs of one object, and a
+ * run goes through the kernels, light by light and shadow by shadow. */
+#include "hits.h"
+#include "kernels.h"
+#include "rgb565.h"
+#include "shadow.h"
+#include "shape/sphere.h"
+
+/* Up to CHUNK pixels of a row on their way to the display. */
+struct chunk {
+    const struct tia_view *view;
+    int x, y, count;
+    const num_u *t;
+    uint32_t *reached; /* NULL, or the sets of lights */
+    uint32_t object[CHUNK];
+    tia_rgb565 pixels[CHUNK];
+};
+
+/* A run of one sphere's pixels in a chunk, and the colour it has so far. */
+struct shading {
+    const struct chunk *chunk;
+    const struct tia_material *material;
+    uint32_t object;
+    int first, count;
+    bool grey; /* red stands for all three */
+    num_u sum[3][CHUNK];
+};
+
+/* The exponents. e_s, that of s = t G.v, keeps s below 2^61, a product of t (31 bits) and G.v (30
+ * bits), and both constants below 2^61. It is even, for the root of |Q - P|^2. r N.w/|w| is at most
+ * r, so r N.w 2^(e_s + half) times 2^(15 - bits - e_s/2) is at most |w| 2^(e_s/2 + half - 1) < 2^31,
+ * with 16 of the radius's bits behind the point. */
+static int prepare_light(const struct tia_view *view, const struct body *body, struct num_vec light, int x, int y,
+                         struct light_line *line)
+{
+    struct num_vec g = num_vec_sub(light, body->centre);
+    num_wide facing = body->c - num_dot(body->centre, light), distance = num_dot(light, light) - body->c;
+    int bits = num_bits(num_max(num_abs(facing), num_abs(distance)));
+    int e_s = body->t_exponent + view->exponent - 16 + 62 - num_bits(view_reach(view, g));
+
+    e_s = (e_s < 93 - bits ? e_s : 93 - bits) & ~1;
+    struct row_form form = view_row_form(view, g, y, e_s - body->t_exponent - view->exponent + 16);
+    line->g = form.start + (num_wide)x * form.step;
+    line->g_step = form.step;
+    line->facing = num_shift(facing, e_s - 32);
+    line->distance = num_shift(distance, e_s - 32);
+    line->scale = 15 - body->radius_bits - (e_s >> 1);
+    return e_s;
+}
+
+/* Where `lit` is dark and was not before, the light passes a sphere that lets `through` pass:
+ * tints it, and gives it back unless nothing is left. */
+static void tint_light(const struct tia_rgb *through, const num_u *before, struct lit *lit, int count,
+                       num_u tint[3][CHUNK])
+{
+    for (int i = 0; i < count; i++) {
+        if (before[i] == lit->facing[i])
+            continue;
+        tint[0][i] = num_colour_product(tint[0][i], num_colour(through->r));
+        tint[1][i] = num_colour_product(tint[1][i], num_colour(through->g));
+        tint[2][i] = num_colour_product(tint[2][i], num_colour(through->b));
+        if (tint[0][i] > 0 || tint[1][i] > 0 || tint[2][i] > 0)
+            lit->facing[i] = before[i];
+    }
+}
+
+static void cast_shadows(const struct shading *s, const struct shadow_source *source, struct lit *lit,
+                         num_u tint[3][CHUNK])
+{
+    const struct chunk *chunk = s->chunk;
+    const struct tia_scene *scene = chunk->view->scene;
+
+    for (uint32_t j = 0; j < scene->sphere_count; j++) {
+        const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
+        struct shadow_line line;
+        num_u before[CHUNK];
+
+        if (j == s->object ||
+            !shadow_line_prepare(chunk->view, source, &chunk->view->bodies[j], chunk->x + s->first, chunk->y, &line))
+            continue;
+        line.count = s->count;
+        for (int i = 0; !rgb565_is_black(through) && i < s->count; i++)
+            before[i] = lit->facing[i];
+        kernel_shadow(&line, chunk->t + s->first, lit);
+        if (!rgb565_is_black(through))
+            tint_light(through, before, lit, s->count, tint);
+    }
+}
+
+static void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert, num_u tint[3][CHUNK])
+{
+    const struct tia_rgb *colour = &s->material->colour, *emission = &light->emission;
+    num_u product[3] = {num_colour_product(num_colour(colour->r), num_colour(emission->r)),
+                        num_colour_product(num_colour(colour->g), num_colour(emission->g)),
+                        num_colour_product(num_colour(colour->b), num_colour(emission->b))};
+
+    for (int c = 0; c < (s->grey ? 1 : 3); c++) {
+        num_u tinted[CHUNK];
+        for (int i = 0; tint && i < s->count; i++)
+            tinted[i] = num_colour_product(lambert[i], tint[c][i]);
+        kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->count);
+    }
+}
+
+/* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
+static void shade_light(struct shading *s, uint32_t l, num_u tint[3][CHUNK])
+{
+    const struct chunk *chunk = s->chunk;
+    const struct tia_view *view = chunk->view;
+    struct shadow_source source = {&view->bodies[s->object],
+                                   num_vec_between(view->scene->camera.eye, view->lights[l].centre), 0};
+    struct light_line line;
+    struct lit lit;
+    num_u lambert[CHUNK];
+
+    source.s_exponent = prepare_light(view, source.body, source.light, chunk->x + s->first, chunk->y, &line);
+    line.count = s->count;
+    if (!kernel_light(&line, chunk->t + s->first, &lit))
+        return;
+    cast_shadows(s, &source, &lit, tint);
+    for (int i = 0; chunk->reached && l < 32 && i < s->count; i++)
+        if (lit.facing[i] > 0)
+            chunk->reached[s->first + i] |= (uint32_t)1 << l;
+    kernel_lambert(&lit, source.body->inverse, s->count, lambert);
+    add_light(s, &view->lights[l], lambert, tint);
+}
+
+static void shade_tinted_light(struct shading *s, uint32_t l)
+{
+    num_u tint[3][CHUNK];
+
+    for (int i = 0; i < s->count; i++)
+        tint[0][i] = tint[1][i] = tint[2][i] = NUM_ONE;
+    shade_light(s, l, tint);
+}
+
+static void shade_run(struct chunk *chunk, int first, int count, const num_u threshold[8])
+{
+    const struct tia_view *view = chunk->view;
+    const struct tia_scene *scene = view->scene;
+    struct shading s = {.chunk = chunk, .object = chunk->object[first], .first = first, .count = count};
+
+    s.material = &scene->materials[scene->spheres[s.object].material];
+    s.grey = view->grey && rgb565_is_grey(&s.material->colour) && rgb565_is_grey(&s.material->emission);
+    for (int i = 0; i < count; i++) {
+        s.sum[0][i] = num_colour(s.material->emission.r);
+        s.sum[1][i] = num_colour(s.material->emission.g);
+        s.sum[2][i] = num_colour(s.material->emission.b);
+    }
+    for (uint32_t l = 0; l < view->light_count; l++) {
+        if (view->tinted)
+            shade_tinted_light(&s, l);
+        else
+            shade_light(&s, l, NULL);
+    }
+    kernel_pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, chunk->x + first, count,
+                chunk->pixels + first);
+}
+
+/* A run that sees the background or a light: one colour, but for the dithering. */
+static void flat_run(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
+{
+    num_u rgb[3][8];
+    tia_rgb565 pixels[8];
+
+    for (int i = 0; i < 8; i++) {
+        rgb[0][i] = num_clamp(num_colour(colour->r));
+        rgb[1][i] = num_clamp(num_colour(colour->g));
+        rgb[2][i] = num_clamp(num_colour(colour->b));
+    }
+    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, 0, 8, pixels);
+    for (int i = first; i < first + count; i++)
+        chunk->pixels[i] = pixels[(chunk->x + i) & 7];
+}
+
+/* Lights are not in the hits, since they move: marks the pixels where one is seen. */
+static void see_lights(struct chunk *chunk)
+{
+    const struct tia_view *view = chunk->view;
+    num_u nearest[CHUNK], t[CHUNK];
+
+    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
+        const struct body *body = &view->bodies[n];
+        struct run run = {chunk->x, chunk->x + chunk->count};
+
+        if (chunk->y < body->rows.first || chunk->y >= body->rows.end)
+            continue;
+        run = run_within(sphere_run(view, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
+        if (run.first >= run.end)
+            continue;
+        sphere_distances(view, body, chunk->y, run.first, run.end - run.first, t);
+        for (int i = run.first - chunk->x; i < run.end - chunk->x; i++) {
+            uint32_t seen = chunk->object[i];
+            const num_u *other = seen != TIA_NO_OBJECT && seen >= view->scene->sphere_count ? nearest : chunk->t;
+            if (seen == TIA_NO_OBJECT ||
+                num_nearer(t[i + chunk->x - run.first], body->t_exponent, other[i], view->bodies[seen].t_exponent)) {
+                nearest[i] = t[i + chunk->x - run.first];
+                chunk->object[i] = n;
+            }
+        }
+    }
+}
+
+static void light_chunk(struct chunk *chunk, const num_u threshold[8])
+{
+    const struct tia_view *view = chunk->view;
+    int end;
+
+    see_lights(chunk);
+    for (int first = 0; first < chunk->count; first = end) {
+        uint32_t object = chunk->object[first];
+        for (end = first + 1; end < chunk->count && chunk->object[end] == object; end++)
+            ;
+        if (object == TIA_NO_OBJECT)
+            flat_run(chunk, first, end - first, &view->scene->background, threshold);
+        else if (object >= view->scene->sphere_count)
+            flat_run(chunk, first, end - first, &view->lights[object - view->scene->sphere_count].emission, threshold);
+        else
+            shade_run(chunk, first, end - first, threshold);
+    }
+}
+
+static void write_pixels(const tia_rgb565 *pixels, int count, const struct tia_surface *surface, ptrdiff_t offset)
+{
+    char *out = (char *)surface->pixels + offset;
+
+    for (int i = 0; i < count; i++)
+        *(tia_rgb565 *)(void *)(out + i * surface->step) = pixels[i];
+}
+
+static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    unsigned row = (unsigned)chunk->y - tile.y;
+    num_u threshold[8];
+
+    rgb565_thresholds(options->dither, chunk->y, threshold);
+    for (unsigned x = 0; x < tile.width; x += CHUNK) {
+        size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
+
+        chunk->x = tile.x + (int)x;
+        chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
+        chunk->t = hits->t + at;
+        chunk->reached = options->reached ? options->reached + (size_t)row * tile.width + x : NULL;
+        for (int i = 0; i < chunk->count; i++) {
+            chunk->object[i] = hits->object[at + (size_t)i];
+            if (chunk->reached)
+                chunk->reached[i] = 0;
+        }
+        light_chunk(chunk, threshold);
+        write_pixels(chunk->pixels, chunk->count, surface,
+                     (ptrdiff_t)row * surface->pitch + (ptrdiff_t)x * surface->step);
+    }
+}
+
+int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                   const struct tia_surface *surface, const struct tia_options *options)
+{
+    static const struct tia_options plain = {false, NULL};
+    struct tia_tile area = hits->area;
+    struct chunk chunk;
+
+    if (!view_tile_inside(tile, 0, 0, (unsigned)view->width, (unsigned)view->height) ||
+        !view_tile_inside(tile, area.x, area.y, area.width, area.height) || !surface->pixels)
+        return TIA_ERR_ARGUMENT;
+    chunk.view = view;
+    for (int y = tile.y; y < tile.y + tile.height; y++) {
+        chunk.y = y;
+        light_row(&chunk, hits, tile, surface, options ? options : &plain);
+    }
+    return TIA_OK;
+}

@@ -1,0 +1,14 @@
+/* num_f32.h - single precision: what the integers are compared with. */
+#ifndef TIA_NUM_F32_H
+#define TIA_NUM_F32_H
+
+typedef float num_real;
+
+#define NUM_NAME "f32"
+#define NUM_PREFIX tia_f32_
+#define NUM_CORE tia_core_f32
+#define num_root(x) __builtin_sqrtf(x)
+
+#include "num_real.h"
+
+#endif

@@ -1,0 +1,14 @@
+/* num_f64.h - double precision: the reference. */
+#ifndef TIA_NUM_F64_H
+#define TIA_NUM_F64_H
+
+typedef double num_real;
+
+#define NUM_NAME "f64"
+#define NUM_PREFIX tia_f64_
+#define NUM_CORE tia_core_f64
+#define num_root(x) __builtin_sqrt(x)
+
+#include "num_real.h"
+
+#endif

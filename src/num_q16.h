@@ -1,0 +1,222 @@
+/* num_q16.h - integers: Q16.16 coordinates, 31-bit mantissas, 64-bit products. */
+#ifndef TIA_NUM_Q16_H
+#define TIA_NUM_Q16_H
+
+#define NUM_NAME "q16"
+#define NUM_PREFIX tia_
+#define NUM_CORE tia_core_q16
+
+#include "names.h"
+#include <tia/render.h>
+
+#include "math.h"
+
+typedef int32_t num;
+typedef uint32_t num_u;
+typedef int64_t num_wide;
+typedef uint64_t num_uwide;
+
+#define NUM_HALF ((num_wide)1 << 31)
+#define NUM_ONE ((num_u)1 << 30)   /* 1.0 of a colour, Q2.30 */
+#define NUM_ROUND ((num_u)1 << 29) /* the threshold of num_quantise that rounds to nearest */
+
+static inline num_wide num_coordinate(tia_q16 q)
+{
+    return q;
+}
+
+static inline num_wide num_lattice(int32_t n, int exponent)
+{
+    return (num_wide)n * ((num_wide)1 << exponent);
+}
+
+/* height * cotangent (Q8.56, below 2^7) with the given exponent (at most 43). */
+static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
+{
+    return tia_round_shift((num_wide)(height * (cotangent >> 13)), (unsigned)(43 - exponent));
+}
+
+static inline num_u num_colour(tia_q30 c)
+{
+    return (num_u)c;
+}
+
+/* A product of two colours, each at most 2, rounded to nearest. */
+static inline num_u num_colour_product(num_u a, num_u b)
+{
+    return (num_u)(((uint64_t)a * b + ((uint64_t)1 << 29)) >> 30);
+}
+
+static inline num_wide num_mul(num a, num b)
+{
+    return (num_wide)a * b;
+}
+
+static inline num_uwide num_mul_u(num_u a, num_u b)
+{
+    return (num_uwide)a * b;
+}
+
+static inline int num_bits(num_wide x)
+{
+    uint64_t magnitude = x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
+    return magnitude ? 64 - (int)tia_clz64(magnitude) : 0;
+}
+
+static inline num_wide num_shift(num_wide x, int s)
+{
+    if (s >= 0)
+        return (num_wide)((uint64_t)x << s);
+    return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
+}
+
+static inline num num_top(num_wide x)
+{
+    return (num)(x >> 32);
+}
+
+static inline num_u num_top_u(num_wide x)
+{
+    return (num_u)((num_uwide)x >> 32);
+}
+
+/* The larger of 0 and a product of mantissas less another. */
+static inline num_uwide num_excess(num_uwide a, num_uwide b)
+{
+    return a > b ? a - b : 0;
+}
+
+static inline num_u num_sqrt(num_uwide x)
+{
+    return tia_sqrt64(x);
+}
+
+/* a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. The reciprocal of b is good
+ * to one part in 2^31. */
+static inline num_u num_quotient(num_u a, num_u b, int s)
+{
+    unsigned z = tia_clz32(b);
+    int shift = s - (int)z;
+    num_uwide product = num_mul_u(a, tia_reciprocal(b << z));
+    shift = shift < 1 ? 1 : shift > 63 ? 63 : shift;
+    return (num_u)(((product >> (shift - 1)) + 1) >> 1);
+}
+
+/* x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
+struct num_normal {
+    num_uwide mantissa;
+    num_u inverse;
+    int half;
+};
+
+static inline struct num_normal num_normal(num_wide x)
+{
+    unsigned z = tia_clz64((uint64_t)x) & ~1u;
+    struct num_normal n = {(uint64_t)x << z, 0, (int)(z / 2)};
+    n.inverse = tia_rsqrt(n.mantissa);
+    return n;
+}
+
+/* 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
+static inline num_u num_inverse(num_wide r)
+{
+    return tia_reciprocal((uint32_t)r << tia_clz32((uint32_t)r));
+}
+
+/* b >= 0 and b^2 >= c q, exactly; q > 0. */
+static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
+{
+    return b >= 0 && (c <= 0 || tia_cmp_products((uint64_t)b, (uint64_t)b, (uint64_t)c, (uint64_t)q) >= 0);
+}
+
+/* a b > c d, exactly; b >= 0 and c > 0. */
+static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
+{
+    if (a > 0 ? d <= 0 : d >= 0)
+        return a > 0;
+    if (a > 0)
+        return tia_cmp_products((uint64_t)a, (uint64_t)b, (uint64_t)c, (uint64_t)d) > 0;
+    return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
+}
+
+/* x * 2^s as a mantissa; the caller knows that it fits. */
+static inline num_u num_scale(num_wide x, int s)
+{
+    return (num_u)num_shift(x, s);
+}
+
+/* The upper half of a product of mantissas, rounded to nearest. */
+static inline num_u num_mul_top(num_u a, num_u b)
+{
+    return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
+}
+
+/* a * b * 2^-s for a signed a, rounded to nearest; s in 0..63. */
+static inline num_wide num_mul_shift(num a, num_u b, int s)
+{
+    return tia_round_shift((num_wide)a * b, (unsigned)s);
+}
+
+/* The mantissa of x as a num_u, where x is num_normal's argument. */
+static inline num_u num_normal_top(struct num_normal n)
+{
+    return (num_u)(n.mantissa >> 32);
+}
+
+/* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */
+static inline num_u num_lambert(num_u scaled, num_u inverse)
+{
+    return (num_u)((num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31);
+}
+
+/* x * 2^half >= b * 2^s, exactly; x > 0 and x * 4^half < 2^64. */
+static inline bool num_reaches(num_wide x, int half, num_u b, int s)
+{
+    num_uwide scaled = (num_uwide)x << half;
+    if (s < 0)
+        return scaled >= (s < -31 ? 0 : (num_uwide)b >> -s);
+    return (s > 63 ? 0 : scaled >> s) >= b;
+}
+
+/* bias/r from num_inverse(r), as a mantissa with 2^s (at most 2^32 - 1), and 2 bias/r. The bias
+ * is 2^-13; with R = 2^16 r and inverse = 2^(31 + num_bits(R)) / R that is 2^(-28 - num_bits(R)) inverse. */
+static inline num_u num_bias(num_u inverse, int s)
+{
+    return s > 0 ? UINT32_MAX : (num_u)num_shift(inverse, s);
+}
+
+static inline num_u num_double_bias(num_u inverse)
+{
+    return inverse;
+}
+
+#define NUM_BIAS_SQUARED ((num_wide)1 << (30 - 26)) /* exponent 30 */
+
+/* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */
+static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
+{
+    return (unsigned)(((num_uwide)c * levels + threshold) >> 30);
+}
+
+/* (n + 1/2) / 64 as a threshold. */
+static inline num_u num_threshold(unsigned n)
+{
+    return (num_u)(2 * n + 1) << 23;
+}
+
+/* Whether t with exponent e is nearer than u with exponent f. */
+static inline bool num_nearer(num_u t, int e, num_u u, int f)
+{
+    int d = f - e;
+    if (d >= 0)
+        return (num_uwide)t << (d < 32 ? d : 32) < u;
+    return t < (num_uwide)u << (d > -32 ? -d : 32);
+}
+
+static inline num_wide num_sum_of_squares30(num_wide a, num_wide b, num_wide c)
+{
+    uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b), z = (uint64_t)(c < 0 ? -c : c);
+    return (num_wide)((x * x + y * y + z * z) >> 2);
+}
+
+#endif

@@ -1,0 +1,19 @@
+/* shadow.h - prepares the test of one sphere between a light and a run of pixels. */
+#ifndef TIA_SHADOW_H
+#define TIA_SHADOW_H
+
+#include "kernels.h"
+
+/* The light that a run of pixels of one object looks at. */
+struct shadow_source {
+    const struct body *body; /* the run's object */
+    struct num_vec light;    /* Q */
+    int s_exponent;          /* of the light_line's s */
+};
+
+/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. False when the
+ * sphere cannot stand before the light for any pixel. */
+bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+                         int x, int y, struct shadow_line *line);
+
+#endif

@@ -1,0 +1,39 @@
+/* thesis.c - the built-in scene: a white ball on a grey ground, and the four keys of its light. */
+#include <tia/scene.h>
+
+#define BLACK                                                                                                          \
+    {                                                                                                                  \
+        0, 0, 0                                                                                                        \
+    }
+#define WHITE                                                                                                          \
+    {                                                                                                                  \
+        TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE                                                                          \
+    }
+
+static const struct tia_material materials[] = {
+    {TIA_RGB(0.6, 0.6, 0.6), BLACK, BLACK},
+    {WHITE, BLACK, BLACK},
+};
+
+static const struct tia_sphere spheres[] = {
+    {TIA_VEC3(0, -10004, -20), TIA_Q16(10000), 0},
+    {TIA_VEC3(0, -1, -20), TIA_Q16(3), 1},
+};
+
+static const struct tia_binding bindings[] = {
+    {'a', 0, {TIA_VEC3(-20, 20, -20), TIA_Q16(3), WHITE}}, /* above left */
+    {'d', 0, {TIA_VEC3(20, 20, -20), TIA_Q16(3), WHITE}},  /* above right */
+    {'s', 0, {TIA_VEC3(0, 20, -8), TIA_Q16(3), WHITE}},    /* above, near the eye */
+    {'w', 0, {TIA_VEC3(0, 20, -32), TIA_Q16(3), WHITE}},   /* above, far from the eye */
+};
+
+const struct tia_scene tia_thesis_scene = {
+    .camera = {TIA_VEC3(0, 0, 0), TIA_Q16(25)},
+    .background = TIA_RGB(0.8, 0.8, 0.8),
+    .materials = materials,
+    .spheres = spheres,
+    .bindings = bindings,
+    .material_count = 2,
+    .sphere_count = 2,
+    .binding_count = 4,
+};
