@@ -1,0 +1,44 @@
+/* memory.h - the reference display: the caller's own RGB565 memory, and a record of the calls.
+ *
+ *     struct port_memory m = {.width = 64, .height = 48, .surface = {pixels, 2, 128}};
+ *     port_memory_display.open(&m, &mode);
+ *
+ * It needs no OS. Unlike a device it refuses every call that the contract of tia/port.h forbids,
+ * with TIA_ERR_ARGUMENT: what runs here without an error asks nothing improper of other displays.
+ */
+#ifndef PORT_MEMORY_H
+#define PORT_MEMORY_H
+
+#include <stdatomic.h>
+
+#include <tia/port.h>
+
+enum memory_call_kind { MEMORY_OPEN, MEMORY_MODE, MEMORY_ACQUIRE, MEMORY_SUBMIT, MEMORY_PRESENT, MEMORY_CLOSE };
+
+struct memory_call {
+    enum memory_call_kind kind;
+    struct tia_tile tile; /* of acquire and submit */
+    int result;
+};
+
+struct port_memory {
+    /* Set by the caller, before open or (a resize) between two frames. */
+    struct tia_surface surface; /* the picture; step and pitch as for any surface */
+    uint16_t width, height;
+    uint16_t tile_width, tile_height;
+    bool concurrent;
+    bool hidden;               /* mode says TIA_HIDDEN and nothing may be drawn */
+    int fail_open;             /* not 0: what open returns */
+    struct memory_call *calls; /* the record, or NULL */
+    size_t call_capacity;      /* calls beyond are counted, not recorded */
+
+    /* Kept by the display; zero before open. */
+    atomic_size_t call_count;
+    atomic_uint acquired; /* tiles between acquire and submit */
+    unsigned frames;      /* presented so far */
+    bool is_open;
+};
+
+extern const struct tia_display port_memory_display;
+
+#endif
