@@ -1,0 +1,46 @@
+/* ports.c - the tables of displays and inputs. */
+#include "ports.h"
+
+#include <stddef.h>
+
+#include "none/none.h"
+#include "terminal/terminal.h"
+
+/* `auto` stops before "none". */
+const struct port_display port_displays[] = {
+    {
+        .name = "terminal",
+        .summary = "two pixels a character in the terminal of standard output",
+        .ops = &port_terminal_display,
+        .create = port_terminal_create,
+        .destroy = port_terminal_destroy,
+        .list = port_terminal_list,
+    },
+    {
+        .name = "none",
+        .summary = "draws and shows nothing",
+        .ops = &port_none_display,
+        .create = port_none_create,
+        .destroy = port_none_destroy,
+        .list = port_none_list,
+    },
+    {.name = NULL},
+};
+
+const struct port_input port_inputs[] = {
+    {
+        .name = "tty",
+        .summary = "the terminal's keyboard",
+        .ops = &port_tty_input,
+        .create = port_tty_create,
+        .destroy = port_tty_destroy,
+    },
+    {
+        .name = "none",
+        .summary = "nobody types",
+        .ops = &port_none_input,
+        .create = port_none_input_create,
+        .destroy = port_none_input_destroy,
+    },
+    {.name = NULL},
+};

@@ -1,0 +1,80 @@
+/* colour.c - 24-bit colours, and 256 of them for terminals that have no more. */
+#include "terminal/colour.h"
+
+#include <string.h>
+
+/* xterm's palette: from 16 a cube of 6 x 6 x 6 colours, from 232 the greys 8, 18, ... 238. */
+#define CUBE 16
+#define GREYS 232
+#define GREY_COUNT 24
+static const uint8_t cube_levels[6] = {0, 95, 135, 175, 215, 255};
+
+struct rgb8 colour_expand(tia_rgb565 pixel)
+{
+    unsigned r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
+
+    return (struct rgb8){(uint8_t)(r << 3 | r >> 2), (uint8_t)(g << 2 | g >> 4), (uint8_t)(b << 3 | b >> 2)};
+}
+
+static unsigned square(int difference)
+{
+    return (unsigned)(difference * difference);
+}
+
+/* The sum of squares is least when each channel's square is. */
+static unsigned nearest_level(uint8_t value)
+{
+    unsigned best = 0;
+
+    for (unsigned i = 1; i < 6; i++)
+        if (square(cube_levels[i] - value) < square(cube_levels[best] - value))
+            best = i;
+    return best;
+}
+
+/* Sum (c - g)^2 = 3 (g - mean)^2 + what does not depend on g: the grey 8 + 10 k nearest to the
+ * mean is that nearest to (sum - 24)/30; adding 14 of 30 rounds a half down. */
+static unsigned nearest_grey(struct rgb8 c)
+{
+    unsigned sum = (unsigned)c.r + c.g + c.b;
+    unsigned k = sum < 24 ? 0 : (sum - 24 + 14) / 30;
+
+    return k < GREY_COUNT ? k : GREY_COUNT - 1;
+}
+
+static unsigned distance(struct rgb8 c, unsigned r, unsigned g, unsigned b)
+{
+    return square(c.r - (int)r) + square(c.g - (int)g) + square(c.b - (int)b);
+}
+
+uint8_t colour_nearest(struct rgb8 c)
+{
+    unsigned r = nearest_level(c.r), g = nearest_level(c.g), b = nearest_level(c.b);
+    unsigned grey = nearest_grey(c), level = 8 + 10 * grey;
+
+    if (distance(c, level, level, level) < distance(c, cube_levels[r], cube_levels[g], cube_levels[b]))
+        return (uint8_t)(GREYS + grey);
+    return (uint8_t)(CUBE + 36 * r + 6 * g + b);
+}
+
+static bool ends_with(const char *text, const char *end)
+{
+    size_t n = strlen(text), m = strlen(end);
+
+    return n >= m && strcmp(text + n - m, end) == 0;
+}
+
+/* COLORTERM is how most terminals say it; ssh and sudo lose it, and then the name has to do. */
+bool colour_is_direct(const char *term, const char *colorterm)
+{
+    static const char *const known[] = {"alacritty", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"};
+
+    if (colorterm && (strcmp(colorterm, "truecolor") == 0 || strcmp(colorterm, "24bit") == 0))
+        return true;
+    if (!term)
+        return false;
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(term, known[i]) == 0)
+            return true;
+    return ends_with(term, "-direct");
+}

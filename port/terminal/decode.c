@@ -1,0 +1,222 @@
+/* decode.c - a state machine after ECMA-48 and the xterm control sequences. */
+#include "terminal/decode.h"
+
+#include <tia/port.h>
+
+enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
+
+#define ESC 0x1b
+#define BEL 0x07
+#define DEL 0x7f
+#define PASTE_BEGIN 200
+#define PASTE_END 201
+
+/* Ctrl and a letter give the letter's code less 0x60. Backspace, Tab, Enter and Line Feed have
+ * the codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
+static bool is_ctrl_letter(uint8_t byte)
+{
+    return byte >= 1 && byte <= 26 && byte != '\b' && byte != '\t' && byte != '\n' && byte != '\r';
+}
+
+static uint16_t plain_key(uint8_t byte)
+{
+    if (byte == TIA_KEY_INTERRUPT)
+        return TIA_KEY_INTERRUPT;
+    if (byte >= 'A' && byte <= 'Z')
+        return (uint16_t)(byte - 'A' + 'a');
+    if (is_ctrl_letter(byte))
+        return (uint16_t)(byte - 1 + 'a');
+    if ((byte >= 'a' && byte <= 'z') || (byte >= '0' && byte <= '9'))
+        return byte;
+    return TIA_KEY_OTHER;
+}
+
+static uint16_t arrow_key(uint8_t final)
+{
+    switch (final) {
+    case 'A':
+        return TIA_KEY_UP;
+    case 'B':
+        return TIA_KEY_DOWN;
+    case 'C':
+        return TIA_KEY_RIGHT;
+    case 'D':
+        return TIA_KEY_LEFT;
+    default:
+        return TIA_KEY_OTHER;
+    }
+}
+
+static uint16_t csi_key(struct decoder *d, uint8_t final)
+{
+    bool focus = (final == 'I' || final == 'O') && d->number == 0 && !d->more_parameters;
+
+    if (final == '~' && (d->number == PASTE_BEGIN || d->number == PASTE_END)) {
+        d->in_paste = d->number == PASTE_BEGIN;
+        return 0;
+    }
+    if (d->private_mark || focus)
+        return 0;
+    if (final == '~' && d->number == 5)
+        return TIA_KEY_PAGE_UP;
+    if (final == '~' && d->number == 6)
+        return TIA_KEY_PAGE_DOWN;
+    return arrow_key(final);
+}
+
+static void begin_sequence(struct decoder *d, uint8_t state)
+{
+    d->state = state;
+    d->number = 0;
+    d->private_mark = 0;
+    d->more_parameters = false;
+}
+
+/* Lead bytes of UTF-8 (RFC 3629) announce one to three more. */
+static uint16_t begin_utf8(struct decoder *d, uint8_t byte)
+{
+    if (byte >= 0xc2 && byte <= 0xf4)
+        d->skip = (uint8_t)(byte < 0xe0 ? 1 : byte < 0xf0 ? 2 : 3);
+    return TIA_KEY_OTHER;
+}
+
+static uint16_t after_ground(struct decoder *d, uint8_t byte)
+{
+    d->state = GROUND;
+    if (byte == ESC) {
+        begin_sequence(d, ESCAPE);
+        return 0;
+    }
+    return byte >= 0x80 ? begin_utf8(d, byte) : plain_key(byte);
+}
+
+static uint16_t after_escape(struct decoder *d, uint8_t byte)
+{
+    switch (byte) {
+    case ESC:
+        return TIA_KEY_ESCAPE; /* and the second one begins anew */
+    case '[':
+        begin_sequence(d, CSI);
+        return 0;
+    case 'O':
+        begin_sequence(d, SS3);
+        return 0;
+    case ']': /* OSC, DCS, SOS, PM and APC: a string up to BEL or ESC \ */
+    case 'P':
+    case 'X':
+    case '^':
+    case '_':
+        begin_sequence(d, STRING);
+        d->number = byte;
+        return 0;
+    default:
+        return after_ground(d, byte); /* Alt and a key */
+    }
+}
+
+static uint16_t after_csi(struct decoder *d, uint8_t byte)
+{
+    if (byte >= '0' && byte <= '9') {
+        if (!d->more_parameters && d->number < 1000)
+            d->number = (uint16_t)(d->number * 10 + byte - '0');
+        return 0;
+    }
+    if (byte >= 0x20 && byte <= 0x3f) {
+        if (byte >= '<')
+            d->private_mark = byte;
+        d->more_parameters = true;
+        return 0;
+    }
+    if (byte == '[' && d->number == 0 && !d->more_parameters) {
+        d->state = LINUX_FUNCTION; /* the Linux console's F1..F5 are ESC [ [ A..E */
+        return 0;
+    }
+    if (byte < 0x40 || byte >= DEL)
+        return after_ground(d, byte);
+    d->state = GROUND;
+    return csi_key(d, byte);
+}
+
+static uint16_t after_ss3(struct decoder *d, uint8_t byte)
+{
+    if ((byte >= '0' && byte <= '9') || byte == ';')
+        return 0; /* modifiers, in an old form */
+    if (byte < 0x40 || byte >= DEL)
+        return after_ground(d, byte);
+    d->state = GROUND;
+    return arrow_key(byte);
+}
+
+static uint16_t after_string(struct decoder *d, uint8_t byte)
+{
+    if (d->state == STRING_ESCAPE && byte != '\\')
+        return after_escape(d, byte);
+    if (byte == TIA_KEY_INTERRUPT)
+        return after_ground(d, byte);
+    d->number = 0; /* a string, not Alt and its first character */
+    if (byte == ESC)
+        d->state = STRING_ESCAPE;
+    else if (byte == BEL || d->state == STRING_ESCAPE)
+        d->state = GROUND;
+    return 0;
+}
+
+static uint16_t step(struct decoder *d, uint8_t byte)
+{
+    switch (d->state) {
+    case ESCAPE:
+        return after_escape(d, byte);
+    case CSI:
+        return after_csi(d, byte);
+    case SS3:
+        return after_ss3(d, byte);
+    case STRING:
+    case STRING_ESCAPE:
+        return after_string(d, byte);
+    case LINUX_FUNCTION:
+        d->state = GROUND;
+        return TIA_KEY_OTHER;
+    default:
+        return after_ground(d, byte);
+    }
+}
+
+uint16_t decode_byte(struct decoder *d, uint8_t byte)
+{
+    bool pasted = d->in_paste;
+
+    if (d->skip > 0 && (byte & 0xc0) == 0x80) {
+        d->skip--;
+        return 0;
+    }
+    d->skip = 0;
+    uint16_t key = step(d, byte);
+    return pasted && key != TIA_KEY_INTERRUPT ? 0 : key;
+}
+
+bool decode_pending(const struct decoder *d)
+{
+    return d->state != GROUND;
+}
+
+uint16_t decode_silence(struct decoder *d)
+{
+    uint8_t state = d->state;
+    bool lone = d->number == 0 && !d->more_parameters;
+
+    d->state = GROUND;
+    if (d->in_paste)
+        return 0;
+    switch (state) {
+    case ESCAPE:
+        return TIA_KEY_ESCAPE;
+    case SS3: /* Alt-O and Alt-[ without what makes them a sequence */
+        return 'o';
+    case CSI:
+        return lone ? TIA_KEY_OTHER : 0;
+    case STRING:
+        return d->number ? plain_key((uint8_t)d->number) : 0;
+    default:
+        return 0;
+    }
+}

@@ -1,0 +1,30 @@
+/* decode.h - from the bytes that a terminal sends to keys. Pure: no clock, no device.
+ *
+ * Keys are meant by position, as evdev tells them: 'A', Ctrl-A and Alt-A are TIA key 'a'. What a
+ * terminal sends by itself (reports, focus changes, a bracketed paste) is no key.
+ */
+#ifndef PORT_TERMINAL_DECODE_H
+#define PORT_TERMINAL_DECODE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct decoder {
+    uint8_t state;        /* zero: between keys */
+    uint8_t skip;         /* bytes of a UTF-8 character still to come */
+    uint8_t private_mark; /* '<' '=' '>' '?' or 0: how the CSI sequence began */
+    uint16_t number;      /* the CSI sequence's first parameter */
+    bool more_parameters;
+    bool in_paste;
+};
+
+/* Takes one byte: the key that it completes (tia/port.h), or 0. */
+uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
+
+/* Has a sequence begun that only more bytes, or silence, can tell from a lone Escape? */
+bool decode_pending(const struct decoder *decoder);
+
+/* No more bytes came: the key that was meant, or 0. */
+uint16_t decode_silence(struct decoder *decoder);
+
+#endif

@@ -1,0 +1,312 @@
+/* display.c - a terminal's window as a display.
+ *
+ * Frames are drawn into memory; present encodes what changed and sends it in one write. What the
+ * terminal does not take at once is sent when it is ready, and a signal may end that waiting: the
+ * rest goes out before the next frame, since the grid counts it as shown.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "common/canvas.h"
+#include "common/console.h"
+#include "terminal/colour.h"
+#include "terminal/encode.h"
+#include "terminal/signals.h"
+#include "terminal/terminal.h"
+
+#define DEFAULT_COLUMNS 80 /* of a terminal that does not know its size, like a serial line */
+#define DEFAULT_ROWS 24
+#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing, */
+#define LAST_WRITES 5     /* and how often, as a signal ends a wait too */
+
+/* The alternate screen, no cursor, no automatic wrap; and back, from within any frame. A terminal
+ * without an alternate screen is cleared. */
+static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
+static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
+static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
+
+struct terminal {
+    const char *device;
+    char *why;
+    unsigned max_width, max_height;
+    int fd; /* -1: closed */
+    bool entered;
+    bool clear;             /* the next frame begins on an empty window */
+    int resumes;            /* of signals.h, when the window was last drawn */
+    unsigned columns, rows; /* of the window */
+    struct canvas canvas;
+    struct grid grid;
+    struct text text; /* what is to be sent: [sent, text.count) */
+    size_t sent;
+};
+
+static int failed(const struct terminal *t, const char *why)
+{
+    (void)snprintf(t->why, PORT_WHY, "%s: %s", t->device ? t->device : "terminal", why);
+    return TIA_ERR_DEVICE;
+}
+
+/* Sends what the terminal takes within timeout_ms (-1: no limit) and before a signal. */
+static int send_text(struct terminal *t, int timeout_ms)
+{
+    while (t->sent < t->text.count) {
+        ssize_t n = write(t->fd, t->text.bytes + t->sent, t->text.count - t->sent);
+        struct pollfd ready = {.fd = t->fd, .events = POLLOUT};
+        if (n >= 0)
+            t->sent += (size_t)n;
+        else if (errno == EAGAIN && console_wait(&ready, 1, timeout_ms) <= 0)
+            return TIA_OK;
+        else if (errno != EAGAIN && errno != EINTR)
+            return TIA_ERR_DEVICE;
+    }
+    t->sent = t->text.count = 0;
+    return TIA_OK;
+}
+
+static int show(struct terminal *t)
+{
+    return send_text(t, -1) == TIA_OK ? TIA_OK : failed(t, strerror(errno));
+}
+
+static unsigned smallest(unsigned a, unsigned b)
+{
+    return a < b ? a : b;
+}
+
+static void read_window(const struct terminal *t, unsigned *columns, unsigned *rows)
+{
+    struct winsize size;
+
+    *columns = DEFAULT_COLUMNS;
+    *rows = DEFAULT_ROWS;
+    if (ioctl(t->fd, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+        *columns = size.ws_col;
+        *rows = size.ws_row;
+    }
+}
+
+/* Takes the window's size now. */
+static int fit_window(struct terminal *t)
+{
+    unsigned columns, rows;
+
+    read_window(t, &columns, &rows);
+    if (columns == t->columns && rows == t->rows)
+        return TIA_OK;
+    uint16_t width = (uint16_t)smallest(columns, t->max_width);
+    uint16_t height = (uint16_t)smallest(2 * rows, t->max_height);
+    if (canvas_resize(&t->canvas, width, height) != TIA_OK ||
+        grid_resize(&t->grid, width, height, columns, rows) != TIA_OK) {
+        t->columns = t->rows = 0;
+        (void)failed(t, "out of memory");
+        return TIA_ERR_MEMORY;
+    }
+    t->columns = columns;
+    t->rows = rows;
+    t->clear = true;
+    return TIA_OK;
+}
+
+/* A file description of our own, so that O_NONBLOCK is not everybody's who shares it. Without one
+ * (no name, no right) writes may block. */
+static int open_descriptor(struct terminal *t)
+{
+    char name[64];
+
+    if (t->device) {
+        t->fd = open(t->device, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+        if (t->fd < 0)
+            return failed(t, strerror(errno));
+        return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
+    }
+    if (!isatty(STDOUT_FILENO))
+        return failed(t, "standard output is no terminal");
+    t->fd = -1;
+    if (ttyname_r(STDOUT_FILENO, name, sizeof name) == 0)
+        t->fd = open(name, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (t->fd < 0)
+        t->fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    return t->fd < 0 ? failed(t, strerror(errno)) : TIA_OK;
+}
+
+static int look_at_environment(struct terminal *t)
+{
+    const char *term = getenv("TERM");
+
+    if (!term || !*term || strcmp(term, "dumb") == 0)
+        return failed(t, "cannot place a cursor (set TERM if it can)");
+    t->grid.direct = colour_is_direct(term, getenv("COLORTERM"));
+    return TIA_OK;
+}
+
+static void enter(struct terminal *t)
+{
+    terminal_signals_begin();
+    t->resumes = terminal_resumes();
+    text_add(&t->text, enter_text);
+    t->entered = true;
+}
+
+static void leave(struct terminal *t)
+{
+    text_add(&t->text, leave_text);
+    for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
+        (void)send_text(t, LAST_WRITE_MS);
+    terminal_signals_end();
+    t->entered = false;
+}
+
+static void terminal_close(void *ctx)
+{
+    struct terminal *t = ctx;
+
+    if (t->entered)
+        leave(t);
+    if (t->fd >= 0)
+        (void)close(t->fd);
+    t->fd = -1;
+    t->columns = t->rows = 0;
+    t->sent = 0;
+    text_free(&t->text);
+    grid_free(&t->grid);
+    canvas_free(&t->canvas);
+}
+
+/* Encodes the canvas and sends what the terminal does not show already. */
+static int draw(struct terminal *t)
+{
+    if (t->clear) {
+        text_add(&t->text, t->grid.direct ? clear_direct : clear_256);
+        grid_forget(&t->grid);
+    }
+    grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->text);
+    t->clear = t->text.failed;
+    if (t->text.failed) {
+        t->text.failed = false;
+        (void)failed(t, "out of memory");
+        return TIA_ERR_MEMORY;
+    }
+    return show(t);
+}
+
+/* After a stop the window shows what the shell wrote: the last frame again. */
+static int draw_again(struct terminal *t)
+{
+    t->resumes = terminal_resumes();
+    t->clear = true;
+    text_add(&t->text, enter_text);
+    return draw(t);
+}
+
+static void tell_mode(const struct terminal *t, struct tia_mode *mode)
+{
+    *mode = (struct tia_mode){
+        .width = t->canvas.width,
+        .height = t->canvas.height,
+        .concurrent = true,
+        .format = t->grid.direct ? "24-bit colours" : "256 colours",
+    };
+}
+
+static int terminal_mode(void *ctx, struct tia_mode *mode)
+{
+    struct terminal *t = ctx;
+    int status = fit_window(t);
+
+    if (status == TIA_OK && t->entered && t->resumes != terminal_resumes())
+        status = draw_again(t);
+    tell_mode(t, mode);
+    return status;
+}
+
+static int terminal_open(void *ctx, struct tia_mode *mode)
+{
+    struct terminal *t = ctx;
+    int status = open_descriptor(t);
+
+    if (status == TIA_OK)
+        status = look_at_environment(t);
+    if (status == TIA_OK)
+        status = fit_window(t);
+    if (status == TIA_OK) {
+        enter(t);
+        status = show(t);
+    }
+    if (status != TIA_OK)
+        terminal_close(t);
+    else
+        tell_mode(t, mode);
+    return status;
+}
+
+static int terminal_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    return canvas_tile(&((struct terminal *)ctx)->canvas, tile, surface);
+}
+
+static int terminal_submit(void *ctx, struct tia_tile tile)
+{
+    const struct terminal *t = ctx;
+
+    return tile_inside(tile, t->canvas.width, t->canvas.height) ? TIA_OK : TIA_ERR_ARGUMENT;
+}
+
+static int terminal_present(void *ctx)
+{
+    struct terminal *t = ctx;
+
+    return t->entered ? draw(t) : TIA_ERR_ARGUMENT;
+}
+
+const struct tia_display port_terminal_display = {
+    .open = terminal_open,
+    .mode = terminal_mode,
+    .acquire = terminal_acquire,
+    .submit = terminal_submit,
+    .present = terminal_present,
+    .close = terminal_close,
+};
+
+void *port_terminal_create(const struct port_wish *wish)
+{
+    struct terminal *t = calloc(1, sizeof *t);
+
+    if (!t) {
+        (void)snprintf(wish->why, PORT_WHY, "terminal: out of memory");
+        return NULL;
+    }
+    t->device = wish->device;
+    t->why = wish->why;
+    t->max_width = wish->width ? wish->width : TIA_SIZE_MAX;
+    t->max_height = wish->height ? wish->height : TIA_SIZE_MAX;
+    t->fd = -1;
+    return t;
+}
+
+void port_terminal_destroy(void *ctx)
+{
+    free(ctx);
+}
+
+void port_terminal_list(port_line *line, void *arg)
+{
+    char why[PORT_WHY] = "", text[PORT_WHY + 64];
+    struct terminal t = {.why = why, .fd = -1};
+    unsigned columns, rows;
+
+    if (open_descriptor(&t) != TIA_OK || look_at_environment(&t) != TIA_OK) {
+        line(arg, why);
+    } else {
+        read_window(&t, &columns, &rows);
+        (void)snprintf(text, sizeof text, "%ux%u, %s", columns, 2 * rows,
+                       t.grid.direct ? "24-bit colours" : "256 colours (set COLORTERM=truecolor if it has more)");
+        line(arg, text);
+    }
+    terminal_close(&t);
+}

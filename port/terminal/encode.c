@@ -1,0 +1,216 @@
+/* encode.c - half blocks, with as few bytes as a frame's changes need. */
+#include "terminal/encode.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "terminal/colour.h"
+
+#define BLACK_256 16
+#define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */
+
+/* Synchronised update: a terminal that knows it shows the frame at once, others ignore it. */
+static const char frame_begin[] = "\033[?2026h", frame_end[] = "\033[?2026l";
+
+static bool text_room(struct text *text, size_t more)
+{
+    if (text->capacity - text->count >= more)
+        return true;
+    size_t capacity = text->capacity * 2 > text->count + more ? text->capacity * 2 : text->count + more;
+    char *bytes = realloc(text->bytes, capacity);
+    if (!bytes) {
+        text->failed = true;
+        return false;
+    }
+    text->bytes = bytes;
+    text->capacity = capacity;
+    return true;
+}
+
+void text_add(struct text *text, const char *string)
+{
+    size_t n = strlen(string);
+
+    if (text_room(text, n)) {
+        memcpy(text->bytes + text->count, string, n);
+        text->count += n;
+    }
+}
+
+void text_free(struct text *text)
+{
+    free(text->bytes);
+    *text = (struct text){0};
+}
+
+int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows)
+{
+    unsigned rows = (height + 1) / 2;
+
+    grid_free(grid);
+    grid->cells = malloc((size_t)width * rows * sizeof *grid->cells);
+    if (!grid->cells)
+        return TIA_ERR_MEMORY;
+    grid->columns = width;
+    grid->rows = rows;
+    grid->left = (window_columns - width) / 2;
+    grid->top = (window_rows - rows) / 2;
+    grid_forget(grid);
+    return TIA_OK;
+}
+
+void grid_forget(struct grid *grid)
+{
+    grid->known = false;
+}
+
+void grid_free(struct grid *grid)
+{
+    free(grid->cells);
+    grid->cells = NULL;
+    grid->columns = grid->rows = 0;
+}
+
+/* The pen: where the terminal's cursor is and which colours it has. */
+struct pen {
+    struct text *text;
+    bool direct;
+    unsigned column, row; /* of the grid, or UNKNOWN */
+    uint32_t fore, back;  /* codes, or UNKNOWN */
+};
+
+/* Everything below writes into room that grid_draw made before. */
+static void put(struct text *text, const char *bytes, size_t count)
+{
+    memcpy(text->bytes + text->count, bytes, count);
+    text->count += count;
+}
+
+static void put_number(struct text *text, unsigned n)
+{
+    char digits[10];
+    size_t count = 0;
+
+    do
+        digits[sizeof digits - ++count] = (char)('0' + n % 10);
+    while (n /= 10);
+    put(text, digits + sizeof digits - count, count);
+}
+
+static void move(struct pen *pen, const struct grid *grid, unsigned column, unsigned row)
+{
+    struct text *text = pen->text;
+
+    if (row == pen->row && column == pen->column)
+        return;
+    put(text, "\033[", 2);
+    if (row == pen->row && pen->column < column) {
+        if (column - pen->column > 1)
+            put_number(text, column - pen->column);
+        put(text, "C", 1);
+        return;
+    }
+    put_number(text, grid->top + row + 1);
+    if (grid->left + column > 0) {
+        put(text, ";", 1);
+        put_number(text, grid->left + column + 1);
+    }
+    put(text, "H", 1);
+}
+
+static void put_colour(struct pen *pen, const char *direct, const char *indexed, uint32_t code)
+{
+    if (pen->direct) {
+        struct rgb8 c = colour_expand((tia_rgb565)code);
+        put(pen->text, direct, 5);
+        put_number(pen->text, c.r);
+        put(pen->text, ";", 1);
+        put_number(pen->text, c.g);
+        put(pen->text, ";", 1);
+        put_number(pen->text, c.b);
+    } else {
+        put(pen->text, indexed, 5);
+        put_number(pen->text, code);
+    }
+}
+
+static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
+{
+    bool change_fore = fore != pen->fore, change_back = back != pen->back;
+
+    if (!change_fore && !change_back)
+        return;
+    put(pen->text, "\033[", 2);
+    if (change_fore)
+        put_colour(pen, "38;2;", "38;5;", fore);
+    if (change_fore && change_back)
+        put(pen->text, ";", 1);
+    if (change_back)
+        put_colour(pen, "48;2;", "48;5;", back);
+    put(pen->text, "m", 1);
+    pen->fore = fore;
+    pen->back = back;
+}
+
+/* One colour needs no block, and so no foreground: a space is enough. */
+static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
+{
+    uint32_t upper = cell >> 16, lower = cell & 0xffff;
+
+    move(pen, grid, column, row);
+    set_colours(pen, upper == lower ? pen->fore : upper, lower);
+    if (upper == lower)
+        put(pen->text, " ", 1);
+    else
+        put(pen->text, "\xe2\x96\x80", 3);
+    pen->row = row;
+    /* After the window's last column terminals differ in where the cursor is: as good as unknown. */
+    pen->column = column + 1 < grid->columns ? column + 1 : UNKNOWN;
+}
+
+static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)
+{
+    return grid->direct ? pixel : colour_nearest(colour_expand(pixel));
+}
+
+static uint32_t cell_of(const struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned column,
+                        unsigned row)
+{
+    const tia_rgb565 *upper = pixels + (size_t)2 * row * grid->columns + column;
+    uint32_t black = grid->direct ? 0 : BLACK_256;
+    uint32_t lower = 2 * row + 1 < height ? code_of(grid, upper[grid->columns]) : black;
+
+    return code_of(grid, *upper) << 16 | lower;
+}
+
+static void draw_row(struct pen *pen, struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned row)
+{
+    uint32_t *cells = grid->cells + (size_t)row * grid->columns;
+
+    if (!text_room(pen->text, (size_t)grid->columns * GRID_CELL_BYTES))
+        return;
+    for (unsigned column = 0; column < grid->columns; column++) {
+        uint32_t cell = cell_of(grid, pixels, height, column, row);
+        if (!grid->known || cell != cells[column]) {
+            put_cell(pen, grid, column, row, cell);
+            cells[column] = cell;
+        }
+    }
+}
+
+void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text)
+{
+    struct pen pen = {text, grid->direct, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
+    size_t before = text->count, begun;
+
+    text_add(text, frame_begin);
+    begun = text->count;
+    for (unsigned row = 0; row < grid->rows && !text->failed; row++)
+        draw_row(&pen, grid, pixels, height, row);
+    bool changed = text->count > begun;
+    text_add(text, frame_end);
+    if (text->failed || !changed)
+        text->count = before;
+    grid->known = !text->failed;
+}

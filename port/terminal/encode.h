@@ -1,0 +1,44 @@
+/* encode.h - from pixels to what makes a terminal show them. Pure: text in memory, no device.
+ *
+ * A character cell shows two pixels: the upper half block U+2580 in the upper pixel's colour on a
+ * background of the lower pixel's. Only cells that changed are written.
+ */
+#ifndef PORT_TERMINAL_ENCODE_H
+#define PORT_TERMINAL_ENCODE_H
+
+#include <tia/port.h>
+
+/* Text that grows. When there is no memory it stays as it is, and `failed` is set. */
+struct text {
+    char *bytes;
+    size_t count, capacity;
+    bool failed;
+};
+
+void text_add(struct text *text, const char *string);
+void text_free(struct text *text);
+
+/* What the terminal shows, cell by cell, as far as we wrote it. */
+struct grid {
+    unsigned columns, rows; /* of the picture; rows = (height + 1)/2 */
+    unsigned left, top;     /* the window's cell of its upper left corner */
+    bool direct;            /* 24-bit colours, else 256 */
+    bool known;             /* the terminal shows `cells` */
+    uint32_t *cells;        /* the colours' codes: upper << 16 | lower */
+};
+
+/* The longest text for one cell: a cursor movement (14 bytes at 5-digit coordinates), two 24-bit
+ * colours (38) and the block (3). */
+#define GRID_CELL_BYTES 56
+
+/* Makes the grid for a width x height picture in the middle of a window of cells, not shown yet. */
+int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows);
+void grid_forget(struct grid *grid); /* the window may show anything */
+void grid_free(struct grid *grid);
+
+/* Adds what turns the grid into the picture, and updates the grid. `pixels` are width x height,
+ * row by row. Nothing to do adds nothing. When text->failed gets set, nothing is added and the
+ * grid is forgotten. */
+void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
+
+#endif

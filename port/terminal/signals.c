@@ -1,0 +1,62 @@
+/* signals.c - SIGWINCH and SIGCONT, for the display and the keyboard of one terminal. */
+#include "terminal/signals.h"
+
+#include <signal.h>
+#include <stddef.h>
+
+static volatile sig_atomic_t resumes;
+static unsigned users;
+static sigset_t mask_before;
+static struct sigaction winch_before, cont_before;
+
+static void on_winch(int number)
+{
+    (void)number;
+}
+
+static void on_cont(int number)
+{
+    (void)number;
+    resumes++;
+}
+
+/* Blocked outside of console_wait, or one that comes just before the wait would be missed. */
+void terminal_signals_begin(void)
+{
+    struct sigaction winch = {.sa_handler = on_winch}, cont = {.sa_handler = on_cont};
+    sigset_t both;
+
+    if (users++ > 0)
+        return;
+    (void)sigemptyset(&both);
+    (void)sigaddset(&both, SIGWINCH);
+    (void)sigaddset(&both, SIGCONT);
+    (void)pthread_sigmask(SIG_BLOCK, &both, &mask_before);
+    (void)sigaction(SIGWINCH, &winch, &winch_before);
+    (void)sigaction(SIGCONT, &cont, &cont_before);
+}
+
+static void let_in(int number)
+{
+    sigset_t one;
+
+    (void)sigemptyset(&one);
+    (void)sigaddset(&one, number);
+    if (!sigismember(&mask_before, number))
+        (void)pthread_sigmask(SIG_UNBLOCK, &one, NULL);
+}
+
+void terminal_signals_end(void)
+{
+    if (users == 0 || --users > 0)
+        return;
+    (void)sigaction(SIGWINCH, &winch_before, NULL);
+    (void)sigaction(SIGCONT, &cont_before, NULL);
+    let_in(SIGWINCH);
+    let_in(SIGCONT);
+}
+
+int terminal_resumes(void)
+{
+    return resumes;
+}

@@ -1,0 +1,19 @@
+/* terminal.h - a terminal as a display (half blocks) and as a keyboard. */
+#ifndef PORT_TERMINAL_H
+#define PORT_TERMINAL_H
+
+#include "ports.h"
+
+/* The terminal of standard output. wish.device may name another one. */
+extern const struct tia_display port_terminal_display;
+void *port_terminal_create(const struct port_wish *wish);
+void port_terminal_destroy(void *ctx);
+void port_terminal_list(port_line *line, void *arg);
+
+/* The terminal of standard input, or the controlling one when that is none; wish.device may name
+ * another. Keys are told as TIA_EVENT_TAP, without a time. */
+extern const struct tia_input port_tty_input;
+void *port_tty_create(const struct port_wish *wish);
+void port_tty_destroy(void *ctx);
+
+#endif

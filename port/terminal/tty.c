@@ -1,0 +1,243 @@
+/* tty.c - the terminal's keyboard as an input.
+ *
+ * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and
+ * Ctrl-S are typed like any key (without ISIG and IXON). With VMIN 0 a read never blocks.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "common/console.h"
+#include "common/guardian.h"
+#include "terminal/decode.h"
+#include "terminal/signals.h"
+#include "terminal/terminal.h"
+
+/* How long after an ESC the rest of a sequence may take. The bytes of one key are sent at once;
+ * 50 ms allow for a network's packets, and are too short for a person's next key. */
+#define SILENCE_US 50000
+
+/* Pasted text comes in brackets and is told from typed keys. */
+static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
+
+struct tty {
+    const char *device;
+    char *why;
+    int fd;   /* -1: closed */
+    bool raw; /* `before` holds what close puts back */
+    struct termios before, now;
+    int resumes; /* of signals.h, when `now` was last set */
+    struct decoder decoder;
+    uint64_t last_us;   /* when the last byte came */
+    uint8_t bytes[256]; /* read and not yet decoded: [next, count) */
+    size_t next, count;
+};
+
+static uint64_t now_us(void)
+{
+    struct timespec t;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    return (uint64_t)t.tv_sec * 1000000u + (uint64_t)t.tv_nsec / 1000u;
+}
+
+static int failed(const struct tty *tty, const char *what, const char *why)
+{
+    (void)snprintf(tty->why, PORT_WHY, "%s: %s", what, why);
+    return TIA_ERR_DEVICE;
+}
+
+static const char *name_of(const struct tty *tty)
+{
+    return tty->device ? tty->device : "terminal's keyboard";
+}
+
+static int open_terminal(struct tty *tty)
+{
+    if (tty->device)
+        tty->fd = open(tty->device, O_RDWR | O_NOCTTY | O_CLOEXEC);
+    else if (isatty(STDIN_FILENO))
+        tty->fd = fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+    else
+        tty->fd = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (tty->fd < 0 && !tty->device)
+        return failed(tty, "terminal's keyboard", "standard input is no terminal and there is no controlling one");
+    if (tty->fd < 0)
+        return failed(tty, tty->device, strerror(errno));
+    return TIA_OK;
+}
+
+static int make_raw(struct tty *tty)
+{
+    struct termios *raw = &tty->now;
+
+    if (tcgetattr(tty->fd, &tty->before) != 0)
+        return failed(tty, name_of(tty), "is no terminal");
+    *raw = tty->before;
+    raw->c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR | IGNCR | ICRNL | IXON);
+    raw->c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+    raw->c_cflag &= ~(tcflag_t)(CSIZE | PARENB);
+    raw->c_cflag |= CS8;
+    raw->c_cc[VMIN] = 0;
+    raw->c_cc[VTIME] = 0;
+    (void)guardian_keep_terminal(tty->fd);
+    terminal_signals_begin();
+    tty->resumes = terminal_resumes();
+    tty->raw = true;
+    if (tcsetattr(tty->fd, TCSANOW, raw) != 0)
+        return failed(tty, name_of(tty), strerror(errno));
+    return TIA_OK;
+}
+
+/* A terminal that is read only, or hung up, does without. */
+static void send(const struct tty *tty, const char *text)
+{
+    ssize_t n = write(tty->fd, text, strlen(text));
+    (void)n;
+}
+
+static void tty_close(void *ctx)
+{
+    struct tty *tty = ctx;
+
+    if (tty->fd < 0)
+        return;
+    if (tty->raw) {
+        send(tty, paste_off);
+        (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
+        (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
+        terminal_signals_end();
+        guardian_forget_terminal(tty->fd);
+        tty->raw = false;
+    }
+    (void)close(tty->fd);
+    tty->fd = -1;
+}
+
+static int tty_open(void *ctx)
+{
+    struct tty *tty = ctx;
+    int status = open_terminal(tty);
+
+    if (status == TIA_OK)
+        status = make_raw(tty);
+    if (status != TIA_OK) {
+        tty_close(tty);
+        return status;
+    }
+    send(tty, paste_on);
+    tty->decoder = (struct decoder){0};
+    tty->next = tty->count = 0;
+    return TIA_OK;
+}
+
+/* Reads what is there: 1 when that is something, 0 when nothing. */
+static int read_bytes(struct tty *tty)
+{
+    struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
+
+    if (poll(&ready, 1, 0) <= 0)
+        return 0;
+    ssize_t n = read(tty->fd, tty->bytes, sizeof tty->bytes);
+    if (n < 0 && (errno == EINTR || errno == EAGAIN))
+        return 0;
+    if (n < 0 || (n == 0 && ready.revents & (POLLHUP | POLLERR | POLLNVAL)))
+        return failed(tty, name_of(tty), "the terminal hung up");
+    if (n == 0)
+        return 0;
+    tty->next = 0;
+    tty->count = (size_t)n;
+    tty->last_us = now_us();
+    return 1;
+}
+
+static uint16_t next_key(struct tty *tty)
+{
+    uint16_t key = 0;
+
+    while (key == 0 && tty->next < tty->count)
+        key = decode_byte(&tty->decoder, tty->bytes[tty->next++]);
+    return key;
+}
+
+/* After a stop the shell has set its own modes. */
+static void after_stop(struct tty *tty)
+{
+    if (tty->resumes == terminal_resumes())
+        return;
+    tty->resumes = terminal_resumes();
+    (void)tcsetattr(tty->fd, TCSANOW, &tty->now);
+    send(tty, paste_on);
+}
+
+static int tty_poll(void *ctx, struct tia_event *event)
+{
+    struct tty *tty = ctx;
+    uint16_t key;
+
+    after_stop(tty);
+    key = next_key(tty);
+    while (key == 0) {
+        int status = read_bytes(tty);
+        if (status < 0)
+            return status;
+        if (status == 0)
+            break;
+        key = next_key(tty);
+    }
+    if (key == 0 && decode_pending(&tty->decoder) && now_us() - tty->last_us >= SILENCE_US)
+        key = decode_silence(&tty->decoder);
+    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key};
+    return key != 0;
+}
+
+/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape. */
+static int limit_ms(const struct tty *tty, int timeout_ms)
+{
+    if (!decode_pending(&tty->decoder))
+        return timeout_ms;
+    uint64_t end = tty->last_us + SILENCE_US, now = now_us();
+    int left = end > now ? (int)((end - now + 999) / 1000) : 0;
+    return timeout_ms < 0 || left < timeout_ms ? left : timeout_ms;
+}
+
+static int tty_wait(void *ctx, int timeout_ms)
+{
+    struct tty *tty = ctx;
+    struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
+    bool decoded = tty->next == tty->count;
+
+    return console_wait(&ready, 1, decoded ? limit_ms(tty, timeout_ms) : 0) < 0 ? TIA_ERR_DEVICE : TIA_OK;
+}
+
+const struct tia_input port_tty_input = {
+    .open = tty_open,
+    .poll = tty_poll,
+    .wait = tty_wait,
+    .close = tty_close,
+};
+
+void *port_tty_create(const struct port_wish *wish)
+{
+    struct tty *tty = calloc(1, sizeof *tty);
+
+    if (!tty) {
+        (void)snprintf(wish->why, PORT_WHY, "terminal's keyboard: out of memory");
+        return NULL;
+    }
+    tty->device = wish->device;
+    tty->why = wish->why;
+    tty->fd = -1;
+    return tty;
+}
+
+void port_tty_destroy(void *ctx)
+{
+    free(ctx);
+}
