@@ -1,0 +1,177 @@
+/* The thread pool: every job once, on the threads asked for, deaf to signals, gone afterwards. */
+#include "common/threads.h"
+
+#include <dirent.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+
+#include "check.h"
+
+enum { JOBS = 1000, ROUNDS = 300 };
+
+static atomic_uint done[JOBS];
+
+static void count_job(void *arg, unsigned index)
+{
+    (void)arg;
+    atomic_fetch_add(&done[index], 1u);
+}
+
+/* Threads of this process, from the kernel. */
+static int tasks(void)
+{
+    int count = 0;
+    DIR *directory = opendir("/proc/self/task");
+    for (struct dirent *entry; directory != NULL && (entry = readdir(directory)) != NULL;) {
+        count += entry->d_name[0] != '.';
+    }
+    if (directory != NULL) {
+        (void)closedir(directory);
+    }
+    return count;
+}
+
+static void every_job_once_on(unsigned threads)
+{
+    struct threads *pool = threads_create(threads);
+    CHECK(pool != NULL);
+    for (unsigned i = 0; i < JOBS; i++) {
+        atomic_store(&done[i], 0u);
+    }
+    unsigned expected[JOBS] = {0};
+    for (unsigned round = 0; round < ROUNDS; round++) {
+        unsigned count = round % 7 == 0 ? round % 3 : round * 3;
+        threads_workers.run(pool, count_job, NULL, count);
+        for (unsigned i = 0; i < count; i++) {
+            expected[i]++;
+        }
+        CHECK_EQ(atomic_load(&done[count > 0 ? count - 1 : 0]), expected[count > 0 ? count - 1 : 0]);
+    }
+    for (unsigned i = 0; i < JOBS; i++) {
+        CHECK_EQ(atomic_load(&done[i]), expected[i]);
+    }
+    threads_destroy(pool);
+}
+
+TEST(every_job_runs_once_on_1_thread)
+{
+    every_job_once_on(1);
+}
+TEST(every_job_runs_once_on_2_threads)
+{
+    every_job_once_on(2);
+}
+TEST(every_job_runs_once_on_7_threads)
+{
+    every_job_once_on(7);
+}
+
+TEST(one_thread_is_the_caller)
+{
+    int before = tasks();
+    struct threads *pool = threads_create(1);
+    CHECK_EQ(tasks(), before);
+    CHECK_EQ(threads_count(pool), 1);
+    threads_destroy(pool);
+    pool = threads_create(0);
+    CHECK_EQ(threads_count(pool), 1);
+    threads_destroy(pool);
+}
+
+TEST(threads_come_and_go)
+{
+    int before = tasks();
+    for (unsigned i = 0; i < 20; i++) {
+        struct threads *pool = threads_create(5);
+        CHECK_EQ(threads_count(pool), 5);
+        CHECK_EQ(tasks(), before + 4);
+        threads_destroy(pool);
+        /* The kernel removes a joined thread's entry a moment after it has ended. */
+        for (unsigned wait = 0; wait < 100000 && tasks() != before; wait++) {
+            (void)sched_yield();
+        }
+        CHECK_EQ(tasks(), before);
+    }
+    threads_destroy(NULL);
+}
+
+TEST(the_number_of_threads_is_limited)
+{
+    struct threads *pool = threads_create(1000000);
+    CHECK(pool != NULL && threads_count(pool) >= 1 && threads_count(pool) <= THREADS_MAX);
+    threads_destroy(pool);
+}
+
+static pthread_t caller;
+static atomic_uint others, open_to_signals;
+static pthread_barrier_t meeting;
+
+/* All threads meet here, so each takes exactly one job. */
+static void look_at_mask(void *arg, unsigned index)
+{
+    (void)arg, (void)index;
+    sigset_t mask;
+    (void)pthread_sigmask(SIG_BLOCK, NULL, &mask);
+    static const int asked[] = {SIGINT, SIGTERM, SIGHUP, SIGWINCH, SIGUSR1, SIGUSR2, SIGCHLD, SIGALRM};
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++) {
+        if (!pthread_equal(pthread_self(), caller) && sigismember(&mask, asked[i]) == 0) {
+            atomic_fetch_add(&open_to_signals, 1u);
+        }
+    }
+    if (!pthread_equal(pthread_self(), caller)) {
+        atomic_fetch_add(&others, 1u);
+    }
+    (void)pthread_barrier_wait(&meeting);
+}
+
+TEST(jobs_run_at_once_and_take_no_signals)
+{
+    sigset_t before, after;
+    (void)pthread_sigmask(SIG_BLOCK, NULL, &before);
+    struct threads *pool = threads_create(4);
+    (void)pthread_sigmask(SIG_BLOCK, NULL, &after);
+    CHECK(sigismember(&after, SIGINT) == sigismember(&before, SIGINT));
+    if (threads_count(pool) != 4) {
+        SKIP("no more threads to be had here");
+        threads_destroy(pool);
+        return;
+    }
+    caller = pthread_self();
+    (void)pthread_barrier_init(&meeting, NULL, 4);
+    threads_workers.run(pool, look_at_mask, NULL, 4);
+    (void)pthread_barrier_destroy(&meeting);
+    CHECK_EQ(atomic_load(&others), 3);
+    CHECK_EQ(atomic_load(&open_to_signals), 0);
+    threads_destroy(pool);
+}
+
+TEST(the_affinity_mask_counts)
+{
+    cpu_set_t before, one;
+    CHECK(sched_getaffinity(0, sizeof before, &before) == 0);
+    CHECK_EQ(threads_processors(), CPU_COUNT(&before));
+    size_t cpu = 0;
+    while (!CPU_ISSET(cpu, &before)) {
+        cpu++;
+    }
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    CHECK(sched_setaffinity(0, sizeof one, &one) == 0);
+    CHECK_EQ(threads_processors(), 1);
+    (void)sched_setaffinity(0, sizeof before, &before);
+}
+
+int main(void)
+{
+    RUN(every_job_runs_once_on_1_thread);
+    RUN(every_job_runs_once_on_2_threads);
+    RUN(every_job_runs_once_on_7_threads);
+    RUN(one_thread_is_the_caller);
+    RUN(threads_come_and_go);
+    RUN(the_number_of_threads_is_limited);
+    RUN(jobs_run_at_once_and_take_no_signals);
+    RUN(the_affinity_mask_counts);
+    return check_status();
+}
