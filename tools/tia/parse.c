@@ -1,0 +1,91 @@
+#include "parse.h"
+
+#include <string.h>
+
+#include <tia/port.h>
+
+bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value)
+{
+    uint64_t sum = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++) {
+        sum = sum * 10 + (uint64_t)(*at - '0');
+        if (sum > max) {
+            return false;
+        }
+    }
+    if (at == text || sum < min || (end == NULL && *at != '\0')) {
+        return false;
+    }
+    if (end != NULL) {
+        *end = at;
+    }
+    *value = (uint32_t)sum;
+    return true;
+}
+
+bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *width, uint16_t *height)
+{
+    uint32_t w, h;
+    const char *rest;
+    if (!parse_number(text, &rest, 1, max, &w) || *rest != 'x' || !parse_number(rest + 1, end, 1, max, &h)) {
+        return false;
+    }
+    *width = (uint16_t)w;
+    *height = (uint16_t)h;
+    return true;
+}
+
+bool parse_mode(const char *text)
+{
+    uint16_t width, height;
+    uint32_t hertz;
+    const char *rest;
+    if (strcmp(text, "preferred") == 0) {
+        return true;
+    }
+    if (!parse_size(text, &rest, UINT16_MAX, &width, &height)) {
+        return false;
+    }
+    return *rest == '\0' || (*rest == '@' && parse_number(rest + 1, NULL, 1, 1000, &hertz));
+}
+
+static const struct {
+    const char *name;
+    uint16_t key;
+} named[] = {{"<left>", TIA_KEY_LEFT}, {"<right>", TIA_KEY_RIGHT},  {"<up>", TIA_KEY_UP},
+             {"<down>", TIA_KEY_DOWN}, {"<pgup>", TIA_KEY_PAGE_UP}, {"<pgdn>", TIA_KEY_PAGE_DOWN}};
+
+/* The length of the key's name at `text`, 0 when there is none. */
+static size_t parse_key(const char *text, const struct tia_scene *scene, uint16_t *key)
+{
+    for (size_t i = 0; i < sizeof named / sizeof named[0]; i++) {
+        size_t length = strlen(named[i].name);
+        if (strncmp(text, named[i].name, length) == 0) {
+            *key = named[i].key;
+            return length;
+        }
+    }
+    for (uint32_t i = 0; i < scene->binding_count; i++) {
+        if (scene->bindings[i].key == (unsigned char)*text) {
+            *key = (unsigned char)*text;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+bool parse_keys(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad)
+{
+    *count = 0;
+    while (*text != '\0') {
+        size_t length = parse_key(text, scene, &keys[*count]);
+        if (length == 0) {
+            *bad = text;
+            return false;
+        }
+        text += length;
+        ++*count;
+    }
+    return true;
+}

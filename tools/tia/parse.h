@@ -1,0 +1,21 @@
+/* parse.h - the forms that the command's options take, read strictly. */
+#ifndef TOOLS_TIA_PARSE_H
+#define TOOLS_TIA_PARSE_H
+
+#include <tia/scene.h>
+
+/* A decimal number from `min` to `max` without sign, blanks or more than what it needs behind;
+ * *end (NULL: the text must end) gets what follows it. */
+bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value);
+
+/* "640x480", each number 1..max; *end as above. */
+bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *width, uint16_t *height);
+
+/* "preferred", "WxH" or "WxH@R" with R in hertz. */
+bool parse_mode(const char *text);
+
+/* "ad<left>" as key codes, at most one for each character; only keys that put a light of `scene`
+ * or move it. *bad gets where the text is wrong. */
+bool parse_keys(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);
+
+#endif

@@ -1,0 +1,228 @@
+#include "session.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "common/clock.h"
+#include "common/console.h"
+#include "fail.h"
+#include "signals.h"
+
+struct session *session_create(const struct options *options)
+{
+    struct session *session = calloc(1, sizeof *session);
+    if (session != NULL) {
+        session->options = options;
+        signals_catch_waiting();
+    }
+    return session;
+}
+
+/* ---- devices ---- */
+
+int session_open_input(struct session *session, const struct port_input *port)
+{
+    struct port_wish wish = {.device = session->options->input_device, .why = session->why};
+    session->input_ctx = port->create(&wish);
+    if (session->input_ctx == NULL) {
+        return EXIT_INPUT;
+    }
+    if (port->ops->open(session->input_ctx) != TIA_OK) {
+        port->ops->close(session->input_ctx);
+        port->destroy(session->input_ctx);
+        session->input_ctx = NULL;
+        return EXIT_INPUT;
+    }
+    session->input = port;
+    return EXIT_FINE;
+}
+
+static struct port_wish display_wish(struct session *session)
+{
+    const struct options *options = session->options;
+    bool swaps = turn_swaps(options->rotate);
+    return (struct port_wish){.device = options->display_device,
+                              .width = swaps ? options->height : options->width,
+                              .height = swaps ? options->width : options->height,
+                              .connector = options->connector,
+                              .mode = options->mode,
+                              .why = session->why};
+}
+
+int session_open_display(struct session *session, const struct port_display *port)
+{
+    const struct options *options = session->options;
+    struct port_wish wish = display_wish(session);
+    session->display_ctx = port->create(&wish);
+    if (session->display_ctx == NULL) {
+        return EXIT_DISPLAY;
+    }
+    session->display = port;
+    session->stage = (struct stage){.screen = port->ops,
+                                    .screen_ctx = session->display_ctx,
+                                    .name = port->name,
+                                    .width = options->width,
+                                    .height = options->height,
+                                    .degrees = options->rotate,
+                                    .checksum = options->checksum,
+                                    .why = session->why};
+    int status = stage_display.open(&session->stage, &session->mode);
+    if (status == TIA_ERR_MEMORY) {
+        return EXIT_RUNNING;
+    }
+    return status == TIA_OK ? EXIT_FINE : EXIT_DISPLAY;
+}
+
+void session_close(struct session *session)
+{
+    if (session->display != NULL) {
+        stage_display.close(&session->stage);
+        session->display->destroy(session->display_ctx);
+        session->display = NULL;
+    }
+    if (session->input != NULL) {
+        session->input->ops->close(session->input_ctx);
+        session->input->destroy(session->input_ctx);
+        session->input = NULL;
+    }
+}
+
+/* ---- what the viewer calls ---- */
+
+/* Its old contents may be gone: nothing needs to be copied. */
+static void *get_memory(void *ctx, size_t size)
+{
+    struct session *session = ctx;
+    if (size > session->memory_bytes) {
+        free(session->memory);
+        session->memory = malloc(size);
+        session->memory_bytes = session->memory != NULL ? size : 0;
+    }
+    return session->memory;
+}
+
+static int print_checksum(struct session *session, uint32_t number)
+{
+    if (fprintf(session->lines, "%" PRIu32 " %08" PRIx32 "\n", number, session->stage.crc) < 0 ||
+        fflush(session->lines) != 0) {
+        (void)snprintf(session->why, PORT_WHY, "standard output: %s", strerror(errno));
+        return TIA_ERR_DEVICE;
+    }
+    return TIA_OK;
+}
+
+static int frame_done(void *ctx, const struct tia_frame *frame)
+{
+    struct session *session = ctx;
+    session->stats.frames++;
+    stats_add(&session->stats.draw, frame->draw_us);
+    if (frame->key_us != 0) {
+        stats_add(&session->stats.flip, frame->key_us);
+    }
+    if (session->input == NULL) { /* nobody else waits, and so lets signals in */
+        (void)console_wait(NULL, 0, 0);
+    }
+    return session->options->checksum ? print_checksum(session, frame->number) : TIA_OK;
+}
+
+/* ---- the run ---- */
+
+/* Lines among the picture's own output would spoil both: a terminal gets them afterwards. */
+static int open_lines(struct session *session)
+{
+    session->lines = stdout;
+    if (session->options->checksum && isatty(STDOUT_FILENO) != 0) {
+        session->lines = open_memstream(&session->text, &session->text_bytes);
+    }
+    return session->lines != NULL ? TIA_OK : TIA_ERR_MEMORY;
+}
+
+static int close_lines(struct session *session)
+{
+    if (session->lines == NULL || session->lines == stdout) {
+        return TIA_OK;
+    }
+    (void)fclose(session->lines);
+    int result = fputs(session->text, stdout);
+    free(session->text);
+    session->text = NULL;
+    return result >= 0 && fflush(stdout) == 0 ? TIA_OK : TIA_ERR_DEVICE;
+}
+
+static struct tia_viewer viewer_of(struct session *session)
+{
+    const struct options *options = session->options;
+    return (struct tia_viewer){.core = options->core,
+                               .scene = options->scene,
+                               .lights = session->lights.array,
+                               .light_capacity = session->lights.capacity,
+                               .options = {.dither = options->dither},
+                               .frame_limit = options->frames,
+                               .keys = options->keys,
+                               .key_count = options->key_count,
+                               .display = &stage_display,
+                               .input = session->input != NULL ? session->input->ops : NULL,
+                               .clock = &clock_monotonic,
+                               .workers = &threads_workers,
+                               .display_ctx = &session->stage,
+                               .input_ctx = session->input_ctx,
+                               .workers_ctx = session->pool,
+                               .memory = get_memory,
+                               .memory_ctx = session,
+                               .frame_done = frame_done,
+                               .frame_ctx = session,
+                               .stop = &signals_caught};
+}
+
+static const char *reason(int status)
+{
+    switch (status) {
+    case TIA_ERR_MEMORY:
+        return "memory: exhausted";
+    case TIA_ERR_RANGE:
+        return "scene: a value is out of range";
+    default:
+        return "display: failed";
+    }
+}
+
+/* The pool is made after the display was opened: opening may fork, which threads do not survive. */
+int session_run(struct session *session)
+{
+    int status = TIA_ERR_MEMORY;
+    session->why[0] = '\0';
+    session->pool = threads_create(session->options->threads);
+    if (session->pool != NULL && lights_copy(&session->lights, session->options->scene) &&
+        open_lines(session) == TIA_OK) {
+        struct tia_viewer viewer = viewer_of(session);
+        status = tia_viewer_run(&viewer);
+    }
+    (void)snprintf(session->format, sizeof session->format, "%s", session->mode.format);
+    session->stats.display = session->display->name;
+    session->stats.format = session->format;
+    session->stats.width = session->stage.turn.width;
+    session->stats.height = session->stage.turn.height;
+    session->stats.threads = session->pool != NULL ? threads_count(session->pool) : 1;
+    if (status < 0 && session->why[0] == '\0') {
+        (void)snprintf(session->why, PORT_WHY, "%s", reason(status));
+    }
+    return status < 0 ? EXIT_RUNNING : EXIT_FINE;
+}
+
+int session_end(struct session *session, int status)
+{
+    if (close_lines(session) != TIA_OK && status == EXIT_FINE) {
+        status = fail_output();
+    }
+    if (session->options->stats && session->stats.display != NULL && status == EXIT_FINE) {
+        stats_print(&session->stats);
+    }
+    threads_destroy(session->pool);
+    free(session->lights.array);
+    free(session->memory);
+    free(session);
+    return signals_end(status);
+}

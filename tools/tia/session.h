@@ -1,0 +1,47 @@
+/* session.h - one display, one input and the interactive loop on them. */
+#ifndef TOOLS_TIA_SESSION_H
+#define TOOLS_TIA_SESSION_H
+
+#include <stdio.h>
+
+#include "common/threads.h"
+#include "lights.h"
+#include "options.h"
+#include "ports.h"
+#include "stage.h"
+#include "stats.h"
+
+struct session {
+    const struct options *options;
+    char why[PORT_WHY];                 /* what failed last */
+    const struct port_display *display; /* NULL: not open */
+    const struct port_input *input;
+    void *display_ctx, *input_ctx;
+    struct stage stage;
+    struct tia_mode mode;
+    struct threads *pool;
+    struct lights lights;
+    void *memory; /* the viewer's */
+    size_t memory_bytes;
+    FILE *lines; /* for checksums: standard output, or text kept for it */
+    char *text;
+    size_t text_bytes;
+    struct stats stats;
+    char format[32]; /* the display's, after it is closed */
+};
+
+/* From here to session_end, signals come only while something waits. NULL: no memory. */
+struct session *session_create(const struct options *options);
+
+/* They return an exit status, and what is wrong in `why`. */
+int session_open_input(struct session *session, const struct port_input *port);
+int session_open_display(struct session *session, const struct port_display *port);
+int session_run(struct session *session);
+
+/* Closes what is open, the display first. */
+void session_close(struct session *session);
+
+/* Frees the session and returns `status`; after a signal, ends the program by it. */
+int session_end(struct session *session, int status);
+
+#endif

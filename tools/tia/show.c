@@ -1,0 +1,178 @@
+/* show.c - chooses a display and an input and runs the interactive loop on them. */
+#include "show.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "draw.h"
+#include "fail.h"
+#include "ports.h"
+#include "session.h"
+#include "signals.h"
+
+static const struct port_display *find_display(const char *name)
+{
+    const struct port_display *port = port_displays;
+    while (port->name != NULL && strcmp(port->name, name) != 0) {
+        port++;
+    }
+    return port->name != NULL ? port : NULL;
+}
+
+static const struct port_input *find_input(const char *name)
+{
+    const struct port_input *port = port_inputs;
+    while (port->name != NULL && strcmp(port->name, name) != 0) {
+        port++;
+    }
+    return port->name != NULL ? port : NULL;
+}
+
+/* ---- the input for a display ---- */
+
+static int refuse_input(struct session *session, const char *name)
+{
+    (void)snprintf(session->why, PORT_WHY, "%.40s: this build has no such input", name);
+    return EXIT_INPUT;
+}
+
+static int open_input(struct session *session, const char *name)
+{
+    const struct port_input *port = find_input(name);
+    return port != NULL ? session_open_input(session, port) : refuse_input(session, name);
+}
+
+/* Nothing to listen to: the frames follow one another when their number is limited. */
+static int open_no_input(struct session *session)
+{
+    return session->options->frames != 0 ? EXIT_FINE : open_input(session, "none");
+}
+
+/* A display that covers the console needs a way out of it: keys, or an end given beforehand. */
+static int choose_input(struct session *session, const struct port_display *port)
+{
+    const struct options *options = session->options;
+    bool limited = options->frames != 0;
+    if (strcmp(options->input, "none") == 0) {
+        if (port->takes_screen && !limited) {
+            (void)snprintf(session->why, PORT_WHY, "%s: no input to leave the screen by (use --frames N)", port->name);
+            return EXIT_INPUT;
+        }
+        return open_no_input(session);
+    }
+    if (strcmp(options->input, "auto") != 0) {
+        return open_input(session, options->input);
+    }
+    if (port->takes_screen) {
+        return open_input(session, "evdev");
+    }
+    bool terminal = strcmp(port->name, "terminal") == 0;
+    if (!terminal && (limited || isatty(STDIN_FILENO) == 0)) {
+        return open_no_input(session);
+    }
+    int status = open_input(session, "tty");
+    return status != EXIT_FINE && limited ? EXIT_FINE : status;
+}
+
+/* ---- the display ---- */
+
+static int try_display(struct session *session, const struct port_display *port)
+{
+    int status = choose_input(session, port);
+    if (status == EXIT_FINE) {
+        status = session_open_display(session, port);
+    }
+    if (status == EXIT_FINE) {
+        status = session_run(session);
+    }
+    session_close(session);
+    return status;
+}
+
+/* What `auto` takes; the others are for those who name them. */
+static bool is_automatic(const struct port_display *port)
+{
+    if (strcmp(port->name, "terminal") == 0) {
+        return isatty(STDOUT_FILENO) != 0;
+    }
+    return strcmp(port->name, "drm") == 0 || strcmp(port->name, "fbdev") == 0;
+}
+
+static int draw_instead(const struct options *options)
+{
+    struct options file = *options;
+    file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
+    file.output = file.format == IMAGE_PNG ? "tia.png" : "tia.ppm";
+    int status = draw(&file);
+    if (status == EXIT_FINE) {
+        note("no display and no terminal: wrote %s (tia --list-displays says why)", file.output);
+    }
+    return status;
+}
+
+static int show_any(struct session *session)
+{
+    for (const struct port_display *port = port_displays; port->name != NULL; port++) {
+        if (!is_automatic(port)) {
+            continue;
+        }
+        int status = try_display(session, port);
+        bool refused = status == EXIT_DISPLAY || status == EXIT_INPUT;
+        if (!refused || session->stage.opened) {
+            return status;
+        }
+    }
+    session->why[0] = '\0';
+    signals_release();
+    return draw_instead(session->options);
+}
+
+static int show_named(struct session *session, const char *name)
+{
+    const struct port_display *port = find_display(name);
+    if (port == NULL) {
+        (void)snprintf(session->why, PORT_WHY, "%.40s: this build has no such display (tia --list-displays)", name);
+        return EXIT_DISPLAY;
+    }
+    return try_display(session, port);
+}
+
+int show(const struct options *options)
+{
+    struct session *session = session_create(options);
+    if (session == NULL) {
+        return fail(EXIT_RUNNING, "memory: exhausted");
+    }
+    bool any = strcmp(options->display, "auto") == 0;
+    int status = any ? show_any(session) : show_named(session, options->display);
+    if (status != EXIT_FINE && session->why[0] != '\0') {
+        (void)fail(status, "%s", session->why);
+    }
+    return session_end(session, status);
+}
+
+/* ---- lists ---- */
+
+static void print_line(void *arg, const char *text)
+{
+    (void)arg;
+    (void)printf("  %s\n", text);
+}
+
+int show_list(const char *only)
+{
+    bool found = false;
+    for (const struct port_display *port = port_displays; port->name != NULL; port++) {
+        if (only == NULL || strcmp(port->name, only) == 0) {
+            (void)printf("%s: %s\n", port->name, port->summary);
+            port->list(print_line, NULL);
+            found = true;
+        }
+    }
+    if (only != NULL && !found) {
+        return fail(EXIT_DISPLAY, "%s: this build has no such display (tia --list-displays)", only);
+    }
+    return fflush(stdout) == 0 ? EXIT_FINE : fail_output();
+}

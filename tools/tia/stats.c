@@ -1,0 +1,54 @@
+#include "stats.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void stats_add(struct samples *samples, uint64_t us)
+{
+    samples->us[samples->count++ % STATS_SAMPLES] = us < UINT32_MAX ? (uint32_t)us : UINT32_MAX;
+}
+
+static int compare(const void *left, const void *right)
+{
+    uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+    return (a > b) - (a < b);
+}
+
+uint32_t stats_percentile(struct samples *samples, unsigned percent)
+{
+    uint64_t kept = samples->count < STATS_SAMPLES ? samples->count : STATS_SAMPLES;
+    if (kept == 0) {
+        return 0;
+    }
+    qsort(samples->us, (size_t)kept, sizeof samples->us[0], compare);
+    uint64_t rank = (kept * percent + 99) / 100;
+    return samples->us[rank > 0 ? rank - 1 : 0];
+}
+
+static void print_samples(const char *name, struct samples *samples)
+{
+    if (samples->count == 0) {
+        (void)fprintf(stderr, "\"%s\": {\"p50\": null, \"p95\": null}, ", name);
+        return;
+    }
+    uint32_t p50 = stats_percentile(samples, 50), p95 = stats_percentile(samples, 95);
+    (void)fprintf(stderr, "\"%s\": {\"p50\": %" PRIu32 ".%03" PRIu32 ", \"p95\": %" PRIu32 ".%03" PRIu32 "}, ", name,
+                  p50 / 1000, p50 % 1000, p95 / 1000, p95 % 1000);
+}
+
+/* Which kernels draw: the plain C ones are the only ones so far. */
+static const char *isa(void)
+{
+    return "scalar";
+}
+
+void stats_print(struct stats *stats)
+{
+    (void)fprintf(stderr, "{\"frames\": %" PRIu64 ", ", stats->frames);
+    print_samples("frame_ms", &stats->draw);
+    print_samples("input_to_flip_ms", &stats->flip);
+    (void)fprintf(stderr,
+                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"isa\": \"%s\", \"threads\": %u}\n",
+                  stats->display, stats->format, stats->width, stats->height, isa(), stats->threads);
+}
