@@ -108,6 +108,13 @@ $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
+# ---- longer proofs ----
+.PHONY: check-exhaustive
+$(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+check-exhaustive: $(BUILD)/tests/exhaustive
+	tests/run $<
+
 clean:
 	rm -rf $(BUILD)
 

@@ -44,7 +44,7 @@ static inline unsigned tia_clz64(uint64_t x)
 #endif
 }
 
-/* x / 2^s to nearest, ties up. s <= 63, |x| <= 2^62. */
+/* x / 2^s to nearest, ties up. s <= 63, |x| < 2^62. */
 static inline int64_t tia_round_shift(int64_t x, unsigned s)
 {
     return (x + (int64_t)((UINT64_C(1) << s) >> 1)) >> s;
