@@ -21,6 +21,25 @@ COMMON  := -std=c11 $(WARN) -Iinclude -MMD -MP
 CORE    := $(COMMON) -ffreestanding -iquote src
 HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -pthread
 
+# ---- what Debian 12 has for it all; `make deps` installs what is missing, with sudo when not root ----
+DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-format libclang-rt-14-dev \
+        universal-ctags file binutils man-db
+ifneq ($(filter deps,$(MAKECMDGOALS)),)
+# An included file that is out of date is made first and the Makefile is read again: so the
+# libraries are found in the same call that installs them.
+DEPS_MISSING := $(shell for p in $(DEPS); do dpkg-query -W -f '$${Status}\n' $$p 2>/dev/null | \
+                        grep -q 'install ok installed' || echo $$p; done)
+$(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
+	@mkdir -p $(@D)
+	@if [ -n "$(DEPS_MISSING)" ]; then \
+	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+	    $$sudo apt-get update -q && \
+	    $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(DEPS_MISSING); fi
+	@touch $@
+FORCE:
+include $(BUILD)/deps.mk
+endif
+
 # ---- optional libraries: found by pkg-config, else their parts are left out and named ----
 F64 ?= yes
 have = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes || echo no)
@@ -69,7 +88,7 @@ LIBTIA := $(BUILD)/libtia.a
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
-.PHONY: all run check check-quick bench deps install uninstall size lint clean help tests
+.PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBF64) $(BUILD)/tia
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
@@ -115,7 +134,55 @@ $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 check-exhaustive: $(BUILD)/tests/exhaustive
 	tests/run $<
 
+deps:
+	@echo "deps: all there"
+
+# ---- running, testing, measuring ----
+run: all
+	$(BUILD)/tia
+
+QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
+SLOW  := $(sort $(wildcard tests/slow/*))
+TOOLS := $(patsubst tools/%.c,$(BUILD)/%,$(wildcard tools/*.c))
+export BUILD CC F64
+tests: $(TESTS) $(TOOLS)
+check-quick: all tests
+	@tests/run $(QUICK)
+check: all tests
+	@tests/run $(QUICK) $(SLOW)
+
+$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+bench: $(BUILD)/bench
+	@$(BUILD)/bench
+
+size: $(LIBTIA)
+	@$(CROSS)size -t $(LIBTIA)
+
+LINTED := $(sort $(wildcard include/tia/*.h src/*.[ch] src/*/*.[ch] port/*.[ch] port/*/*.[ch] tools/*.c tools/*/*.[ch] \
+            bench/*.[ch] tests/*.[ch] tests/*/*.[ch]))
+lint:
+	@command -v clang-format >/dev/null && clang-format --dry-run -Werror $(LINTED) || echo "no clang-format: skipped"
+
+# ---- installing ----
+INSTALL := install -D -m
+install: all
+	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
+	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
+	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
+	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
+	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
+	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
+uninstall:
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1)
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
+	-rmdir $(DESTDIR)$(PREFIX)/include/tia
+
 clean:
 	rm -rf $(BUILD)
+
+help:
+	@echo "all run check check-quick bench deps install uninstall size lint clean - see the top of the Makefile"
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
