@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "common/clock.h"
-#include "common/console.h"
 #include "fail.h"
 #include "signals.h"
 
@@ -122,9 +121,6 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
     if (frame->key_us != 0) {
         stats_add(&session->stats.flip, frame->key_us);
     }
-    if (session->input == NULL) { /* nobody else waits, and so lets signals in */
-        (void)console_wait(NULL, 0, 0);
-    }
     return session->options->checksum ? print_checksum(session, frame->number) : TIA_OK;
 }
 
@@ -164,7 +160,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .keys = options->keys,
                                .key_count = options->key_count,
                                .display = &stage_display,
-                               .input = session->input != NULL ? session->input->ops : NULL,
+                               .input = session->input->ops,
                                .clock = &clock_monotonic,
                                .workers = &threads_workers,
                                .display_ctx = &session->stage,

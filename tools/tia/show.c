@@ -44,12 +44,6 @@ static int open_input(struct session *session, const char *name)
     return port != NULL ? session_open_input(session, port) : refuse_input(session, name);
 }
 
-/* Nothing to listen to: the frames follow one another when their number is limited. */
-static int open_no_input(struct session *session)
-{
-    return session->options->frames != 0 ? EXIT_FINE : open_input(session, "none");
-}
-
 /* A display that covers the console needs a way out of it: keys, or an end given beforehand. */
 static int choose_input(struct session *session, const struct port_display *port)
 {
@@ -60,7 +54,7 @@ static int choose_input(struct session *session, const struct port_display *port
             (void)snprintf(session->why, PORT_WHY, "%s: no input to leave the screen by (use --frames N)", port->name);
             return EXIT_INPUT;
         }
-        return open_no_input(session);
+        return open_input(session, "none");
     }
     if (strcmp(options->input, "auto") != 0) {
         return open_input(session, options->input);
@@ -70,10 +64,10 @@ static int choose_input(struct session *session, const struct port_display *port
     }
     bool terminal = strcmp(port->name, "terminal") == 0;
     if (!terminal && (limited || isatty(STDIN_FILENO) == 0)) {
-        return open_no_input(session);
+        return open_input(session, "none");
     }
     int status = open_input(session, "tty");
-    return status != EXIT_FINE && limited ? EXIT_FINE : status;
+    return status != EXIT_FINE && limited ? open_input(session, "none") : status;
 }
 
 /* ---- the display ---- */

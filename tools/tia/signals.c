@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { STOPPING = 4, CAUGHT }; /* how many of the signals below stop the program, and all */
-static const int caught[CAUGHT] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGWINCH};
+enum { CAUGHT = 4 };
+static const int caught[CAUGHT] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /* A signal is the process's own: so is this state. */
 volatile int signals_caught;
@@ -17,11 +17,6 @@ static bool active, blocked;
 static void stop(int number)
 {
     signals_caught = number;
-}
-
-static void wake(int number)
-{
-    (void)number;
 }
 
 void signals_prepare(void)
@@ -35,9 +30,9 @@ void signals_prepare(void)
 void signals_catch(void)
 {
     for (size_t i = 0; i < CAUGHT; i++) {
-        struct sigaction action = {.sa_handler = i < STOPPING ? stop : wake};
+        struct sigaction action = {.sa_handler = stop};
         (void)sigaction(caught[i], NULL, &before[i]);
-        if (before[i].sa_handler != SIG_IGN || i >= STOPPING) {
+        if (before[i].sa_handler != SIG_IGN) {
             (void)sigaction(caught[i], &action, NULL);
         }
     }

@@ -13,7 +13,7 @@ void signals_prepare(void);
  * the program has them ignored. */
 void signals_catch(void);
 
-/* The same, and they come only while an input waits; SIGWINCH then ends that wait. */
+/* The same, and they come only while an input waits. */
 void signals_catch_waiting(void);
 
 /* Back to what was before. */
