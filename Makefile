@@ -23,7 +23,7 @@ HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -pthread
 
 # ---- what Debian 12 has for it all; `make deps` installs what is missing, with sudo when not root ----
 DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-format libclang-rt-14-dev \
-        universal-ctags file binutils man-db
+        universal-ctags file binutils man-db libosmesa6-dev libegl-dev libgl1-mesa-dri
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
@@ -124,8 +124,10 @@ $(BUILD)/$(1): $(call obj,host,tools/$(1).c $(sort $(wildcard tools/$(1)/*.c))) 
 endef
 $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,$(p))))
 
+# A picture to compare with, drawn by GL.
+$(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive

@@ -4,6 +4,9 @@
 #include <stddef.h>
 
 #include "none/none.h"
+#ifdef TIA_HAVE_OSMESA
+#include "osmesa/osmesa.h"
+#endif
 #include "terminal/terminal.h"
 
 /* `auto` stops before "none". */
@@ -24,6 +27,16 @@ const struct port_display port_displays[] = {
         .destroy = port_none_destroy,
         .list = port_none_list,
     },
+#ifdef TIA_HAVE_OSMESA
+    {
+        .name = "osmesa",
+        .summary = "OpenGL in memory, for tests (osmesa:osmesa, osmesa:egl)",
+        .ops = &port_osmesa_display,
+        .create = port_osmesa_create,
+        .destroy = port_osmesa_destroy,
+        .list = port_osmesa_list,
+    },
+#endif
     {.name = NULL},
 };
 

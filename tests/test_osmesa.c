@@ -23,7 +23,7 @@ static void *create(unsigned width, unsigned height)
 {
     struct port_wish wish = {.device = library, .width = (uint16_t)width, .height = (uint16_t)height, .why = why};
 
-    return osmesa_create(&wish);
+    return port_osmesa_create(&wish);
 }
 
 /* A display of this size, open; NULL after a failed check. */
@@ -32,9 +32,9 @@ static void *opened(unsigned width, unsigned height)
     struct tia_mode mode = {0};
     void *ctx = create(width, height);
 
-    if (!ctx || osmesa_display.open(ctx, &mode) != TIA_OK) {
+    if (!ctx || port_osmesa_display.open(ctx, &mode) != TIA_OK) {
         CHECK_MSG(false, "%s", why);
-        osmesa_destroy(ctx);
+        port_osmesa_destroy(ctx);
         return NULL;
     }
     CHECK_EQ(mode.width, width);
@@ -44,8 +44,8 @@ static void *opened(unsigned width, unsigned height)
 
 static void closed(void *ctx)
 {
-    osmesa_display.close(ctx);
-    osmesa_destroy(ctx);
+    port_osmesa_display.close(ctx);
+    port_osmesa_destroy(ctx);
 }
 
 /* Writes an image tile by tile and presents it. */
@@ -56,19 +56,19 @@ static void show(void *ctx, const tia_rgb565 *image, unsigned width, unsigned he
         struct tia_tile tile = {0, (uint16_t)top, (uint16_t)width, (uint16_t)count};
         struct tia_surface surface = {0};
 
-        CHECK_EQ(osmesa_display.acquire(ctx, tile, &surface), TIA_OK);
+        CHECK_EQ(port_osmesa_display.acquire(ctx, tile, &surface), TIA_OK);
         for (unsigned i = 0; i < count && surface.pixels; i++) {
             memcpy((char *)surface.pixels + (ptrdiff_t)i * surface.pitch, image + (size_t)(top + i) * width,
                    width * sizeof *image);
         }
-        CHECK_EQ(osmesa_display.submit(ctx, tile), TIA_OK);
+        CHECK_EQ(port_osmesa_display.submit(ctx, tile), TIA_OK);
     }
-    CHECK_MSG(osmesa_display.present(ctx) == TIA_OK, "%s", why);
+    CHECK_MSG(port_osmesa_display.present(ctx) == TIA_OK, "%s", why);
 }
 
 static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned height)
 {
-    const tia_rgb565 *seen = osmesa_read(ctx);
+    const tia_rgb565 *seen = port_osmesa_read(ctx);
 
     CHECK(seen != NULL);
     for (size_t i = 0; seen && i < (size_t)width * height; i++) {
@@ -125,7 +125,7 @@ TEST(frame_after_frame)
 
     if (ctx) {
         show(ctx, first, 65, 33, 33);
-        CHECK_EQ(osmesa_display.acquire(ctx, (struct tia_tile){0, 0, 1, 1}, &surface), TIA_OK);
+        CHECK_EQ(port_osmesa_display.acquire(ctx, (struct tia_tile){0, 0, 1, 1}, &surface), TIA_OK);
         *surface.pixels = (tia_rgb565)~first[0];
         compare(ctx, first, 65, 33);
         show(ctx, second, 65, 33, 33);
@@ -155,6 +155,54 @@ TEST(two_displays)
     free(right);
 }
 
+/* The scene that is built in, lit as by each of its keys, or not at all (key 0). */
+static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
+{
+    const struct tia_core *core = &tia_core_q16;
+    struct tia_scene scene = tia_thesis_scene;
+    struct tia_surface surface = {image, 2, 2 * (ptrdiff_t)all.width};
+    struct tia_view *view;
+    struct tia_hits *hits;
+    size_t view_size, hits_size = core->hits_size(all);
+    void *view_memory, *hits_memory = malloc(hits_size);
+    bool drawn;
+
+    for (uint32_t i = 0; i < scene.binding_count; i++) {
+        if (scene.bindings[i].key == key) {
+            scene.lights = &scene.bindings[i].state;
+            scene.light_count = 1;
+        }
+    }
+    view_size = core->view_size(&scene, scene.light_count);
+    view_memory = malloc(view_size);
+    drawn =
+        core->view_init(&view, view_memory, view_size, &scene, scene.light_count, all.width, all.height) == TIA_OK &&
+        core->hits_init(&hits, hits_memory, hits_size, all) == TIA_OK && core->trace(view, hits, all) == TIA_OK &&
+        core->light(view, hits, all, &surface, NULL) == TIA_OK;
+    free(view_memory);
+    free(hits_memory);
+    return drawn;
+}
+
+TEST(thesis_frames)
+{
+    static const uint16_t keys[] = {0, 'a', 'd', 's', 'w'};
+    enum { WIDTH = 640, HEIGHT = 480 };
+    static tia_rgb565 frames[2][WIDTH * HEIGHT];
+    void *ctx = opened(WIDTH, HEIGHT);
+
+    for (size_t i = 0; ctx && i < sizeof keys / sizeof keys[0]; i++) {
+        tia_rgb565 *frame = frames[i % 2];
+        CHECK(draw_frame(keys[i], frame, (struct tia_tile){0, 0, WIDTH, HEIGHT}));
+        CHECK(memcmp(frames[0], frames[1], sizeof frames[0]) != 0);
+        show(ctx, frame, WIDTH, HEIGHT, 100);
+        compare(ctx, frame, WIDTH, HEIGHT);
+    }
+    if (ctx) {
+        closed(ctx);
+    }
+}
+
 TEST(open_again)
 {
     tia_rgb565 *image = pattern(31, 17, 3);
@@ -164,10 +212,10 @@ TEST(open_again)
     for (int i = 0; ctx && i < 5; i++) {
         show(ctx, image, 31, 17, 17);
         compare(ctx, image, 31, 17);
-        osmesa_display.close(ctx);
-        osmesa_display.close(ctx);
-        CHECK_EQ(osmesa_display.present(ctx), TIA_ERR_ARGUMENT);
-        CHECK_EQ(osmesa_display.open(ctx, &mode), TIA_OK);
+        port_osmesa_display.close(ctx);
+        port_osmesa_display.close(ctx);
+        CHECK_EQ(port_osmesa_display.present(ctx), TIA_ERR_ARGUMENT);
+        CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_OK);
     }
     if (ctx) {
         closed(ctx);
@@ -183,15 +231,16 @@ TEST(refusals)
     struct tia_mode mode;
     void *ctx = create(65535, 1);
 
-    CHECK_EQ(osmesa_display.open(ctx, &mode), TIA_ERR_UNSUPPORTED);
+    CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_ERR_UNSUPPORTED);
     CHECK_MSG(strstr(why, library) && strstr(why, "65535x1"), "%s", why);
     closed(ctx);
-    CHECK(osmesa_create(&other) == NULL);
+    CHECK(port_osmesa_create(&other) == NULL);
     CHECK_MSG(!strcmp(why, "osmesa:opengl: no such library in this build"), "%s", why);
     ctx = opened(4, 4);
     if (ctx) {
-        CHECK_EQ(osmesa_display.acquire(ctx, (struct tia_tile){1, 0, 4, 4}, &surface), TIA_ERR_ARGUMENT);
-        CHECK_EQ(osmesa_display.submit(ctx, (struct tia_tile){0, 4, 4, 1}), TIA_ERR_ARGUMENT);
+        CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_ERR_ARGUMENT);
+        CHECK_EQ(port_osmesa_display.acquire(ctx, (struct tia_tile){1, 0, 4, 4}, &surface), TIA_ERR_ARGUMENT);
+        CHECK_EQ(port_osmesa_display.submit(ctx, (struct tia_tile){0, 4, 4, 1}), TIA_ERR_ARGUMENT);
         closed(ctx);
     }
 }
@@ -206,7 +255,7 @@ TEST(listed)
 {
     int lines = 0;
 
-    osmesa_list(count_line, &lines);
+    port_osmesa_list(count_line, &lines);
     CHECK(lines > 0);
 }
 
@@ -215,8 +264,10 @@ static void run_all(const char *name)
     static const struct {
         const char *name;
         void (*test)(void);
-    } cases[] = {{"every_colour", every_colour}, {"any_size", any_size},     {"frame_after_frame", frame_after_frame},
-                 {"two_displays", two_displays}, {"open_again", open_again}, {"refusals", refusals}};
+    } cases[] = {
+        {"every_colour", every_colour}, {"any_size", any_size},           {"frame_after_frame", frame_after_frame},
+        {"two_displays", two_displays}, {"thesis_frames", thesis_frames}, {"open_again", open_again},
+        {"refusals", refusals}};
     char title[64];
 
     library = name;

@@ -5,6 +5,7 @@
 
 #include <GL/gl.h>
 
+#include "common/canvas.h"
 #include "osmesa/gl.h"
 #include "osmesa/osmesa.h"
 
@@ -25,13 +26,13 @@ static const struct gl_platform *const platforms[] = {
 struct osmesa {
     struct gl_screen screen;
     const struct gl_platform *chosen; /* NULL: the first that opens */
-    tia_rgb565 *frame;                /* what present draws; NULL while closed */
+    struct canvas frame;              /* what present draws; NULL while closed */
 };
 
 #define ROW(type, name, arguments) GL_ROW(gl_common, "gl", name),
 static const struct gl_row rows[] = {GL_COMMON(ROW)};
 
-void *osmesa_create(const struct port_wish *wish)
+void *port_osmesa_create(const struct port_wish *wish)
 {
     const struct gl_platform *chosen = NULL;
     struct osmesa *osmesa;
@@ -57,7 +58,7 @@ void *osmesa_create(const struct port_wish *wish)
     return osmesa;
 }
 
-void osmesa_destroy(void *ctx)
+void port_osmesa_destroy(void *ctx)
 {
     free(ctx);
 }
@@ -106,6 +107,9 @@ static int osmesa_mode(void *ctx, struct tia_mode *mode)
 {
     const struct osmesa *osmesa = ctx;
 
+    if (!osmesa->frame.pixels) {
+        return TIA_ERR_ARGUMENT;
+    }
     *mode = (struct tia_mode){
         .width = osmesa->screen.width, .height = osmesa->screen.height, .concurrent = true, .format = "RGB565"};
     return TIA_OK;
@@ -119,27 +123,39 @@ static void osmesa_close(void *ctx)
         osmesa->screen.platform->close(&osmesa->screen);
     }
     free(osmesa->screen.pixels);
-    free(osmesa->frame);
-    osmesa->screen.pixels = osmesa->frame = NULL;
+    osmesa->screen.pixels = NULL;
+    canvas_free(&osmesa->frame);
+}
+
+static int open_any(struct osmesa *osmesa)
+{
+    int status = TIA_ERR_UNSUPPORTED;
+
+    for (size_t i = 0; i < PLATFORMS && status != TIA_OK; i++) {
+        if (!osmesa->chosen || osmesa->chosen == platforms[i]) {
+            status = open_platform(&osmesa->screen, platforms[i]);
+        }
+    }
+    return status;
 }
 
 static int osmesa_open(void *ctx, struct tia_mode *mode)
 {
     struct osmesa *osmesa = ctx;
     struct gl_screen *screen = &osmesa->screen;
-    size_t count = (size_t)screen->width * screen->height;
-    int status = TIA_ERR_MEMORY;
+    int status;
 
-    osmesa->frame = calloc(count, sizeof *osmesa->frame);
-    screen->pixels = calloc(count, sizeof *screen->pixels);
-    if (!osmesa->frame || !screen->pixels) {
+    if (osmesa->frame.pixels) {
+        (void)snprintf(screen->why, PORT_WHY, "osmesa: already open");
+        return TIA_ERR_ARGUMENT;
+    }
+    status = canvas_resize(&osmesa->frame, screen->width, screen->height);
+    screen->pixels = calloc((size_t)screen->width * screen->height, sizeof *screen->pixels);
+    if (status != TIA_OK || !screen->pixels) {
         (void)snprintf(screen->why, PORT_WHY, "osmesa: out of memory for %ux%u", screen->width, screen->height);
-    } else if (osmesa->chosen) {
-        status = open_platform(screen, osmesa->chosen);
+        status = TIA_ERR_MEMORY;
     } else {
-        for (size_t i = 0; i < PLATFORMS && status != TIA_OK; i++) {
-            status = open_platform(screen, platforms[i]);
-        }
+        status = open_any(osmesa);
     }
     if (status != TIA_OK) {
         osmesa_close(ctx);
@@ -148,28 +164,16 @@ static int osmesa_open(void *ctx, struct tia_mode *mode)
     return osmesa_mode(ctx, mode);
 }
 
-static bool inside(const struct gl_screen *screen, struct tia_tile tile)
-{
-    return tile.x + tile.width <= screen->width && tile.y + tile.height <= screen->height;
-}
-
 static int osmesa_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
-    struct osmesa *osmesa = ctx;
-
-    if (!osmesa->frame || !inside(&osmesa->screen, tile)) {
-        return TIA_ERR_ARGUMENT;
-    }
-    *surface = (struct tia_surface){osmesa->frame + (size_t)tile.y * osmesa->screen.width + tile.x, 2,
-                                    2 * (ptrdiff_t)osmesa->screen.width};
-    return TIA_OK;
+    return canvas_tile(&((struct osmesa *)ctx)->frame, tile, surface);
 }
 
 static int osmesa_submit(void *ctx, struct tia_tile tile)
 {
-    struct osmesa *osmesa = ctx;
+    const struct canvas *frame = &((struct osmesa *)ctx)->frame;
 
-    return osmesa->frame && inside(&osmesa->screen, tile) ? TIA_OK : TIA_ERR_ARGUMENT;
+    return tile_inside(tile, frame->width, frame->height) ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
 static int osmesa_present(void *ctx)
@@ -178,27 +182,27 @@ static int osmesa_present(void *ctx)
     struct gl_screen *screen = &osmesa->screen;
     GLenum error;
 
-    if (!osmesa->frame) {
+    if (!osmesa->frame.pixels) {
         return TIA_ERR_ARGUMENT;
     }
     if (!screen->platform->make_current(screen)) {
         return gl_fail(screen, TIA_ERR_DEVICE, "cannot make the context current");
     }
-    screen->gl.DrawPixels(screen->width, screen->height, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, osmesa->frame);
+    screen->gl.DrawPixels(screen->width, screen->height, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, osmesa->frame.pixels);
     screen->gl.Finish();
     error = screen->gl.GetError();
     return error == GL_NO_ERROR ? TIA_OK : gl_fail(screen, TIA_ERR_DEVICE, "GL error 0x%x", error);
 }
 
-const struct tia_display osmesa_display = {osmesa_open,   osmesa_mode,    osmesa_acquire,
-                                           osmesa_submit, osmesa_present, osmesa_close};
+const struct tia_display port_osmesa_display = {osmesa_open,   osmesa_mode,    osmesa_acquire,
+                                                osmesa_submit, osmesa_present, osmesa_close};
 
-const tia_rgb565 *osmesa_read(void *ctx)
+const tia_rgb565 *port_osmesa_read(void *ctx)
 {
     struct osmesa *osmesa = ctx;
     struct gl_screen *screen = &osmesa->screen;
 
-    if (!osmesa->frame || !screen->platform->make_current(screen)) {
+    if (!osmesa->frame.pixels || !screen->platform->make_current(screen)) {
         return NULL;
     }
     screen->gl.Finish();
@@ -206,24 +210,19 @@ const tia_rgb565 *osmesa_read(void *ctx)
     return screen->gl.GetError() == GL_NO_ERROR ? screen->pixels : NULL;
 }
 
-gl_proc osmesa_proc(void *ctx, const char *name)
+gl_proc port_osmesa_proc(void *ctx, const char *name)
 {
     struct osmesa *osmesa = ctx;
 
-    return osmesa->frame ? osmesa->screen.platform->proc(&osmesa->screen, name) : NULL;
+    return osmesa->frame.pixels ? osmesa->screen.platform->proc(&osmesa->screen, name) : NULL;
 }
 
-const char *osmesa_library(void *ctx)
-{
-    return ((struct osmesa *)ctx)->screen.platform->name;
-}
-
-void osmesa_list(port_line *line, void *arg)
+void port_osmesa_list(port_line *line, void *arg)
 {
     for (size_t i = 0; i < PLATFORMS; i++) {
         char why[PORT_WHY], text[2 * PORT_WHY];
         struct port_wish wish = {.device = platforms[i]->name, .width = 1, .height = 1, .why = why};
-        struct osmesa *osmesa = osmesa_create(&wish);
+        struct osmesa *osmesa = port_osmesa_create(&wish);
         struct tia_mode mode;
 
         if (osmesa && osmesa_open(osmesa, &mode) == TIA_OK) {
@@ -234,6 +233,6 @@ void osmesa_list(port_line *line, void *arg)
             (void)snprintf(text, sizeof text, "%s", why);
         }
         line(arg, text);
-        osmesa_destroy(osmesa);
+        port_osmesa_destroy(osmesa);
     }
 }

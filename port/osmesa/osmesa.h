@@ -13,20 +13,18 @@
 
 #include "ports.h"
 
-extern const struct tia_display osmesa_display;
+extern const struct tia_display port_osmesa_display;
 
 /* wish->device is "osmesa", "egl" or NULL: the first that opens. Without a size, 640x480. */
-void *osmesa_create(const struct port_wish *wish);
-void osmesa_destroy(void *ctx);
-void osmesa_list(port_line *line, void *arg);
+void *port_osmesa_create(const struct port_wish *wish);
+void port_osmesa_destroy(void *ctx);
+void port_osmesa_list(port_line *line, void *arg);
 
 /* While it is open: the picture as GL shows it, row by row from the top, without gaps; valid
  * until the next call. NULL when GL fails. */
-const tia_rgb565 *osmesa_read(void *ctx);
+const tia_rgb565 *port_osmesa_read(void *ctx);
 
-/* While it is open: a GL function by name, for programs that draw on their own; NULL: not there.
- * And the name of the library in use, "osmesa" or "egl". */
-void (*osmesa_proc(void *ctx, const char *name))(void);
-const char *osmesa_library(void *ctx);
+/* While it is open: a GL function by name, for programs that draw on their own; NULL: not there. */
+void (*port_osmesa_proc(void *ctx, const char *name))(void);
 
 #endif
