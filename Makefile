@@ -89,7 +89,7 @@ LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(BUILD)/tia
+all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
 $(BUILD)/q16/%.o: %.c

@@ -54,8 +54,7 @@ static struct oracle_vec divide(struct oracle_vec a, double s)
     return (struct oracle_vec){a.x / s, a.y / s, a.z / s};
 }
 
-struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, unsigned x,
-                                   unsigned y)
+struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, double x, double y)
 {
     double a = tan(q16(camera->fov) * PI / 180.0 / 2.0);
     double w = width, h = height;
@@ -224,8 +223,8 @@ static void pack(struct oracle_pixel *pixel, double threshold)
     pixel->colour = (tia_rgb565)(r << 11 | g << 5 | b);
 }
 
-struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
-                                 bool dither)
+/* What is seen at a place of the image that need not be a pixel's centre; not yet packed. */
+static struct oracle_pixel look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
 {
     struct ray ray = {position(scene->camera.eye), oracle_direction(&scene->camera, width, height, x, y)};
     struct oracle_pixel pixel = {.margin = 1};
@@ -239,6 +238,27 @@ struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, 
         set_linear(&pixel, rgb(scene->background));
     else
         shade(scene, ray, &pixel);
+    return pixel;
+}
+
+struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
+                                 bool dither)
+{
+    struct oracle_pixel pixel = look(scene, width, height, x, y);
+
     pack(&pixel, dither ? (oracle_bayer(x, y) + 0.5) / 64.0 : 0.5);
     return pixel;
+}
+
+bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
+                      double reach)
+{
+    struct oracle_pixel here = look(scene, width, height, x, y);
+
+    for (int i = 0; i < 9; i++) {
+        struct oracle_pixel near = look(scene, width, height, x + (i % 3 - 1) * reach, y + (i / 3 - 1) * reach);
+        if (near.object != here.object || near.sphere != here.sphere || near.reached != here.reached)
+            return true;
+    }
+    return false;
 }

@@ -26,8 +26,8 @@ struct oracle_pixel {
 };
 
 /* The unit direction of the ray through the centre of pixel (x, y). */
-struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, unsigned x,
-                                   unsigned y);
+struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, double x,
+                                   double y);
 
 /* A ray (unit direction) against a sphere; true and the distance when it hits.
  * Geometric: by the ray's point nearest to the centre; a sphere whose centre is behind is missed.
@@ -44,5 +44,10 @@ unsigned oracle_bayer(unsigned x, unsigned y);
 /* Pixel (x, y) of the width x height image of `scene`. */
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                                  bool dither);
+
+/* Whether the oracle itself sees another object, or other lights, when it looks `reach` pixels beside
+ * the pixel's centre: its rounding errors, some 1e-12 of a pixel, decide what is there. */
+bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
+                      double reach);
 
 #endif

@@ -1,0 +1,166 @@
+/* tia-compare - how far integers are from double precision, for each pixel of a set of scenes. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/corpus.h"
+#include "common/threads.h"
+#include "ports.h"
+#include "tia-compare/heatmap.h"
+#include "tia-compare/options.h"
+#include "tia-compare/report.h"
+
+#ifdef TIA_HAVE_F64
+
+static const struct tia_core *const cores[MEASURE_CORES] = {&tia_core_q16, &tia_core_f32};
+
+struct run {
+    struct options options;
+    struct threads *pool;
+    struct report report;
+    unsigned frame_count;
+};
+
+static int failed(const char *what, const char *why)
+{
+    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
+    return 1;
+}
+
+/* FILE.png, or FILE-N.png for the Nth of several frames. */
+static void heatmap_path(const struct run *run, char *path, size_t size)
+{
+    const char *name = run->options.heatmap, *dot = strrchr(name, '.');
+    int stem = (int)(dot != NULL && strchr(dot, '/') == NULL ? dot - name : (ptrdiff_t)strlen(name));
+
+    if (run->frame_count == 1)
+        (void)snprintf(path, size, "%s", name);
+    else
+        (void)snprintf(path, size, "%.*s-%u%s", stem, name, run->report.frames + 1, name + stem);
+}
+
+static int draw_heatmap(const struct run *run, const struct corpus_scene *c, const struct measure_map *map)
+{
+    char path[4096], why[PORT_WHY] = "out of memory";
+
+    heatmap_path(run, path, sizeof path);
+    if (heatmap_write(map, c->width, c->height, MEASURE_CORES, path, why) == TIA_OK)
+        return 0;
+    (void)fprintf(stderr, "tia-compare: %s\n", why);
+    return 1;
+}
+
+static int run_frame(struct run *run, const char *name, struct corpus_scene *c)
+{
+    struct tally tallies[MEASURE_CORES];
+    struct measure_map map = {0};
+    bool mapped = run->options.heatmap != NULL;
+    int result = 0;
+
+    if (run->options.width > 0) {
+        c->width = run->options.width;
+        c->height = run->options.height;
+    }
+    int status = mapped && !heatmap_alloc(&map, c->width, c->height, MEASURE_CORES) ? TIA_ERR_MEMORY : TIA_OK;
+    if (status == TIA_OK)
+        status = measure(&c->scene, c->width, c->height, &tia_core_f64, cores, MEASURE_CORES, &threads_workers,
+                         run->pool, tallies, mapped ? &map : NULL);
+    if (status != TIA_OK)
+        result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
+    if (result == 0 && mapped)
+        result = draw_heatmap(run, c, &map);
+    if (result == 0)
+        report_frame(&run->report, name, c->width, c->height, tallies);
+    heatmap_free(&map);
+    return result;
+}
+
+static int run_thesis(struct run *run, const char *keys)
+{
+    struct corpus_scene c;
+    char name[64];
+
+    if (corpus_thesis(&c, keys, 1920, 1080) < 0)
+        return failed(keys, "a key that the built-in scene does not have");
+    (void)snprintf(name, sizeof name, "thesis %s", *keys != '\0' ? keys : "none");
+    return run_frame(run, name, &c);
+}
+
+static int run_frames(struct run *run)
+{
+    static const char *const all_keys[] = {"", "a", "d", "s", "w"};
+    const struct options *o = &run->options;
+    unsigned thesis = !o->thesis ? 0 : o->keys != NULL ? 1 : 5;
+    int result = 0;
+
+    run->frame_count = thesis + o->random;
+    for (unsigned i = 0; i < thesis && result == 0; i++)
+        result = run_thesis(run, o->keys != NULL ? o->keys : all_keys[i]);
+    for (unsigned i = 0; i < o->random && result == 0; i++) {
+        struct corpus_scene c;
+        char name[24];
+        corpus_random(&c, o->seed, i);
+        (void)snprintf(name, sizeof name, "random %u", i);
+        result = run_frame(run, name, &c);
+    }
+    return result;
+}
+
+/* The bounds are on q16, the first of the cores, over all frames together. */
+static int check_bounds(const struct run *run)
+{
+    const struct options *o = &run->options;
+    const struct tally *sum = &run->report.sums[0];
+    int result = 0;
+
+    if (tally_percent(sum) < o->require_identical) {
+        (void)fprintf(stderr, "tia-compare: q16: %.7f %% identical: less than %g %%\n", tally_percent(sum),
+                      o->require_identical);
+        result = 1;
+    }
+    if (o->max_flips >= 0 && sum->flips > (uint64_t)o->max_flips) {
+        (void)fprintf(stderr, "tia-compare: q16: %llu flips: more than %lld\n", (unsigned long long)sum->flips,
+                      (long long)o->max_flips);
+        result = 1;
+    }
+    return result;
+}
+
+int main(int argc, char **argv)
+{
+    struct run run = {0};
+    int result = options_parse(&run.options, argc, argv);
+
+    if (result != 0)
+        return result < 0 ? 2 : 0;
+    (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
+    run.pool = threads_create(run.options.threads);
+    if (run.pool == NULL)
+        return failed("threads", "out of memory");
+    run.report = (struct report){.json = run.options.json,
+                                 .summary = run.options.summary,
+                                 .reference = &tia_core_f64,
+                                 .cores = cores,
+                                 .core_count = MEASURE_CORES};
+    report_begin(&run.report);
+    result = run_frames(&run);
+    if (result == 0) {
+        report_end(&run.report);
+        result = check_bounds(&run);
+    }
+    threads_destroy(run.pool);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        result = failed("standard output", "cannot be written");
+    return result;
+}
+
+#else
+
+int main(void)
+{
+    (void)fputs("tia-compare: f64: this build has no floating-point arithmetic (make F64=yes)\n", stderr);
+    return 1;
+}
+
+#endif

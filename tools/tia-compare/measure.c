@@ -1,0 +1,197 @@
+#include "measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define BAND_ROWS 16u /* rows to a job: a band of the widest image is some 5 MB */
+
+/* What one arithmetic makes of a band. */
+struct layer {
+    tia_rgb565 *pixels;
+    uint32_t *reached, *object;
+};
+
+struct frame {
+    unsigned width, height, core_count;
+    const struct tia_core *cores[MEASURE_CORES + 1]; /* the reference last */
+    struct tia_view *views[MEASURE_CORES + 1];
+    void *memory[MEASURE_CORES + 1];
+    struct band *bands;
+    const struct measure_map *map;
+};
+
+struct band {
+    int status;
+    struct tally tallies[MEASURE_CORES];
+};
+
+void tally_add(struct tally *sum, const struct tally *part)
+{
+    sum->pixels += part->pixels;
+    sum->identical += part->identical;
+    sum->one += part->one;
+    sum->more += part->more;
+    sum->flips += part->flips;
+    sum->stray += part->stray;
+    sum->largest = part->largest > sum->largest ? part->largest : sum->largest;
+    sum->squares += part->squares;
+}
+
+double tally_percent(const struct tally *tally)
+{
+    return 100.0 * (double)tally->identical / (double)tally->pixels;
+}
+
+double tally_psnr(const struct tally *tally)
+{
+    double mean = (double)tally->squares / (3.0 * (double)tally->pixels);
+
+    return 10.0 * log10(31.0 * 63.0 * 31.0 * 63.0 / mean);
+}
+
+static enum verdict judge(struct tally *tally, tia_rgb565 want, tia_rgb565 got, bool flip)
+{
+    int64_t r = (got >> 11) - (want >> 11), g = (got >> 5 & 63) - (want >> 5 & 63), b = (got & 31) - (want & 31);
+    uint64_t largest = (uint64_t)llabs(r);
+
+    largest = (uint64_t)llabs(g) > largest ? (uint64_t)llabs(g) : largest;
+    largest = (uint64_t)llabs(b) > largest ? (uint64_t)llabs(b) : largest;
+    tally->pixels++;
+    tally->identical += largest == 0;
+    tally->one += largest == 1;
+    tally->more += largest > 1;
+    tally->flips += flip;
+    tally->stray += largest > 1 && !flip;
+    tally->largest = largest > tally->largest ? largest : tally->largest;
+    tally->squares += (uint64_t)((r * r + b * b) * 63 * 63 + g * g * 31 * 31);
+    return flip ? FLIP : largest > 1 ? MORE : largest == 1 ? ONE_LEVEL : SAME;
+}
+
+static void compare(struct frame *frame, unsigned core, struct tia_tile tile, const struct layer *want,
+                    const struct layer *got)
+{
+    unsigned char *verdicts = frame->map != NULL ? frame->map->verdict[core] : NULL;
+    struct tally *tally = &frame->bands[tile.y / BAND_ROWS].tallies[core];
+    size_t count = (size_t)tile.width * tile.height, first = (size_t)tile.y * frame->width;
+
+    for (size_t i = 0; i < count; i++) {
+        bool flip = want->object[i] != got->object[i] || want->reached[i] != got->reached[i];
+        enum verdict verdict = judge(tally, want->pixels[i], got->pixels[i], flip);
+        if (verdicts != NULL)
+            verdicts[first + i] = (unsigned char)verdict;
+    }
+}
+
+static int draw(const struct tia_core *core, const struct tia_view *view, struct tia_tile tile, struct layer *layer)
+{
+    struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
+    struct tia_options options = {.reached = layer->reached};
+    size_t size = core->hits_size(tile), i = 0;
+    void *memory = malloc(size);
+    struct tia_hits *hits = NULL;
+    int status = memory == NULL ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, tile);
+
+    if (status == TIA_OK)
+        status = core->trace(view, hits, tile);
+    if (status == TIA_OK)
+        status = core->light(view, hits, tile, &surface, &options);
+    if (status == TIA_OK)
+        for (unsigned y = tile.y; y < tile.y + (unsigned)tile.height; y++)
+            for (unsigned x = 0; x < tile.width; x++)
+                layer->object[i++] = core->hits_object(hits, x, y);
+    free(memory);
+    return status;
+}
+
+static bool layer_create(struct layer *layer, size_t count)
+{
+    layer->pixels = malloc(count * sizeof *layer->pixels);
+    layer->reached = malloc(count * sizeof *layer->reached);
+    layer->object = malloc(count * sizeof *layer->object);
+    return layer->pixels != NULL && layer->reached != NULL && layer->object != NULL;
+}
+
+static void layer_destroy(struct layer *layer)
+{
+    free(layer->pixels);
+    free(layer->reached);
+    free(layer->object);
+}
+
+static void keep_picture(const struct frame *frame, struct tia_tile tile, const struct layer *reference)
+{
+    if (frame->map != NULL)
+        memcpy(frame->map->picture + (size_t)tile.y * frame->width, reference->pixels,
+               (size_t)tile.width * tile.height * sizeof *reference->pixels);
+}
+
+static void measure_band(void *arg, unsigned index)
+{
+    struct frame *frame = arg;
+    unsigned y = index * BAND_ROWS, left = frame->height - y, last = frame->core_count;
+    struct tia_tile tile = {0, (uint16_t)y, (uint16_t)frame->width, (uint16_t)(left < BAND_ROWS ? left : BAND_ROWS)};
+    size_t count = (size_t)tile.width * tile.height;
+    struct layer want = {0}, got = {0};
+    int status = layer_create(&want, count) && layer_create(&got, count) ? TIA_OK : TIA_ERR_MEMORY;
+
+    if (status == TIA_OK)
+        status = draw(frame->cores[last], frame->views[last], tile, &want);
+    if (status == TIA_OK)
+        keep_picture(frame, tile, &want);
+    for (unsigned core = 0; core < last && status == TIA_OK; core++) {
+        status = draw(frame->cores[core], frame->views[core], tile, &got);
+        if (status == TIA_OK)
+            compare(frame, core, tile, &want, &got);
+    }
+    frame->bands[index].status = status;
+    layer_destroy(&want);
+    layer_destroy(&got);
+}
+
+static int prepare(struct frame *frame, const struct tia_scene *scene)
+{
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i <= frame->core_count && status == TIA_OK; i++) {
+        size_t size = frame->cores[i]->view_size(scene, scene->light_count);
+        frame->memory[i] = malloc(size);
+        status = frame->memory[i] == NULL ? TIA_ERR_MEMORY
+                                          : frame->cores[i]->view_init(&frame->views[i], frame->memory[i], size, scene,
+                                                                       scene->light_count, frame->width, frame->height);
+    }
+    return status;
+}
+
+static int sum_up(const struct frame *frame, unsigned band_count, struct tally *tallies)
+{
+    memset(tallies, 0, frame->core_count * sizeof *tallies);
+    for (unsigned i = 0; i < band_count; i++) {
+        if (frame->bands[i].status != TIA_OK)
+            return frame->bands[i].status;
+        for (unsigned core = 0; core < frame->core_count; core++)
+            tally_add(&tallies[core], &frame->bands[i].tallies[core]);
+    }
+    return TIA_OK;
+}
+
+int measure(const struct tia_scene *scene, unsigned width, unsigned height, const struct tia_core *reference,
+            const struct tia_core *const *cores, unsigned core_count, const struct tia_workers *workers,
+            void *workers_ctx, struct tally *tallies, const struct measure_map *map)
+{
+    unsigned band_count = (height + BAND_ROWS - 1) / BAND_ROWS;
+    struct frame frame = {.width = width, .height = height, .core_count = core_count, .map = map};
+
+    memcpy(frame.cores, cores, core_count * sizeof *cores);
+    frame.cores[core_count] = reference;
+    frame.bands = calloc(band_count, sizeof *frame.bands);
+    int status = frame.bands == NULL ? TIA_ERR_MEMORY : prepare(&frame, scene);
+    if (status == TIA_OK) {
+        workers->run(workers_ctx, measure_band, &frame, band_count);
+        status = sum_up(&frame, band_count, tallies);
+    }
+    for (unsigned i = 0; i <= core_count; i++)
+        free(frame.memory[i]);
+    free(frame.bands);
+    return status;
+}

@@ -1,0 +1,171 @@
+#include "options.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <tia/render.h>
+
+#include "common/threads.h"
+
+enum { THESIS = 256, RANDOM, SEED, JSON, SUMMARY, HEATMAP, IDENTICAL, FLIPS };
+
+static const struct option long_options[] = {{"keys", required_argument, NULL, 'k'},
+                                             {"thesis", no_argument, NULL, THESIS},
+                                             {"random", required_argument, NULL, RANDOM},
+                                             {"seed", required_argument, NULL, SEED},
+                                             {"size", required_argument, NULL, 's'},
+                                             {"threads", required_argument, NULL, 'j'},
+                                             {"json", no_argument, NULL, JSON},
+                                             {"summary", no_argument, NULL, SUMMARY},
+                                             {"heatmap", required_argument, NULL, HEATMAP},
+                                             {"require-identical", required_argument, NULL, IDENTICAL},
+                                             {"max-flips", required_argument, NULL, FLIPS},
+                                             {"help", no_argument, NULL, 'h'},
+                                             {0}};
+
+static const char usage[] =
+    "usage: tia-compare [options]\n"
+    "Draws scenes in integers (q16), in single (f32) and in double precision (f64), and counts how\n"
+    "q16 and f32 differ from f64.\n"
+    "\n"
+    "  -k, --keys STRING            the built-in scene after these keys; default: as it is, a, d, s, w\n"
+    "      --random N               N random scenes instead\n"
+    "      --seed S                 of this series (default 1)\n"
+    "      --thesis                 the built-in scene's frames besides the random ones\n"
+    "  -s, --size WxH               default 1920x1080, random scenes their own\n"
+    "  -j, --threads N              default: all processors\n"
+    "      --json                   one JSON object instead of the table\n"
+    "      --summary                the sums alone\n"
+    "      --heatmap FILE.png       where the differences are, q16 left and f32 right: yellow one level,\n"
+    "                               red more, cyan another object or shadow; with several frames\n"
+    "                               FILE-1.png, FILE-2.png, ...\n"
+    "      --require-identical P    fail when less than P percent of q16's pixels are identical\n"
+    "      --max-flips N            fail when more than N of q16's pixels show another object or shadow\n"
+    "  -h, --help\n"
+    "\n"
+    "Exit status: 0 fine, 1 a bound is not met or something failed, 2 wrong usage.\n";
+
+static int mistake(const char *what, const char *why)
+{
+    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
+    return -1;
+}
+
+/* A whole number low..high, all digits. */
+static bool number(const char *text, uint64_t low, uint64_t high, uint64_t *out)
+{
+    char *end;
+
+    if (*text < '0' || *text > '9')
+        return false;
+    errno = 0;
+    *out = strtoull(text, &end, 10);
+    return errno == 0 && *end == '\0' && *out >= low && *out <= high;
+}
+
+static bool percentage(const char *text, double *out)
+{
+    char *end;
+
+    if (*text < '0' || *text > '9')
+        return false;
+    *out = strtod(text, &end);
+    return *end == '\0' && *out <= 100;
+}
+
+static bool size(const char *text, struct options *options)
+{
+    char width[6] = "";
+    const char *x = strchr(text, 'x');
+    uint64_t w, h;
+
+    if (x == NULL || x - text >= (ptrdiff_t)sizeof width)
+        return false;
+    memcpy(width, text, (size_t)(x - text));
+    if (!number(width, 1, TIA_SIZE_MAX, &w) || !number(x + 1, 1, TIA_SIZE_MAX, &h))
+        return false;
+    options->width = (unsigned)w;
+    options->height = (unsigned)h;
+    return true;
+}
+
+/* The options that take numbers. */
+static int set_number(struct options *options, int option, const char *text)
+{
+    uint64_t n = 0;
+
+    switch (option) {
+    case RANDOM:
+        if (!number(text, 1, 1000000, &n))
+            return mistake("--random", "must be a number from 1 to 1000000");
+        options->random = (unsigned)n;
+        return 0;
+    case SEED:
+        return number(text, 0, UINT64_MAX, &options->seed) ? 0 : mistake("--seed", "must be a number");
+    case 'j':
+        if (!number(text, 1, THREADS_MAX, &n))
+            return mistake("--threads", "must be a number from 1 to 1024");
+        options->threads = (unsigned)n;
+        return 0;
+    case IDENTICAL:
+        return percentage(text, &options->require_identical)
+                   ? 0
+                   : mistake("--require-identical", "must be a percentage from 0 to 100");
+    default:
+        if (!number(text, 0, INT64_MAX, &n))
+            return mistake("--max-flips", "must be a number");
+        options->max_flips = (int64_t)n;
+        return 0;
+    }
+}
+
+static int set(struct options *options, int option, const char *text)
+{
+    switch (option) {
+    case 'k':
+        options->keys = text;
+        return 0;
+    case 's':
+        return size(text, options) ? 0 : mistake("--size", "must be WIDTHxHEIGHT, 1x1 to 8192x8192");
+    case THESIS:
+        options->thesis = true;
+        return 0;
+    case JSON:
+        options->json = true;
+        return 0;
+    case SUMMARY:
+        options->summary = true;
+        return 0;
+    case HEATMAP:
+        options->heatmap = text;
+        return 0;
+    case 'h':
+        (void)fputs(usage, stdout);
+        return 1;
+    default:
+        return set_number(options, option, text);
+    }
+}
+
+/* getopt_long's own messages start with argv[0], which may be a path. */
+static int reject(int option, char **argv)
+{
+    return mistake(argv[optind - 1], option == ':' ? "needs a value (see --help)" : "unknown option (see --help)");
+}
+
+int options_parse(struct options *options, int argc, char **argv)
+{
+    int option, result = 0;
+
+    *options = (struct options){.seed = 1, .threads = threads_processors(), .require_identical = -1, .max_flips = -1};
+    opterr = 0;
+    while (result == 0 && (option = getopt_long(argc, argv, ":k:s:j:h", long_options, NULL)) != -1)
+        result = option == '?' || option == ':' ? reject(option, argv) : set(options, option, optarg);
+    if (result == 0 && optind < argc)
+        result = mistake(argv[optind], "unexpected argument (see --help)");
+    options->thesis |= options->random == 0 || options->keys != NULL;
+    return result;
+}

@@ -1,0 +1,21 @@
+/* report.h - the numbers of tia-compare as a table or as JSON, on standard output. */
+#ifndef TIA_COMPARE_REPORT_H
+#define TIA_COMPARE_REPORT_H
+
+#include "measure.h"
+
+struct report {
+    bool json, summary;
+    const struct tia_core *reference;
+    const struct tia_core *const *cores;
+    unsigned core_count;
+    unsigned frames; /* so far */
+    struct tally sums[MEASURE_CORES];
+};
+
+void report_begin(struct report *report);
+void report_frame(struct report *report, const char *name, unsigned width, unsigned height,
+                  const struct tally *tallies);
+void report_end(struct report *report);
+
+#endif
