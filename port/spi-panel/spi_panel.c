@@ -1,0 +1,202 @@
+/* spi_panel.c - see spi_panel.h. Commands and pauses are those of the ILI9341's data sheet (8.2),
+ * which the ST7735 and ST7789 share. */
+#include "spi-panel/spi_panel.h"
+
+enum {
+    SWRESET = 0x01,
+    SLPIN = 0x10,
+    SLPOUT = 0x11,
+    INVON = 0x21,
+    DISPOFF = 0x28,
+    DISPON = 0x29,
+    CASET = 0x2a,
+    PASET = 0x2b,
+    RAMWR = 0x2c,
+    MADCTL = 0x36,
+    COLMOD = 0x3a,
+    COLMOD_RGB565 = 0x55,
+    RESET_MS = 120, /* from SWRESET to SLPOUT */
+    WAKE_MS = 120   /* from SLPOUT until the supplies are stable */
+};
+
+static int failed(struct spi_panel *panel, const char *why)
+{
+    panel->why = why;
+    return TIA_ERR_DEVICE;
+}
+
+static int send_command(struct spi_panel *panel, uint8_t command)
+{
+    if (panel->ops->command(panel->bus, command) != 0)
+        return failed(panel, "spi panel: the bus refused a command (check its wiring)");
+    return TIA_OK;
+}
+
+static int send_data(struct spi_panel *panel, const uint8_t *bytes, size_t count)
+{
+    if (count && panel->ops->data(panel->bus, bytes, count) != 0)
+        return failed(panel, "spi panel: the bus refused data (check its wiring)");
+    return TIA_OK;
+}
+
+static int send(struct spi_panel *panel, uint8_t command, const uint8_t *parameters, size_t count)
+{
+    int status = send_command(panel, command);
+    return status == TIA_OK ? send_data(panel, parameters, count) : status;
+}
+
+static void pause_ms(const struct spi_panel *panel, unsigned ms)
+{
+    uint64_t start = panel->clock->now_us(panel->clock_ctx);
+    while (panel->clock->now_us(panel->clock_ctx) - start < (uint64_t)ms * 1000) {
+    }
+}
+
+/* CASET and PASET take the first and the last column or row, each high byte first. The bytes may
+ * still be on their way when this returns: they lie in *panel, and only after `command` has
+ * returned are the old ones sent. */
+static int send_range(struct spi_panel *panel, uint8_t command, unsigned first, unsigned count)
+{
+    unsigned last = first + count - 1;
+    int status = send_command(panel, command);
+    if (status != TIA_OK)
+        return status;
+    panel->range[0] = (uint8_t)(first >> 8);
+    panel->range[1] = (uint8_t)first;
+    panel->range[2] = (uint8_t)(last >> 8);
+    panel->range[3] = (uint8_t)last;
+    return send_data(panel, panel->range, sizeof panel->range);
+}
+
+static int send_setup(struct spi_panel *panel)
+{
+    const uint8_t *next = panel->setup, *end = next + panel->setup_size;
+    int status = TIA_OK;
+    while (status == TIA_OK && panel->setup && end - next >= 2) {
+        if (end - next - 2 < next[1]) {
+            panel->why = "spi panel: the setup table ends inside a command";
+            return TIA_ERR_ARGUMENT;
+        }
+        status = send(panel, next[0], next + 2, next[1]);
+        next += 2 + next[1];
+    }
+    return status;
+}
+
+static int wake(struct spi_panel *panel)
+{
+    static const uint8_t format = COLMOD_RGB565;
+    int status = send(panel, SWRESET, NULL, 0);
+    pause_ms(panel, RESET_MS);
+    if (status == TIA_OK)
+        status = send(panel, SLPOUT, NULL, 0);
+    pause_ms(panel, WAKE_MS);
+    if (status == TIA_OK)
+        status = send(panel, COLMOD, &format, 1);
+    if (status == TIA_OK)
+        status = send(panel, MADCTL, &panel->orientation, 1);
+    if (status == TIA_OK && panel->inverted)
+        status = send(panel, INVON, NULL, 0);
+    return status == TIA_OK ? send_setup(panel) : status;
+}
+
+static int panel_mode(void *ctx, struct tia_mode *mode)
+{
+    const struct spi_panel *panel = ctx;
+    *mode = (struct tia_mode){
+        .width = panel->width,
+        .height = panel->height,
+        .tile_width = panel->width,
+        .tile_height = panel->rows,
+        .format = "RGB565 big-endian",
+    };
+    return TIA_OK;
+}
+
+static int panel_open(void *ctx, struct tia_mode *mode)
+{
+    struct spi_panel *panel = ctx;
+    size_t rows = panel->width ? panel->strips_size / 2 / (2u * panel->width) : 0;
+    if (rows == 0 || panel->height == 0) {
+        panel->why = "spi panel: no room for two rows (give more strips_size)";
+        return TIA_ERR_ARGUMENT;
+    }
+    panel->rows = rows < panel->height ? (uint16_t)rows : panel->height;
+    panel->strip = 0;
+    panel->shown = false;
+    panel->awake = true;
+    int status = wake(panel);
+    return status == TIA_OK ? panel_mode(ctx, mode) : status;
+}
+
+static tia_rgb565 *strip(const struct spi_panel *panel)
+{
+    return panel->strips + (size_t)panel->strip * panel->rows * panel->width;
+}
+
+static bool inside(const struct spi_panel *panel, struct tia_tile tile)
+{
+    return tile.width && tile.height && tile.x + tile.width <= panel->width && tile.height <= panel->rows &&
+           tile.y + tile.height <= panel->height;
+}
+
+static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    struct spi_panel *panel = ctx;
+    if (!inside(panel, tile)) {
+        panel->why = "spi panel: the tile is larger than a strip or leaves the picture";
+        return TIA_ERR_ARGUMENT;
+    }
+    *surface = (struct tia_surface){strip(panel), 2, 2 * tile.width};
+    return TIA_OK;
+}
+
+/* The pixels in the order of the wire, in place; on a big-endian processor nothing changes. */
+static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
+{
+    uint8_t *bytes = (uint8_t *)pixels;
+    for (size_t i = 0; i < count; i++) {
+        tia_rgb565 pixel = pixels[i];
+        bytes[2 * i] = (uint8_t)(pixel >> 8);
+        bytes[2 * i + 1] = (uint8_t)pixel;
+    }
+    return bytes;
+}
+
+/* The first command waits for the strip before this one: from then on that one may be drawn. */
+static int panel_submit(void *ctx, struct tia_tile tile)
+{
+    struct spi_panel *panel = ctx;
+    size_t count = (size_t)tile.width * tile.height;
+    const uint8_t *bytes = wire_order(strip(panel), count);
+    int status = send_range(panel, CASET, (unsigned)panel->left + tile.x, tile.width);
+    if (status == TIA_OK)
+        status = send_range(panel, PASET, (unsigned)panel->top + tile.y, tile.height);
+    if (status == TIA_OK)
+        status = send(panel, RAMWR, bytes, 2 * count);
+    panel->strip ^= 1;
+    return status;
+}
+
+/* The panel stays dark until it has a whole frame. */
+static int panel_present(void *ctx)
+{
+    struct spi_panel *panel = ctx;
+    if (panel->shown)
+        return TIA_OK;
+    panel->shown = true;
+    return send(panel, DISPON, NULL, 0);
+}
+
+static void panel_close(void *ctx)
+{
+    struct spi_panel *panel = ctx;
+    if (!panel->awake)
+        return;
+    panel->awake = false;
+    (void)send(panel, DISPOFF, NULL, 0);
+    (void)send(panel, SLPIN, NULL, 0);
+}
+
+const struct tia_display spi_panel_display = {panel_open,   panel_mode,    panel_acquire,
+                                              panel_submit, panel_present, panel_close};

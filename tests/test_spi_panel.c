@@ -1,0 +1,361 @@
+/* test_spi_panel.c - the SPI panel's port against a model of the panel: it obeys the commands on the
+ * bus as the data sheets say and has a picture in the end. Its DMA is as late as the contract
+ * allows, so a strip that is drawn into too early is seen. */
+#include "check.h"
+#include "spi-panel/spi_panel.h"
+#include <stdlib.h>
+#include <tia/tia.h>
+
+enum { MEMORY_WIDTH = 240, MEMORY_HEIGHT = 320, MEMORY = MEMORY_WIDTH * MEMORY_HEIGHT, LOG = 4096 };
+
+/* The controller and its glass. */
+static struct model {
+    /* the bus */
+    const uint8_t *pending; /* data that DMA has not read yet */
+    size_t pending_count;
+    uint8_t log[LOG]; /* the commands */
+    size_t commands;
+    int fails_after; /* calls until the bus refuses; -1: never */
+    uint64_t now_us;
+    /* the controller */
+    uint8_t command;
+    size_t parameter;
+    bool asleep, on, inverted;
+    uint8_t madctl, colmod, gamma[3];
+    uint16_t range[2][2];      /* columns and rows: first, last */
+    unsigned column, row;      /* where the next pixel goes */
+    int high;                  /* a pixel's first byte, or -1 */
+    uint64_t not_before;       /* the pause that the last command asks for */
+    unsigned early;            /* commands in such a pause */
+    tia_rgb565 memory[MEMORY]; /* by the glass's own columns and rows */
+} model;
+
+static void put_pixel(tia_rgb565 pixel)
+{
+    unsigned column = model.column, row = model.row;
+    if (model.madctl & SPI_PANEL_SWAP_AXES) {
+        unsigned other = column;
+        column = row, row = other;
+    }
+    if (model.madctl & SPI_PANEL_FLIP_COLUMNS)
+        column = MEMORY_WIDTH - 1 - column;
+    if (model.madctl & SPI_PANEL_FLIP_ROWS)
+        row = MEMORY_HEIGHT - 1 - row;
+    if (column < MEMORY_WIDTH && row < MEMORY_HEIGHT)
+        model.memory[row * MEMORY_WIDTH + column] = pixel;
+    if (model.column++ == model.range[0][1]) {
+        model.column = model.range[0][0];
+        if (model.row++ == model.range[1][1])
+            model.row = model.range[1][0];
+    }
+}
+
+static void obey_range(uint16_t range[2], uint8_t byte)
+{
+    uint16_t *value = &range[model.parameter / 2];
+    *value = (uint16_t)(model.parameter % 2 ? (*value & 0xff00) | byte : byte << 8);
+}
+
+static void obey_data(uint8_t byte)
+{
+    switch (model.command) {
+    case 0x2a:
+        obey_range(model.range[0], byte);
+        break;
+    case 0x2b:
+        obey_range(model.range[1], byte);
+        break;
+    case 0x2c:
+        if (model.parameter % 2)
+            put_pixel((tia_rgb565)(model.high << 8 | byte));
+        model.high = byte;
+        break;
+    case 0x36:
+        model.madctl = byte;
+        break;
+    case 0x3a:
+        model.colmod = byte;
+        break;
+    case 0xb1:
+        if (model.parameter < sizeof model.gamma)
+            model.gamma[model.parameter] = byte;
+        break;
+    default:
+        break;
+    }
+    model.parameter++;
+}
+
+static void obey_command(uint8_t command)
+{
+    model.early += model.now_us < model.not_before;
+    model.command = command;
+    model.parameter = 0;
+    switch (command) {
+    case 0x01:
+        model.asleep = true, model.on = model.inverted = false;
+        model.madctl = model.colmod = 0;
+        model.not_before = model.now_us + 120000;
+        break;
+    case 0x10:
+    case 0x11:
+        model.asleep = command == 0x10;
+        model.not_before = model.now_us + 5000;
+        break;
+    case 0x21:
+        model.inverted = true;
+        break;
+    case 0x28:
+    case 0x29:
+        model.on = command == 0x29;
+        break;
+    case 0x2c:
+        model.column = model.range[0][0], model.row = model.range[1][0];
+        break;
+    default:
+        break;
+    }
+}
+
+static void finish_dma(void)
+{
+    for (size_t i = 0; i < model.pending_count; i++)
+        obey_data(model.pending[i]);
+    model.pending_count = 0;
+}
+
+static int refuse(void)
+{
+    return model.fails_after >= 0 && model.fails_after-- == 0;
+}
+
+static int bus_command(void *bus, uint8_t command)
+{
+    (void)bus;
+    if (refuse())
+        return -1;
+    finish_dma();
+    if (model.commands < LOG)
+        model.log[model.commands++] = command;
+    obey_command(command);
+    return 0;
+}
+
+static int bus_data(void *bus, const uint8_t *bytes, size_t count)
+{
+    (void)bus;
+    if (refuse())
+        return -1;
+    finish_dma();
+    model.pending = bytes;
+    model.pending_count = count;
+    return 0;
+}
+
+static uint64_t now_us(void *ctx)
+{
+    (void)ctx;
+    return model.now_us += 100;
+}
+
+static const struct spi_panel_bus bus = {bus_command, bus_data};
+static const struct tia_clock clock_of_model = {now_us};
+static tia_rgb565 strips[2 * 10 * MEMORY_HEIGHT];
+
+static struct spi_panel make_panel(uint16_t width, uint16_t height, uint8_t orientation)
+{
+    memset(&model, 0, sizeof model);
+    model.fails_after = -1;
+    struct spi_panel panel = {
+        .ops = &bus,
+        .clock = &clock_of_model,
+        .width = width,
+        .height = height,
+        .orientation = orientation,
+        .strips = strips,
+        .strips_size = sizeof strips,
+    };
+    return panel;
+}
+
+static tia_rgb565 pattern(unsigned x, unsigned y)
+{
+    return (tia_rgb565)(x * 331 + y * 7919 + 5);
+}
+
+static int draw_tile(struct spi_panel *panel, struct tia_tile tile)
+{
+    struct tia_surface surface;
+    int status = spi_panel_display.acquire(panel, tile, &surface);
+    if (status != TIA_OK)
+        return status;
+    for (unsigned y = 0; y < tile.height; y++)
+        for (unsigned x = 0; x < tile.width; x++)
+            *(tia_rgb565 *)((char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step) =
+                pattern(tile.x + x, tile.y + y);
+    return spi_panel_display.submit(panel, tile);
+}
+
+/* The picture in tiles of at most the given size, from top to bottom. */
+static int draw(struct spi_panel *panel, unsigned tile_width, unsigned tile_height)
+{
+    int status = TIA_OK;
+    for (unsigned y = 0; y < panel->height; y += tile_height)
+        for (unsigned x = 0; x < panel->width && status == TIA_OK; x += tile_width) {
+            unsigned w = panel->width - x, h = panel->height - y;
+            struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(w < tile_width ? w : tile_width),
+                                    (uint16_t)(h < tile_height ? h : tile_height)};
+            status = draw_tile(panel, tile);
+        }
+    return status == TIA_OK ? spi_panel_display.present(panel) : status;
+}
+
+static unsigned wrong_pixels(const struct spi_panel *panel)
+{
+    unsigned wrong = 0;
+    finish_dma();
+    for (unsigned y = 0; y < panel->height; y++)
+        for (unsigned x = 0; x < panel->width; x++)
+            wrong += model.memory[(y + panel->top) * MEMORY_WIDTH + x + panel->left] != pattern(x, y);
+    return wrong;
+}
+
+TEST(picture_reaches_the_glass)
+{
+    struct spi_panel panel = make_panel(240, 320, SPI_PANEL_BGR);
+    struct tia_mode mode;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(mode.width, 240);
+    CHECK_EQ(mode.height, 320);
+    CHECK_EQ(mode.tile_height, 13); /* 10 rows of 320 */
+    CHECK(!model.on);
+    CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
+    CHECK_EQ(wrong_pixels(&panel), 0);
+    CHECK(model.on && !model.asleep && model.colmod == 0x55 && model.madctl == SPI_PANEL_BGR);
+    CHECK_EQ(model.early, 0);
+    spi_panel_display.close(&panel);
+    CHECK(!model.on && model.asleep);
+}
+
+TEST(tiles_of_any_size)
+{
+    static const struct {
+        unsigned width, height;
+    } tiles[] = {{240, 1}, {1, 13}, {7, 5}, {64, 13}, {239, 12}};
+    for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
+        struct spi_panel panel = make_panel(240, 320, 0);
+        struct tia_mode mode;
+        CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+        CHECK_EQ(draw(&panel, tiles[i].width, tiles[i].height), TIA_OK);
+        CHECK_EQ(wrong_pixels(&panel), 0);
+    }
+}
+
+/* Four ways to hold the panel, each corner where the data sheet puts it: the glass is 240 x 320. */
+TEST(orientations)
+{
+    static const struct {
+        uint8_t orientation;
+        uint16_t width, height;
+        unsigned corner; /* of the memory, where pixel (0, 0) goes */
+    } cases[] = {{0, 240, 320, 0},
+                 {SPI_PANEL_FLIP_COLUMNS | SPI_PANEL_SWAP_AXES, 320, 240, 239},
+                 {SPI_PANEL_FLIP_COLUMNS | SPI_PANEL_FLIP_ROWS, 240, 320, MEMORY - 1},
+                 {SPI_PANEL_FLIP_ROWS | SPI_PANEL_SWAP_AXES, 320, 240, MEMORY - 240}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct spi_panel panel = make_panel(cases[i].width, cases[i].height, cases[i].orientation);
+        struct tia_mode mode;
+        CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+        CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
+        finish_dma();
+        CHECK_EQ(model.memory[cases[i].corner], pattern(0, 0));
+        CHECK_EQ(model.memory[MEMORY - 1 - cases[i].corner], pattern(panel.width - 1u, panel.height - 1u));
+    }
+}
+
+TEST(small_glass_in_a_large_memory)
+{
+    struct spi_panel panel = make_panel(80, 160, 0);
+    struct tia_mode mode;
+    panel.left = 26, panel.top = 1; /* the 0.96 inch ST7735 */
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
+    CHECK_EQ(wrong_pixels(&panel), 0);
+    CHECK_EQ(model.memory[0], 0);
+    CHECK_EQ(model.memory[161 * MEMORY_WIDTH + 26], 0);
+}
+
+TEST(setup_table)
+{
+    static const uint8_t setup[] = {0x38, 0, 0xb1, 3, 1, 2, 0x2d};
+    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_mode mode;
+    panel.setup = setup, panel.setup_size = sizeof setup, panel.inverted = true;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    spi_panel_display.close(&panel);
+    CHECK(model.gamma[0] == 1 && model.gamma[1] == 2 && model.gamma[2] == 0x2d && model.inverted);
+
+    panel = make_panel(240, 320, 0);
+    panel.setup = setup, panel.setup_size = sizeof setup - 1;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
+    CHECK(strstr(panel.why, "setup table") != NULL);
+}
+
+TEST(bad_sizes_and_tiles)
+{
+    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_mode mode;
+    struct tia_surface surface;
+    panel.strips_size = 2 * 2 * 240 - 1;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
+    CHECK(strstr(panel.why, "strips_size") != NULL);
+    spi_panel_display.close(&panel);
+    CHECK_EQ(model.commands, 0);
+
+    panel.strips_size++;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(mode.tile_height, 1);
+    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 240, 2}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){1, 0, 240, 1}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 320, 240, 1}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
+}
+
+/* Wherever the bus fails, the port says so, goes no further, and can be closed. */
+TEST(bus_failures)
+{
+    int calls = 0;
+    for (int status = TIA_ERR_DEVICE; status != TIA_OK && calls < 1000; calls++) {
+        struct spi_panel panel = make_panel(240, 320, 0);
+        struct tia_mode mode;
+        model.fails_after = calls;
+        status = spi_panel_display.open(&panel, &mode);
+        if (status == TIA_OK)
+            status = draw(&panel, mode.tile_width, mode.tile_height);
+        CHECK(status == TIA_OK || status == TIA_ERR_DEVICE);
+        CHECK(status == TIA_OK || strstr(panel.why, "spi panel: the bus refused") == panel.why);
+        spi_panel_display.close(&panel);
+        spi_panel_display.close(&panel);
+    }
+    CHECK(calls > 100 && calls < 1000);
+}
+
+TEST(closing_an_unopened_panel)
+{
+    struct spi_panel panel = make_panel(240, 320, 0);
+    spi_panel_display.close(&panel);
+    CHECK_EQ(model.commands, 0);
+}
+
+int main(void)
+{
+    RUN(picture_reaches_the_glass);
+    RUN(tiles_of_any_size);
+    RUN(orientations);
+    RUN(small_glass_in_a_large_memory);
+    RUN(setup_table);
+    RUN(bad_sizes_and_tiles);
+    RUN(bus_failures);
+    RUN(closing_an_unopened_panel);
+    return check_status();
+}
