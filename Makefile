@@ -79,6 +79,7 @@ PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c key
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
+PORT_DIRS += ps2 spi-panel
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
 ORACLE_SRC := $(sort $(wildcard tests/oracle/*.c))
 TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_*.c)))
@@ -180,6 +181,77 @@ uninstall:
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
+
+# ---- boards without an operating system ----
+ARM_BARE   ?= arm-none-eabi-
+RISCV_BARE ?= riscv64-unknown-elf-
+PANEL_BOARDS := versatilepb vexpress-a9
+SMALL_BOARDS := mps2-an385 microbit rv32
+versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
+vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
+mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0
+rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32
+BARE := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
+BARE_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
+
+BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
+PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counter.c pl11x.c pl050.c start-arm.S)
+versatilepb_SRC := $(PANEL_SRC) port/boards/versatilepb.c
+vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c
+mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
+microbit_SRC    := $(mps2-an385_SRC)
+rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
+
+# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those
+# of the core in another arithmetic lie in a folder of its name.
+bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
+define image
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(5) port/boards/$(4).ld port/boards/sections.ld
+	$$($(1)_CC) $$(BARE_LD) -T port/boards/$(4).ld -o $$@ $$(filter %.o,$$^) -lgcc
+endef
+define bare_rule
+$(BUILD)/boards/$(1)/$(2)%.o: %.c
+	@mkdir -p $$(@D)
+	$$($(1)_CC) $$(BARE) $(3) -c -o $$@ $$<
+endef
+define board
+$(call bare_rule,$(1),,)
+$(call bare_rule,$(1),f32/,-DTIA_NUM_F32)
+$(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
+$(BUILD)/boards/$(1)/%.o: %.S
+	@mkdir -p $$(@D)
+	$$($(1)_CC) -c -o $$@ $$<
+endef
+# The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
+define counted
+$(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
+	@mkdir -p $$(@D)
+	$$($(1)_CC) $$(BARE) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4) -c -o $$@ $$<
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
+endef
+# Those boards whose compiler is there; the tests name the others.
+BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(shell command -v $(firstword $($(b)_CC))),$(b)))
+$(foreach b,$(BOARDS),$(eval $(call board,$(b))))
+BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
+BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
+$(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
+$(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
+IMAGES := $(BOARDS_PANEL:%=$(BUILD)/boards/%/viewer.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
+COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
+
+$(BUILD)/boards/insn.so: tests/boards/insn.c
+	@mkdir -p $(@D)
+	$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
+
+.PHONY: boards check-boards count
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so
+check: boards
+check-boards: all boards
+	@tests/run tests/slow/boards
+count: $(COUNTED) $(BUILD)/boards/insn.so
+	tests/boards/count.py $(BUILD)
 
 clean:
 	rm -rf $(BUILD)

@@ -1,0 +1,21 @@
+/* counter.c - a clock of 64 bits from a counter of 32. The counter wraps after 179 s: time that
+ * passes unread beyond that is lost, but the clock never goes back. */
+#include "boards/panel_board.h"
+
+#define TICKS_PER_US 24
+
+static struct {
+    uint32_t last;
+    uint64_t ticks;
+} passed;
+
+static uint64_t now_us(void *ctx)
+{
+    (void)ctx;
+    uint32_t now = *panel_board_register(panel_board.counter, 0);
+    passed.ticks += now - passed.last;
+    passed.last = now;
+    return passed.ticks / TICKS_PER_US;
+}
+
+const struct tia_clock board_clock = {now_us};

@@ -1,0 +1,34 @@
+/* panel_board.h - Arm boards with a PL110 or PL111 panel and a PL050 keyboard. */
+#ifndef PORT_PANEL_BOARD_H
+#define PORT_PANEL_BOARD_H
+
+#include "boards/board.h"
+
+#define PANEL_WIDTH 640
+#define PANEL_HEIGHT 480
+
+/* Where a board has its devices; each board's file defines one. */
+struct panel_board {
+    const char *name;
+    uintptr_t uart, panel, keyboard; /* PL011, PL110 or PL111, PL050 */
+    uintptr_t counter;               /* 32 bits, counting up at 24 MHz */
+    uint32_t panel_format;           /* bits of LCDControl that make it RGB565, red on top */
+    void (*prepare_panel)(void);
+    void (*switch_off)(void);
+};
+
+extern const struct panel_board panel_board;
+
+static inline volatile uint32_t *panel_board_register(uintptr_t base, uintptr_t offset)
+{
+    return (volatile uint32_t *)(base + offset);
+}
+
+/* The panel as a display: two frames in memory, shown in turn. Its context is the place for the
+ * reason of a failure. */
+extern const struct tia_display panel_display;
+
+/* The keyboard as an input; its context is the place for the reason of a failure. */
+extern const struct tia_input panel_keyboard;
+
+#endif

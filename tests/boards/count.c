@@ -1,0 +1,88 @@
+/* count.c - a frame of the thesis scene lit by a, for counting instructions: everything from the
+ * first ray to the last pixel happens between two marks. The emulator counts, see count.py.
+ *
+ *   CORE     the core: tia_core_q16, tia_core_f32 or tia_core_f64
+ *   ROWS     rows of a strip
+ *   WHOLE    1: the hits of a whole frame are kept, and it is lit once more from them, between
+ *            the same marks; 0: the hits are one strip's
+ */
+#include "boards/board.h"
+#include <tia/tia.h>
+
+enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = 1024 };
+
+/* The widest arithmetic has eight bytes for a distance and four for an object. */
+enum { HITS_SIZE = 64 + WIDTH * HITS_ROWS * 12 };
+
+extern const struct tia_core CORE;
+
+static uint64_t view_memory[VIEW_SIZE / sizeof(uint64_t)];
+static uint64_t hits_memory[HITS_SIZE / sizeof(uint64_t)];
+static tia_rgb565 strip[WIDTH * ROWS];
+
+/* The marks: the emulator knows them by their addresses. */
+void count_begin(void);
+void count_end(void);
+__attribute__((noinline)) void count_begin(void)
+{
+    __asm__ volatile("nop" ::: "memory");
+}
+__attribute__((noinline)) void count_end(void)
+{
+    __asm__ volatile("nop; nop" ::: "memory");
+}
+
+static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, uint32_t *crc)
+{
+    const struct tia_surface surface = {strip, 2, 2 * WIDTH};
+    int status = TIA_OK;
+    for (uint16_t y = 0; y < HEIGHT && status == TIA_OK; y += ROWS) {
+        const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};
+        count_begin();
+        if (!WHOLE)
+            status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, tile);
+        if (trace && status == TIA_OK)
+            status = CORE.trace(view, hits, tile);
+        if (status == TIA_OK)
+            status = CORE.light(view, hits, tile, &surface, NULL);
+        count_end();
+        *crc = tia_crc32(*crc, strip, (size_t)WIDTH * tile.height);
+    }
+    return status;
+}
+
+static int draw_and_tell(const char *name, const struct tia_view *view, struct tia_hits *hits, bool trace)
+{
+    uint32_t crc = 0;
+    int status = draw(view, hits, trace, &crc);
+    board_print(status == TIA_OK ? name : "failed ");
+    board_print_hex(crc);
+    board_print("\n");
+    return status;
+}
+
+/* The light that a key puts. */
+static const struct tia_light *light_of(uint16_t key)
+{
+    const struct tia_binding *binding = tia_thesis_scene.bindings;
+    while (binding->key != key)
+        binding++;
+    return &binding->state;
+}
+
+int main(void)
+{
+    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+    struct tia_view *view;
+    struct tia_hits *hits = NULL;
+    int status = CORE.view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT);
+    if (status == TIA_OK)
+        status = CORE.set_lights(view, light_of('a'), 1);
+    if (status == TIA_OK && WHOLE)
+        status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, all);
+    if (status == TIA_OK)
+        status = draw_and_tell("full ", view, hits, true);
+    if (status == TIA_OK && WHOLE)
+        status = draw_and_tell("relit ", view, hits, false);
+    return -status;
+}

@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Instructions per pixel on boards without an FPU: a table in Markdown.
+
+    count.py [--profile BOARD] [BUILD]      BUILD is the build's folder, default "build"
+
+Each program BUILD/boards/BOARD/count-ARITHMETIC.elf draws a frame of 320 x 240 between marks; a
+plugin of QEMU counts what is executed from mark to mark. --profile shows where the q16
+program's instructions go, by function."""
+import bisect
+import os
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import qemu
+
+PIXELS = 320 * 240
+BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'))
+ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
+
+
+def symbols(board, image):
+    """The functions of an image: (address, name), in the order of their addresses."""
+    nm = ('riscv64-unknown-elf-' if board == 'rv32' else 'arm-none-eabi-') + 'nm'
+    lines = subprocess.run([nm, '-n', image], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    fields = [line.split() for line in lines]
+    return [(int(f[0], 16), f[2]) for f in fields if len(f) == 3 and f[1] in 'tT' and not f[2].startswith('$')]
+
+
+def count(board, image, plugin, text=None):
+    """What the marks enclose: instructions of the full frame, of the relit one (or None), the
+    frames' checksums, and by address when `text` is a range."""
+    at = {name: address for address, name in symbols(board, image)}
+    arguments = '%s,begin=%#x,end=%#x' % (plugin, at['count_begin'], at['count_end'])
+    if text:
+        arguments += ',text=%#x:%#x' % text
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', arguments, '-d', 'plugin', '-D', log.name).split()
+        lines = [line.split() for line in log.read().splitlines()]
+    passages = [int(line[1]) for line in lines if line[0] == 'passage']
+    frames = said[0::2]
+    if frames not in (['full'], ['full', 'relit']) or len(passages) % len(frames):
+        raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
+    each = len(passages) // len(frames)
+    relit = sum(passages[each:]) if len(frames) == 2 else None
+    addresses = {int(line[1], 16): int(line[2]) for line in lines if line[0] == 'at'}
+    return sum(passages[:each]), relit, said[1::2], addresses
+
+
+def image_of(build, board, arithmetic):
+    return '%s/boards/%s/count-%s.elf' % (build, board, arithmetic)
+
+
+def plugin_of(build):
+    return build + '/boards/insn.so'
+
+
+def per_pixel(instructions):
+    return '-' if instructions is None else '%.0f' % (instructions / PIXELS)
+
+
+def table(build):
+    print('| processor | ' + ' | '.join('%s full | relit' % title for _, title in ARITHMETICS) + ' |')
+    print('|---|' + '--:|--:|' * len(ARITHMETICS))
+    for board, processor in BOARDS:
+        if qemu.missing(board):
+            print('| %s | (%s is missing) |' % (processor, qemu.missing(board)[0]))
+            continue
+        cells = []
+        for arithmetic, _ in ARITHMETICS:
+            image = image_of(build, board, arithmetic)
+            if not os.path.exists(image):
+                cells += ['', '']
+                continue
+            full, relit, _, _ = count(board, image, plugin_of(build))
+            cells += [per_pixel(full), per_pixel(relit)]
+        print('| %s | %s |' % (processor, ' | '.join(cells)), flush=True)
+
+
+def profile(build, board):
+    image = image_of(build, board, 'q16')
+    functions = symbols(board, image)
+    starts = [address for address, _ in functions]
+    full, relit, _, addresses = count(board, image, plugin_of(build), (starts[0], starts[-1] + 0x1000))
+    by_function = {}
+    for address, executed in addresses.items():
+        name = functions[bisect.bisect_right(starts, address) - 1][1]
+        by_function[name] = by_function.get(name, 0) + executed
+    print('%s: %s a pixel full, %s relit; both by function:' % (board, per_pixel(full), per_pixel(relit)))
+    for name, executed in sorted(by_function.items(), key=lambda item: -item[1]):
+        if executed > PIXELS / 20:
+            print('%8.1f %s' % (executed / PIXELS, name))
+
+
+def main(arguments):
+    board = None
+    if arguments[:1] == ['--profile'] and len(arguments) > 1:
+        board, arguments = arguments[1], arguments[2:]
+    build = arguments[0] if arguments else 'build'
+    if board:
+        profile(build, board)
+    else:
+        table(build)
+
+
+if __name__ == '__main__':
+    main(sys.argv[1:])

@@ -1,0 +1,122 @@
+/* frames.c - on a microcontroller: the thesis scene in each of its light states at two sizes, drawn
+ * strip by strip in little memory, and the CRC-32 of every frame. */
+#include "boards/board.h"
+#include <tia/tia.h>
+
+/* A strip of the larger frame is four rows; its hits take eight bytes a pixel. */
+enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ROWS = 3, ARENA = 9 * 1024 };
+
+static uint64_t arena[ARENA / sizeof(uint64_t)];
+
+/* A display that keeps nothing but a strip and the checksum of what went through it. */
+struct checksum {
+    uint16_t width, height;
+    uint16_t next_row; /* strips must come from top to bottom */
+    uint32_t crc;
+    tia_rgb565 strip[WIDTH * ROWS];
+};
+
+static int strip_mode(void *ctx, struct tia_mode *mode)
+{
+    const struct checksum *sum = ctx;
+    *mode = (struct tia_mode){
+        .width = sum->width, .height = sum->height, .tile_width = sum->width, .tile_height = ROWS, .format = "RGB565"};
+    return TIA_OK;
+}
+
+static int strip_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    struct checksum *sum = ctx;
+    if (tile.x || tile.width != sum->width || tile.height > ROWS || tile.y != sum->next_row)
+        return TIA_ERR_ARGUMENT;
+    *surface = (struct tia_surface){sum->strip, 2, 2 * tile.width};
+    return TIA_OK;
+}
+
+static int strip_submit(void *ctx, struct tia_tile tile)
+{
+    struct checksum *sum = ctx;
+    sum->crc = tia_crc32(sum->crc, sum->strip, (size_t)tile.width * tile.height);
+    sum->next_row = (uint16_t)(tile.y + tile.height);
+    return TIA_OK;
+}
+
+static int strip_present(void *ctx)
+{
+    const struct checksum *sum = ctx;
+    return sum->next_row == sum->height ? TIA_OK : TIA_ERR_DEVICE;
+}
+
+static void strip_close(void *ctx)
+{
+    (void)ctx;
+}
+
+static const struct tia_display strips = {strip_mode,   strip_mode,    strip_acquire,
+                                          strip_submit, strip_present, strip_close};
+
+static size_t arena_used;
+
+static void *take_arena(void *ctx, size_t size)
+{
+    (void)ctx;
+    if (size > ARENA)
+        return NULL;
+    if (size > arena_used)
+        arena_used = size;
+    return arena;
+}
+
+static void tell(const struct checksum *sum, char key, int status)
+{
+    static char name[] = "? ";
+    name[0] = key;
+    board_print(status == TIA_OK ? "frame " : "failed ");
+    board_print_number(sum->width);
+    board_print("x");
+    board_print_number(sum->height);
+    board_print(" ");
+    board_print(name);
+    board_print_hex(sum->crc);
+    board_print("\n");
+}
+
+static int draw(uint16_t width, uint16_t height, char key)
+{
+    static struct checksum sum;
+    const uint16_t keys[] = {(uint16_t)key};
+    struct tia_light light;
+    sum.width = width, sum.height = height, sum.next_row = 0, sum.crc = 0;
+    struct tia_viewer viewer = {
+        .scene = &tia_thesis_scene,
+        .lights = &light,
+        .light_capacity = 1,
+        .frame_limit = 1,
+        .keys = keys,
+        .key_count = key == '-' ? 0 : 1,
+        .display = &strips,
+        .display_ctx = &sum,
+        .memory = take_arena,
+    };
+    int status = tia_viewer_run(&viewer);
+    tell(&sum, key, status);
+    return status;
+}
+
+int main(void)
+{
+    static const char states[] = "-adsw"; /* none, then the four keys */
+    int failed = 0;
+    for (const char *key = states; *key; key++) {
+        failed |= draw(WIDTH, HEIGHT, *key);
+        failed |= draw(SMALL_WIDTH, SMALL_HEIGHT, *key);
+    }
+    board_print("arena ");
+    board_print_number((uint32_t)arena_used);
+    board_print(" of ");
+    board_print_number(ARENA);
+    board_print("\nstack ");
+    board_print_number(board_stack_used());
+    board_print("\nend\n");
+    return failed ? 1 : 0;
+}

@@ -1,0 +1,124 @@
+/* insn.c - a plugin for QEMU: counts the instructions that the program executes between two marks.
+ *
+ *   qemu-system-arm ... -plugin insn.so,begin=0x1234,end=0x1250,text=0x0:0x8000 -d plugin -D FILE
+ *
+ * begin and end are the addresses of two functions' first instructions: what is executed from the
+ * one to the other is a passage, and FILE gets "passage N" for each. Where `text` is given, a line
+ * "at ADDRESS N" follows at the end for each instruction of that range executed in any passage.
+ * One processor is assumed.
+ *
+ * Debian's QEMU 7.2 has plugins but no header: the functions of version 1 are declared here.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXPORT __attribute__((visibility("default")))
+
+typedef uint64_t qemu_plugin_id_t;
+struct qemu_plugin_tb;
+struct qemu_plugin_insn;
+struct qemu_info;
+typedef void executed(unsigned int cpu, void *user);
+
+enum { CB_NO_REGS = 0 };
+enum { INLINE_ADD_U64 = 0 };
+
+extern void qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t id,
+                                                  void (*translated)(qemu_plugin_id_t, struct qemu_plugin_tb *));
+extern void qemu_plugin_register_vcpu_insn_exec_cb(struct qemu_plugin_insn *insn, executed *callback, int flags,
+                                                   void *user);
+extern void qemu_plugin_register_vcpu_insn_exec_inline(struct qemu_plugin_insn *insn, int operation, void *counter,
+                                                       uint64_t value);
+extern size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *tb);
+extern struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *tb, size_t index);
+extern uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *insn);
+extern void qemu_plugin_register_atexit_cb(qemu_plugin_id_t id, void (*ended)(qemu_plugin_id_t, void *), void *user);
+extern void qemu_plugin_outs(const char *text);
+
+EXPORT int qemu_plugin_version = 1;
+int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int argc, char **argv);
+
+static uint64_t begin_at = UINT64_MAX, end_at = UINT64_MAX;
+static uint64_t executed_all, executed_before;
+
+/* For each halfword of `text`: executed ever, ever before this passage, and in passages. */
+static uint64_t text_start, text_count, *text_all, *text_before, *text_passages;
+
+static void say(const char *what, uint64_t address, uint64_t count)
+{
+    char line[80];
+    if (address)
+        (void)snprintf(line, sizeof line, "%s %#" PRIx64 " %" PRIu64 "\n", what, address, count);
+    else
+        (void)snprintf(line, sizeof line, "%s %" PRIu64 "\n", what, count);
+    qemu_plugin_outs(line);
+}
+
+static void on_begin(unsigned int cpu, void *user)
+{
+    (void)cpu, (void)user;
+    executed_before = executed_all;
+    if (text_count)
+        memcpy(text_before, text_all, text_count * sizeof *text_all);
+}
+
+static void on_end(unsigned int cpu, void *user)
+{
+    (void)cpu, (void)user;
+    say("passage", 0, executed_all - executed_before);
+    for (uint64_t i = 0; i < text_count; i++)
+        text_passages[i] += text_all[i] - text_before[i];
+}
+
+static void on_translated(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
+{
+    (void)id;
+    for (size_t i = 0; i < qemu_plugin_tb_n_insns(tb); i++) {
+        struct qemu_plugin_insn *insn = qemu_plugin_tb_get_insn(tb, i);
+        uint64_t address = qemu_plugin_insn_vaddr(insn), at = (address - text_start) / 2;
+        if (address == begin_at)
+            qemu_plugin_register_vcpu_insn_exec_cb(insn, on_begin, CB_NO_REGS, NULL);
+        if (address == end_at)
+            qemu_plugin_register_vcpu_insn_exec_cb(insn, on_end, CB_NO_REGS, NULL);
+        qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD_U64, &executed_all, 1);
+        if (address >= text_start && at < text_count)
+            qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD_U64, &text_all[at], 1);
+    }
+}
+
+static void on_ended(qemu_plugin_id_t id, void *user)
+{
+    (void)id, (void)user;
+    for (uint64_t i = 0; i < text_count; i++)
+        if (text_passages[i])
+            say("at", text_start + 2 * i, text_passages[i]);
+}
+
+static int take_text(const char *range)
+{
+    char *colon;
+    text_start = strtoull(range, &colon, 0);
+    text_count = (strtoull(colon + 1, NULL, 0) - text_start) / 2;
+    text_all = calloc(3 * text_count, sizeof *text_all);
+    text_before = text_all + text_count;
+    text_passages = text_before + text_count;
+    return text_all ? 0 : -1;
+}
+
+EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int argc, char **argv)
+{
+    (void)info;
+    for (int i = 0; i < argc; i++) {
+        if (!strncmp(argv[i], "begin=", 6))
+            begin_at = strtoull(argv[i] + 6, NULL, 0);
+        if (!strncmp(argv[i], "end=", 4))
+            end_at = strtoull(argv[i] + 4, NULL, 0);
+        if (!strncmp(argv[i], "text=", 5) && take_text(argv[i] + 5))
+            return -1;
+    }
+    qemu_plugin_register_vcpu_tb_trans_cb(id, on_translated);
+    qemu_plugin_register_atexit_cb(id, on_ended, NULL);
+    return 0;
+}

@@ -1,0 +1,73 @@
+/* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. What
+ * happens is told on the serial line. */
+#include "boards/panel_board.h"
+#include <tia/tia.h>
+
+enum { LIGHTS = 4, ARENA = 8 << 20 };
+
+static uint64_t arena[ARENA / sizeof(uint64_t)];
+static uint32_t frames;
+
+static void *take_arena(void *ctx, size_t size)
+{
+    (void)ctx;
+    return size <= ARENA ? arena : NULL;
+}
+
+static int tell_frame(void *ctx, const struct tia_frame *frame)
+{
+    (void)ctx;
+    frames = frame->number + 1;
+    board_print("frame ");
+    board_print_number(frame->number);
+    board_print(frame->relit ? ": relit in " : ": traced in ");
+    board_print_number((uint32_t)frame->draw_us);
+    board_print(" us\n");
+    return TIA_OK;
+}
+
+static int view(const char **why)
+{
+    struct tia_light lights[LIGHTS];
+    struct tia_viewer viewer = {
+        .scene = &tia_thesis_scene,
+        .lights = lights,
+        .light_capacity = LIGHTS,
+        .display = &panel_display,
+        .input = &panel_keyboard,
+        .clock = &board_clock,
+        .display_ctx = why,
+        .input_ctx = why,
+        .memory = take_arena,
+        .frame_done = tell_frame,
+    };
+    struct tia_mode mode;
+    int status = panel_keyboard.open(why);
+    if (status == TIA_OK)
+        status = panel_display.open(why, &mode);
+    if (status == TIA_OK)
+        status = tia_viewer_run(&viewer);
+    panel_display.close(why);
+    panel_keyboard.close(why);
+    return status;
+}
+
+int main(void)
+{
+    const char *why = "viewer: failed";
+    board_print("tia " TIA_VERSION " on ");
+    board_print(panel_board.name);
+    board_print(": a, d, s, w put the light, arrows and page keys move it, any other key quits\n");
+    int status = view(&why);
+    if (status == TIA_OK) {
+        board_print("a key ended the viewer after ");
+        board_print_number(frames);
+        board_print(" frames, stack ");
+        board_print_number(board_stack_used());
+        board_print(" bytes\n");
+    } else {
+        board_print(why);
+        board_print("\n");
+    }
+    return -status;
+}
