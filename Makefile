@@ -11,7 +11,7 @@ CC      := $(CROSS)gcc
 endif
 AR      := $(CROSS)ar
 PKG_CONFIG ?= $(CROSS)pkg-config
-CFLAGS  ?= -O2 -g
+CFLAGS  ?= -O3 -g
 PREFIX  ?= /usr/local
 DESTDIR ?=
 VERSION := $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)

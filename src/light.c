@@ -11,9 +11,9 @@ struct chunk {
     const struct tia_view *view;
     int x, y, count;
     const num_u *t;
-    uint32_t *reached; /* NULL, or the sets of lights */
-    uint32_t object[CHUNK];
-    tia_rgb565 pixels[CHUNK];
+    const uint32_t *object;
+    uint32_t *reached;  /* NULL, or the sets of lights */
+    tia_rgb565 *pixels; /* side by side */
 };
 
 /* A run of one sphere's pixels in a chunk, and the colour it has so far. */
@@ -168,45 +168,63 @@ static void flat_run(struct chunk *chunk, int first, int count, const struct tia
         rgb[1][i] = num_clamp(num_colour(colour->g));
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
-    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, 0, 8, pixels);
-    for (int i = first; i < first + count; i++)
-        chunk->pixels[i] = pixels[(chunk->x + i) & 7];
+    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, 8, pixels);
+    for (int i = 0; i < count; i++)
+        chunk->pixels[first + i] = pixels[i & 7];
 }
 
-/* Lights are not in the hits, since they move: marks the pixels where one is seen. */
-static void see_lights(struct chunk *chunk)
+/* Marks the pixels of a chunk where light `n` is nearer than what they see. */
+static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uint32_t *object)
 {
     const struct tia_view *view = chunk->view;
-    num_u nearest[CHUNK], t[CHUNK];
+    const struct body *body = &view->bodies[n];
+    struct run run = {chunk->x, chunk->x + chunk->count};
+    num_u t[CHUNK];
 
-    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
-        const struct body *body = &view->bodies[n];
-        struct run run = {chunk->x, chunk->x + chunk->count};
-
-        if (chunk->y < body->rows.first || chunk->y >= body->rows.end)
-            continue;
-        run = run_within(sphere_run(view, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
-        if (run.first >= run.end)
-            continue;
-        sphere_distances(view, body, chunk->y, run.first, run.end - run.first, t);
-        for (int i = run.first - chunk->x; i < run.end - chunk->x; i++) {
-            uint32_t seen = chunk->object[i];
-            const num_u *other = seen != TIA_NO_OBJECT && seen >= view->scene->sphere_count ? nearest : chunk->t;
-            if (seen == TIA_NO_OBJECT ||
-                num_nearer(t[i + chunk->x - run.first], body->t_exponent, other[i], view->bodies[seen].t_exponent)) {
-                nearest[i] = t[i + chunk->x - run.first];
-                chunk->object[i] = n;
-            }
+    run = run_within(sphere_run(view, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
+    if (run.first >= run.end)
+        return;
+    sphere_distances(view, body, chunk->y, run.first, run.end - run.first, t);
+    for (int i = run.first; i < run.end; i++) {
+        num_u distance = t[i - run.first];
+        uint32_t *seen = &object[i - chunk->x];
+        if (*seen == TIA_NO_OBJECT ||
+            num_nearer(distance, body->t_exponent, nearest[i - chunk->x], view->bodies[*seen].t_exponent)) {
+            nearest[i - chunk->x] = distance;
+            *seen = n;
         }
     }
+}
+
+/* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
+ * copy of the objects, with the lights among them. */
+static void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
+{
+    const struct tia_view *view = chunk->view;
+    num_u nearest[CHUNK];
+    bool copied = false;
+
+    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
+        if (chunk->y < view->bodies[n].rows.first || chunk->y >= view->bodies[n].rows.end)
+            continue;
+        for (int i = 0; !copied && i < chunk->count; i++) {
+            object[i] = chunk->object[i];
+            nearest[i] = chunk->t[i];
+        }
+        copied = true;
+        see_light(chunk, n, nearest, object);
+    }
+    if (copied)
+        chunk->object = object;
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 {
     const struct tia_view *view = chunk->view;
+    uint32_t copy[CHUNK];
     int end;
 
-    see_lights(chunk);
+    see_lights(chunk, copy);
     for (int first = 0; first < chunk->count; first = end) {
         uint32_t object = chunk->object[first];
         for (end = first + 1; end < chunk->count && chunk->object[end] == object; end++)
@@ -220,36 +238,43 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
     }
 }
 
-static void write_pixels(const tia_rgb565 *pixels, int count, const struct tia_surface *surface, ptrdiff_t offset)
+static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_t step)
 {
-    char *out = (char *)surface->pixels + offset;
-
     for (int i = 0; i < count; i++)
-        *(tia_rgb565 *)(void *)(out + i * surface->step) = pixels[i];
+        *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
+}
+
+/* The chunk at column x of the tile: in the surface itself where its pixels are side by side. */
+static void light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
+                          const struct tia_surface *surface, const num_u threshold[8])
+{
+    size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
+    char *out = (char *)surface->pixels + (chunk->y - tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
+    bool direct = surface->step == sizeof(tia_rgb565);
+    tia_rgb565 pixels[CHUNK];
+
+    chunk->x = tile.x + (int)x;
+    chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
+    chunk->t = hits->t + at;
+    chunk->object = hits->object + at;
+    chunk->pixels = direct ? (tia_rgb565 *)(void *)out : pixels;
+    light_chunk(chunk, threshold);
+    if (!direct)
+        copy_pixels(pixels, chunk->count, out, surface->step);
 }
 
 static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
-    unsigned row = (unsigned)chunk->y - tile.y;
+    uint32_t *reached = options->reached ? options->reached + (size_t)(chunk->y - tile.y) * tile.width : NULL;
     num_u threshold[8];
 
     rgb565_thresholds(options->dither, chunk->y, threshold);
+    for (unsigned x = 0; reached && x < tile.width; x++)
+        reached[x] = 0;
     for (unsigned x = 0; x < tile.width; x += CHUNK) {
-        size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
-
-        chunk->x = tile.x + (int)x;
-        chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
-        chunk->t = hits->t + at;
-        chunk->reached = options->reached ? options->reached + (size_t)row * tile.width + x : NULL;
-        for (int i = 0; i < chunk->count; i++) {
-            chunk->object[i] = hits->object[at + (size_t)i];
-            if (chunk->reached)
-                chunk->reached[i] = 0;
-        }
-        light_chunk(chunk, threshold);
-        write_pixels(chunk->pixels, chunk->count, surface,
-                     (ptrdiff_t)row * surface->pitch + (ptrdiff_t)x * surface->step);
+        chunk->reached = reached ? reached + x : NULL;
+        light_columns(chunk, hits, tile, x, surface, threshold);
     }
 }
 
