@@ -218,6 +218,20 @@ static int draw_image(struct drawing *drawing, const struct options *options)
     return image_finish(drawing->image);
 }
 
+/* As of a display with one frame. */
+static void print_stats(const struct drawing *drawing, const struct options *options, uint64_t us)
+{
+    static struct stats stats; /* too large for a stack */
+    stats.frames = 1;
+    stats.display = "file";
+    stats.format = image_format_name(options->format);
+    stats.width = drawing->turn.width;
+    stats.height = drawing->turn.height;
+    stats.threads = threads_count(drawing->pool);
+    stats_add(&stats.draw, us);
+    stats_print(&stats);
+}
+
 static int report(struct drawing *drawing, const struct options *options, int status, uint64_t us)
 {
     if (signals_caught != 0) {
@@ -233,15 +247,7 @@ static int report(struct drawing *drawing, const struct options *options, int st
         return fail_output();
     }
     if (options->stats) {
-        static struct stats stats;
-        stats = (struct stats){.frames = 1,
-                               .display = "file",
-                               .format = image_format_name(options->format),
-                               .width = drawing->width,
-                               .height = drawing->height,
-                               .threads = threads_count(drawing->pool)};
-        stats_add(&stats.draw, us);
-        stats_print(&stats);
+        print_stats(drawing, options, us);
     }
     return EXIT_FINE;
 }
