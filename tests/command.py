@@ -1,0 +1,175 @@
+"""What the tests of the command share: running it, reading its pictures, reporting cases."""
+import os
+import resource
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import traceback
+import zlib
+from array import array
+
+TIA = os.path.abspath(os.path.join(os.environ.get("BUILD", "build"), "tia"))
+LIMIT_S = 120           # far more than any case needs: only a hang takes that long
+
+
+class Skip(Exception):
+    """The case cannot run here; the text names what is missing."""
+
+
+def check(condition, text):
+    if not condition:
+        raise AssertionError(text)
+
+
+def same(got, want, what):
+    check(got == want, f"{what} is {got!r}, not {want!r}")
+
+
+def tia(*args, **options):
+    """Runs the command without a terminal; stdout and stderr are captured as bytes."""
+    options.setdefault("stdout", subprocess.PIPE)
+    return subprocess.run([TIA, *args], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=LIMIT_S,
+                          start_new_session=True, **options)
+
+
+def fine(*args, **options):
+    """Must succeed without a word on standard error; returns standard output."""
+    done = tia(*args, **options)
+    same(done.returncode, 0, f"the status of {args} ({done.stderr.decode()})")
+    same(done.stderr, b"", f"the standard error of {args}")
+    return (done.stdout or b"").decode()
+
+
+def refused(status, *args, says="", **options):
+    """Must fail with `status` and one line, which has `says` in it, and leave no file behind."""
+    before = sorted(os.listdir("."))
+    done = tia(*args, **options)
+    text = done.stderr.decode()
+    same(done.returncode, status, f"the status of {args} ({text!r})")
+    check(text.startswith("tia: ") and text.endswith("\n") and text.count("\n") == 1, f"{args} said {text!r}")
+    check(says in text, f"{args} said {text!r}, not {says!r}")
+    same(done.stdout or b"", b"", f"the standard output of {args}")
+    same(sorted(os.listdir(".")), before, f"the directory after {args}")
+
+
+def as_somebody():
+    """For preexec_fn: gives up root's right to write everywhere."""
+    if os.getuid() == 0:
+        os.setgroups([])
+        os.setgid(65534)
+        os.setuid(65534)
+
+
+def limited(**limits):
+    """For preexec_fn: limited(DATA=1 << 20) sets RLIMIT_DATA."""
+    def apply():
+        for name, value in limits.items():
+            resource.setrlimit(getattr(resource, "RLIMIT_" + name), (value, value))
+    return apply
+
+
+# ---- pictures: each reader gives (width, height, RGB565 pixels) ----
+
+def pack(rgb):
+    """Bytes of 8-bit RGB to RGB565; the low bits must repeat the high ones."""
+    pixels = array("H")
+    for r, g, b in zip(rgb[0::3], rgb[1::3], rgb[2::3]):
+        check(r & 7 == r >> 5 and g & 3 == g >> 6 and b & 7 == b >> 5, f"({r}, {g}, {b}) is no expanded RGB565")
+        pixels.append((r >> 3) << 11 | (g >> 2) << 5 | b >> 3)
+    return pixels
+
+
+def read_565(data, width, height):
+    same(len(data), width * height * 2, "the length of the .565")
+    return width, height, array("H", struct.unpack(f"<{width * height}H", data))
+
+
+def read_ppm(data):
+    magic, size, most, rgb = data.split(b"\n", 3)
+    same((magic, most), (b"P6", b"255"), "the header of the .ppm")
+    width, height = map(int, size.split())
+    same(len(rgb), width * height * 3, "the length of the .ppm")
+    return width, height, pack(rgb)
+
+
+def read_bmp(data):
+    length, offset, header, width, height = struct.unpack_from("<xxI4xIIii", data)
+    planes, bits, packing = struct.unpack_from("<HHI", data, 26)
+    same((data[:2], length, header, planes, bits, packing), (b"BM", len(data), 40, 1, 16, 3), "the header of the .bmp")
+    same(struct.unpack_from("<III", data, 54), (0xf800, 0x7e0, 0x1f), "the masks of the .bmp")
+    pitch = (width * 2 + 3) // 4 * 4
+    same(len(data), offset + pitch * height, "the length of the .bmp")
+    pixels = array("H")
+    for y in reversed(range(height)):
+        pixels.extend(struct.unpack_from(f"<{width}H", data, offset + y * pitch))
+    return width, height, pixels
+
+
+def png_chunks(data):
+    same(data[:8], b"\x89PNG\r\n\x1a\n", "the signature of the .png")
+    at = 8
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        body = data[at + 8:at + 8 + length]
+        same(struct.unpack_from(">I", data, at + 8 + length)[0], zlib.crc32(kind + body), f"the CRC of {kind}")
+        yield kind, body
+        at += 12 + length
+
+
+def paeth(a, b, c):
+    pa, pb, pc = abs(b - c), abs(a - c), abs(a + b - 2 * c)
+    return a if pa <= pb and pa <= pc else b if pb <= pc else c
+
+
+def unfilter(kind, line, above):
+    for i, value in enumerate(line):
+        a, b, c = (line[i - 3] if i >= 3 else 0), above[i], (above[i - 3] if i >= 3 else 0)
+        line[i] = (value + (0, a, b, (a + b) // 2, paeth(a, b, c))[kind]) & 255
+
+
+def read_png(data):
+    chunks = list(png_chunks(data))
+    same((chunks[0][0], chunks[-1][0]), (b"IHDR", b"IEND"), "the first and last chunk")
+    width, height, *form = struct.unpack(">IIBBBBB", chunks[0][1])
+    same(form, [8, 2, 0, 0, 0], "bits, colour type and methods of the .png")
+    raw = zlib.decompress(b"".join(body for kind, body in chunks if kind == b"IDAT"))
+    same(len(raw), height * (1 + 3 * width), "the length of the .png's pixels")
+    above, rgb = bytearray(3 * width), bytearray()
+    for y in range(height):
+        start = y * (1 + 3 * width)
+        line = bytearray(raw[start + 1:start + 1 + 3 * width])
+        if raw[start] != 0:
+            unfilter(raw[start], line, above)
+        rgb += line
+        above = line
+    return width, height, pack(rgb)
+
+
+# ---- cases ----
+
+def run_cases(cases):
+    """Each case, a function, runs in an empty directory of its own."""
+    failed = False
+    for case in cases:
+        directory, home = tempfile.mkdtemp(prefix="tia-"), os.getcwd()
+        os.chmod(directory, 0o755)
+        os.chdir(directory)
+        try:
+            case()
+            print(f"ok {case.__name__}")
+        except Skip as why:
+            print(f"skip {case.__name__}: {why}")
+        except AssertionError as why:
+            print(f"FAIL {case.__name__}: {str(why).splitlines()[0] if str(why) else 'failed'}")
+            failed = True
+        except Exception as why:        # pylint: disable=broad-except
+            traceback.print_exc()
+            print(f"FAIL {case.__name__}: {type(why).__name__}: {str(why).splitlines()[:1]}")
+            failed = True
+        finally:
+            os.chdir(home)
+            shutil.rmtree(directory)
+        sys.stdout.flush()
+    return failed
