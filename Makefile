@@ -238,6 +238,10 @@ BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
+$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
+$(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
+	@mkdir -p $(@D)
+	$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
 IMAGES := $(BOARDS_PANEL:%=$(BUILD)/boards/%/viewer.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
 COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
 
@@ -245,11 +249,15 @@ $(BUILD)/boards/insn.so: tests/boards/insn.c
 	@mkdir -p $(@D)
 	$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
 
-.PHONY: boards check-boards count
-boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so
+.PHONY: boards check-boards size-boards count
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(BUILD)/boards/example \
+        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf)
 check: boards
 check-boards: all boards
 	@tests/run tests/slow/boards
+size: size-boards
+size-boards: boards
+	@tests/boards/size.py $(BUILD)
 count: $(COUNTED) $(BUILD)/boards/insn.so
 	tests/boards/count.py $(BUILD)
 

@@ -347,6 +347,47 @@ TEST(closing_an_unopened_panel)
     CHECK_EQ(model.commands, 0);
 }
 
+static void *take_memory(void *ctx, size_t size)
+{
+    static uint64_t memory[16 * 1024];
+    (void)ctx;
+    return size <= sizeof memory ? memory : NULL;
+}
+
+/* The viewer, with room for the hits of a strip only, against the same frame drawn in one piece. */
+TEST(viewer_on_the_panel)
+{
+    static tia_rgb565 picture[240 * 320];
+    static uint64_t view_memory[1024], hits_memory[240 * 320 + 64];
+    const uint16_t keys[] = {'d'};
+    const struct tia_tile all = {0, 0, 240, 320};
+    const struct tia_surface surface = {picture, 2, 2 * 240};
+    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_light light;
+    struct tia_viewer viewer = {.scene = &tia_thesis_scene,
+                                .lights = &light,
+                                .light_capacity = 1,
+                                .frame_limit = 1,
+                                .keys = keys,
+                                .key_count = 1,
+                                .display = &spi_panel_display,
+                                .display_ctx = &panel,
+                                .memory = take_memory};
+    struct tia_mode mode;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(tia_viewer_run(&viewer), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 240, 320), TIA_OK);
+    CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, all), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    finish_dma();
+    CHECK(memcmp(picture, model.memory, sizeof picture) == 0);
+    CHECK(picture[0] != picture[300 * 240 + 120]);
+    spi_panel_display.close(&panel);
+}
+
 int main(void)
 {
     RUN(picture_reaches_the_glass);
@@ -356,6 +397,7 @@ int main(void)
     RUN(setup_table);
     RUN(bad_sizes_and_tiles);
     RUN(bus_failures);
+    RUN(viewer_on_the_panel);
     RUN(closing_an_unopened_panel);
     return check_status();
 }

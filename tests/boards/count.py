@@ -22,8 +22,8 @@ ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 def symbols(board, image):
     """The functions of an image: (address, name), in the order of their addresses."""
-    nm = ('riscv64-unknown-elf-' if board == 'rv32' else 'arm-none-eabi-') + 'nm'
-    lines = subprocess.run([nm, '-n', image], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    lines = subprocess.run([qemu.binutil(board, 'nm'), '-n', image], check=True, stdout=subprocess.PIPE,
+                           text=True).stdout.splitlines()
     fields = [line.split() for line in lines]
     return [(int(f[0], 16), f[2]) for f in fields if len(f) == 3 and f[1] in 'tT' and not f[2].startswith('$')]
 

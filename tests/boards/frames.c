@@ -3,8 +3,8 @@
 #include "boards/board.h"
 #include <tia/tia.h>
 
-/* A strip of the larger frame is four rows; its hits take eight bytes a pixel. */
-enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ROWS = 3, ARENA = 9 * 1024 };
+/* Two rows make a strip; its hits take eight bytes a pixel, the prepared scene the rest of the arena. */
+enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ROWS = 2, ARENA = 6 * 1024 };
 
 static uint64_t arena[ARENA / sizeof(uint64_t)];
 

@@ -30,6 +30,11 @@ def missing(board):
     return [PACKAGES[tool] for tool in (MACHINES[board][0], compiler) if not shutil.which(tool)]
 
 
+def binutil(board, tool):
+    """nm or size for the board's images."""
+    return ('riscv64-unknown-elf-' if board == 'rv32' else 'arm-none-eabi-') + tool
+
+
 class Failed(Exception):
     pass
 

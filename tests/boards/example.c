@@ -1,0 +1,21 @@
+#include <tia/tia.h>
+
+static uint64_t view_memory[128], hits_memory[320 + 8]; /* the prepared scene; a row's hits */
+static tia_rgb565 row[320];
+
+int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))
+{
+    const struct tia_surface surface = {row, 2, sizeof row};
+    struct tia_view *view;
+    struct tia_hits *hits;
+    int status = tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240);
+    if (status == TIA_OK)
+        status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1); /* key a's light */
+    for (uint16_t y = 0; y < 240 && status == TIA_OK; y++) {
+        const struct tia_tile tile = {0, y, 320, 1};
+        tia_hits_init(&hits, hits_memory, sizeof hits_memory, tile);
+        status = tia_render(view, hits, tile, &surface, NULL);
+        send_row(y, row);
+    }
+    return status;
+}
