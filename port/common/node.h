@@ -1,0 +1,18 @@
+/* node.h - device nodes: opening them with a reason that helps, and who else has them open. */
+#ifndef PORT_COMMON_NODE_H
+#define PORT_COMMON_NODE_H
+
+#include "ports.h"
+
+/* A descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group 'video')". */
+int node_open(const char *path, int flags, char why[PORT_WHY]);
+
+/* strerror with a small first letter, as errors here are written: "no such device". */
+const char *node_error(int error, char text[PORT_WHY]);
+
+/* Another process that has the node open: "Xorg (pid 812)", or "another program" when none is
+ * seen (it is another user's). */
+#define NODE_HOLDER 48
+const char *node_holder(const char *path, char text[NODE_HOLDER]);
+
+#endif

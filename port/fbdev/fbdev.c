@@ -1,0 +1,262 @@
+#include "fbdev/fbdev.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+
+#include "common/console.h"
+#include "common/node.h"
+#include "fbdev/screen.h"
+
+#define DEVICES 32 /* FB_MAX of the kernel */
+
+struct fbdev {
+    const char *device; /* the one asked for, or NULL */
+    char *why;
+    struct fb_screen screen;
+    struct expander expander;
+    struct console_listener listener;
+    tia_rgb565 *frame; /* what is drawn now, width x height */
+    unsigned page;     /* the one that is shown */
+    char format[PIXEL_NAME];
+};
+
+/* ---- the frame onto the screen ---- */
+
+static void copy(const struct fbdev *f, unsigned page)
+{
+    const struct fb_screen *s = &f->screen;
+    uint8_t *to = fb_page(s, page);
+
+    for (size_t y = 0; y < s->var.yres; y++)
+        expand_row(&f->expander, to + y * s->fix.line_length, f->frame + y * s->var.xres, s->var.xres);
+}
+
+static void enter(void *arg)
+{
+    struct fbdev *f = arg;
+
+    fb_show_again(&f->screen);
+    copy(f, f->page);
+}
+
+/* The frame stays in memory, and mode() says that nobody sees it. */
+static void leave(void *arg)
+{
+    (void)arg;
+}
+
+/* ---- open and close ---- */
+
+static void fbdev_close(void *ctx)
+{
+    struct fbdev *f = ctx;
+
+    if (f->screen.fd < 0)
+        return;
+    console_ignore(&f->listener);
+    fb_close(&f->screen, console_state() == CONSOLE_OURS);
+    console_close();
+    free(f->frame);
+    f->frame = NULL;
+}
+
+static int probe_first(struct fbdev *f)
+{
+    char path[32], why[PORT_WHY];
+    struct stat s;
+
+    (void)snprintf(f->why, PORT_WHY, "/dev/fb0: no such device (this kernel has no framebuffer driver loaded)");
+    for (int i = 0, found = 0; i < DEVICES; i++) {
+        (void)snprintf(path, sizeof path, "/dev/fb%d", i);
+        if (stat(path, &s) != 0)
+            continue;
+        if (fb_probe(&f->screen, path, found++ == 0 ? f->why : why) == TIA_OK)
+            return TIA_OK;
+    }
+    return TIA_ERR_DEVICE;
+}
+
+static void describe(const struct fbdev *f, struct tia_mode *mode)
+{
+    *mode = (struct tia_mode){
+        .width = (uint16_t)f->screen.var.xres,
+        .height = (uint16_t)f->screen.var.yres,
+        .concurrent = true,
+        .format = f->format,
+    };
+}
+
+static int fbdev_open(void *ctx, struct tia_mode *mode)
+{
+    struct fbdev *f = ctx;
+    int status = f->device != NULL ? fb_probe(&f->screen, f->device, f->why) : probe_first(f);
+
+    if (status != TIA_OK)
+        return status;
+    status = console_open(f->why);
+    if (status != TIA_OK) {
+        fb_close(&f->screen, false);
+        return status;
+    }
+    f->frame = calloc((size_t)f->screen.var.xres * f->screen.var.yres, sizeof *f->frame);
+    if (f->frame == NULL)
+        (void)snprintf(f->why, PORT_WHY, "%s: no memory for a frame", f->screen.path);
+    if (f->frame == NULL || fb_take(&f->screen, f->why) != TIA_OK) {
+        fbdev_close(f);
+        return TIA_ERR_DEVICE;
+    }
+    expander_init(&f->expander, &f->screen.format);
+    (void)pixel_name(&f->screen.format, f->format);
+    f->page = 0;
+    console_listen(&f->listener);
+    describe(f, mode);
+    return TIA_OK;
+}
+
+/* ---- a frame ---- */
+
+static int lost(struct fbdev *f)
+{
+    char reason[PORT_WHY];
+
+    (void)snprintf(f->why, PORT_WHY, "%s: %.100s", f->screen.path, node_error(errno, reason));
+    return TIA_ERR_DEVICE;
+}
+
+static int fbdev_mode(void *ctx, struct tia_mode *mode)
+{
+    struct fbdev *f = ctx;
+    struct fb_var_screeninfo now;
+
+    /* With no input to wait for, this is where a switch of consoles is seen. */
+    if (f->screen.fd < 0 || console_wait(NULL, 0, 0) < 0)
+        return TIA_ERR_DEVICE;
+    describe(f, mode);
+    if (console_state() != CONSOLE_OURS)
+        return TIA_HIDDEN;
+    if (ioctl(f->screen.fd, FBIOGET_VSCREENINFO, &now) != 0)
+        return lost(f);
+    if (now.xres != f->screen.var.xres || now.yres != f->screen.var.yres ||
+        now.bits_per_pixel != f->screen.var.bits_per_pixel) {
+        (void)snprintf(f->why, PORT_WHY, "%s: another program changed its mode", f->screen.path);
+        return TIA_ERR_DEVICE;
+    }
+    return TIA_OK;
+}
+
+static int check_tile(const struct fbdev *f, struct tia_tile t)
+{
+    if (f->screen.fd < 0)
+        return TIA_ERR_DEVICE;
+    if (t.width == 0 || t.height == 0 || (uint32_t)t.x + t.width > f->screen.var.xres ||
+        (uint32_t)t.y + t.height > f->screen.var.yres)
+        return TIA_ERR_ARGUMENT;
+    return TIA_OK;
+}
+
+static int fbdev_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    struct fbdev *f = ctx;
+    int status = check_tile(f, tile);
+
+    if (status != TIA_OK)
+        return status;
+    surface->pixels = f->frame + (size_t)tile.y * f->screen.var.xres + tile.x;
+    surface->step = sizeof *f->frame;
+    surface->pitch = (ptrdiff_t)(f->screen.var.xres * sizeof *f->frame);
+    return TIA_OK;
+}
+
+static int fbdev_submit(void *ctx, struct tia_tile tile)
+{
+    return check_tile(ctx, tile);
+}
+
+static int fbdev_present(void *ctx)
+{
+    struct fbdev *f = ctx;
+    unsigned page = f->screen.pages == 2 ? 1 - f->page : 0;
+
+    if (f->screen.fd < 0)
+        return TIA_ERR_DEVICE;
+    if (console_state() != CONSOLE_OURS)
+        return TIA_HIDDEN;
+    fb_wait(&f->screen);
+    copy(f, page);
+    if (fb_show(&f->screen, page) != TIA_OK)
+        return lost(f);
+    f->page = page;
+    return TIA_OK;
+}
+
+const struct tia_display fbdev_display = {
+    .open = fbdev_open,
+    .mode = fbdev_mode,
+    .acquire = fbdev_acquire,
+    .submit = fbdev_submit,
+    .present = fbdev_present,
+    .close = fbdev_close,
+};
+
+/* ---- the row in ports.c ---- */
+
+void *fbdev_create(const struct port_wish *wish)
+{
+    struct fbdev *f = calloc(1, sizeof *f);
+
+    if (f == NULL) {
+        (void)snprintf(wish->why, PORT_WHY, "fbdev: no memory");
+        return NULL;
+    }
+    f->device = wish->device;
+    f->why = wish->why;
+    f->screen.fd = -1;
+    f->listener = (struct console_listener){.enter = enter, .leave = leave, .arg = f};
+    return f;
+}
+
+void fbdev_destroy(void *ctx)
+{
+    fbdev_close(ctx);
+    free(ctx);
+}
+
+static void list_one(const char *path, port_line *line, void *arg)
+{
+    struct fb_screen s;
+    char text[PORT_WHY + 64], why[PORT_WHY], name[PIXEL_NAME];
+
+    if (fb_probe(&s, path, why) != TIA_OK) {
+        line(arg, why);
+        return;
+    }
+    (void)snprintf(text, sizeof text, "%s: %.16s, %ux%u, %s%s", path, s.fix.id, s.var.xres, s.var.yres,
+                   pixel_name(&s.format, name), fb_can_pan(&s.var, &s.fix) ? ", room for two pages" : "");
+    line(arg, text);
+    fb_close(&s, false);
+}
+
+void fbdev_list(port_line *line, void *arg)
+{
+    char path[32], text[PORT_WHY + 64], name[PORT_WHY];
+    struct stat s;
+    int found = 0;
+
+    for (int i = 0; i < DEVICES; i++) {
+        (void)snprintf(path, sizeof path, "/dev/fb%d", i);
+        if (stat(path, &s) != 0)
+            continue;
+        list_one(path, line, arg);
+        found++;
+    }
+    if (found == 0) {
+        line(arg, "no /dev/fb*: this kernel has no framebuffer device (load a driver)");
+        return;
+    }
+    (void)snprintf(text, sizeof text, "console: %s", console_name(name));
+    line(arg, text);
+}

@@ -1,0 +1,13 @@
+/* fbdev.h - Linux framebuffer devices, /dev/fbN: frames are drawn in memory and copied to the
+ * screen once, into the page that is not shown where the driver can pan. */
+#ifndef PORT_FBDEV_FBDEV_H
+#define PORT_FBDEV_FBDEV_H
+
+#include "ports.h"
+
+extern const struct tia_display fbdev_display;
+void *fbdev_create(const struct port_wish *wish);
+void fbdev_destroy(void *ctx);
+void fbdev_list(port_line *line, void *arg);
+
+#endif

@@ -1,0 +1,47 @@
+/* screen.h - one framebuffer device: what it is, its memory, its pages. The port's own. */
+#ifndef PORT_FBDEV_SCREEN_H
+#define PORT_FBDEV_SCREEN_H
+
+#include <linux/fb.h>
+
+#include "common/expand.h"
+#include "ports.h"
+
+struct fb_screen {
+    int fd;                         /* -1: not open */
+    char path[64];
+    struct fb_fix_screeninfo fix;
+    struct fb_var_screeninfo var, old;  /* now, and as found */
+    struct pixel_format format;
+    uint8_t *map;                   /* all of the device's memory */
+    size_t map_size;
+    uint8_t *memory;                /* its first pixel */
+    unsigned pages;                 /* 1, or 2: one is shown while the other is written */
+    bool vsync;                     /* FBIO_WAITFORVSYNC works */
+    uint16_t *palette;              /* direct colour: the colour map as found, 3 x 256 */
+    uint8_t *saved;                 /* what was on the screen */
+};
+
+/* What the device says its pixels are. TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
+int fb_format(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix, struct pixel_format *format,
+              char reason[PORT_WHY]);
+/* May its memory hold two pages, one above the other? */
+bool fb_can_pan(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix);
+/* A colour map that changes nothing: 2^length entries from 0 to 65535. */
+void fb_ramp(uint16_t *out, unsigned length);
+
+/* Opens `path` and reads its mode; changes nothing. */
+int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY]);
+/* After fb_probe: saves the screen, takes a second page where there may be one, maps the memory. */
+int fb_take(struct fb_screen *screen, char why[PORT_WHY]);
+/* Shows page number `page`, or again what was shown (fb_show_again, after another console). */
+int fb_show(struct fb_screen *screen, unsigned page);
+void fb_show_again(struct fb_screen *screen);
+/* The first byte of a page. */
+uint8_t *fb_page(const struct fb_screen *screen, unsigned page);
+/* Waits until the last shown page is really on the screen, where the driver can tell. */
+void fb_wait(struct fb_screen *screen);
+/* Puts back what fb_take changed, `visible`: the old picture as well. Then closes. Safe always. */
+void fb_close(struct fb_screen *screen, bool visible);
+
+#endif
