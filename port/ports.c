@@ -3,6 +3,7 @@
 
 #include <stddef.h>
 
+#include "fbdev/fbdev.h"
 #include "none/none.h"
 #ifdef TIA_HAVE_OSMESA
 #include "osmesa/osmesa.h"
@@ -11,6 +12,15 @@
 
 /* `auto` stops before "none". */
 const struct port_display port_displays[] = {
+    {
+        .name = "fbdev",
+        .summary = "a Linux framebuffer, /dev/fbN",
+        .takes_screen = true,
+        .ops = &port_fbdev_display,
+        .create = port_fbdev_create,
+        .destroy = port_fbdev_destroy,
+        .list = port_fbdev_list,
+    },
     {
         .name = "terminal",
         .summary = "two pixels a character in the terminal of standard output",

@@ -7,6 +7,7 @@
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 
+#include "common/canvas.h"
 #include "common/console.h"
 #include "common/node.h"
 #include "fbdev/screen.h"
@@ -19,8 +20,8 @@ struct fbdev {
     struct fb_screen screen;
     struct expander expander;
     struct console_listener listener;
-    tia_rgb565 *frame; /* what is drawn now, width x height */
-    unsigned page;     /* the one that is shown */
+    struct canvas frame; /* what is drawn now */
+    unsigned page;       /* the one that is shown */
     char format[PIXEL_NAME];
 };
 
@@ -32,7 +33,7 @@ static void copy(const struct fbdev *f, unsigned page)
     uint8_t *to = fb_page(s, page);
 
     for (size_t y = 0; y < s->var.yres; y++)
-        expand_row(&f->expander, to + y * s->fix.line_length, f->frame + y * s->var.xres, s->var.xres);
+        expand_row(&f->expander, to + y * s->fix.line_length, f->frame.pixels + y * s->var.xres, s->var.xres);
 }
 
 static void enter(void *arg)
@@ -60,8 +61,7 @@ static void fbdev_close(void *ctx)
     console_ignore(&f->listener);
     fb_close(&f->screen, console_state() == CONSOLE_OURS);
     console_close();
-    free(f->frame);
-    f->frame = NULL;
+    canvas_free(&f->frame);
 }
 
 static int probe_first(struct fbdev *f)
@@ -102,12 +102,14 @@ static int fbdev_open(void *ctx, struct tia_mode *mode)
         fb_close(&f->screen, false);
         return status;
     }
-    f->frame = calloc((size_t)f->screen.var.xres * f->screen.var.yres, sizeof *f->frame);
-    if (f->frame == NULL)
+    status = canvas_resize(&f->frame, (uint16_t)f->screen.var.xres, (uint16_t)f->screen.var.yres);
+    if (status != TIA_OK)
         (void)snprintf(f->why, PORT_WHY, "%s: no memory for a frame", f->screen.path);
-    if (f->frame == NULL || fb_take(&f->screen, f->why) != TIA_OK) {
+    else
+        status = fb_take(&f->screen, f->why);
+    if (status != TIA_OK) {
         fbdev_close(f);
-        return TIA_ERR_DEVICE;
+        return status;
     }
     expander_init(&f->expander, &f->screen.format);
     (void)pixel_name(&f->screen.format, f->format);
@@ -148,32 +150,20 @@ static int fbdev_mode(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-static int check_tile(const struct fbdev *f, struct tia_tile t)
-{
-    if (f->screen.fd < 0)
-        return TIA_ERR_DEVICE;
-    if (t.width == 0 || t.height == 0 || (uint32_t)t.x + t.width > f->screen.var.xres ||
-        (uint32_t)t.y + t.height > f->screen.var.yres)
-        return TIA_ERR_ARGUMENT;
-    return TIA_OK;
-}
-
 static int fbdev_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
     struct fbdev *f = ctx;
-    int status = check_tile(f, tile);
 
-    if (status != TIA_OK)
-        return status;
-    surface->pixels = f->frame + (size_t)tile.y * f->screen.var.xres + tile.x;
-    surface->step = sizeof *f->frame;
-    surface->pitch = (ptrdiff_t)(f->screen.var.xres * sizeof *f->frame);
-    return TIA_OK;
+    return f->screen.fd < 0 ? TIA_ERR_DEVICE : canvas_tile(&f->frame, tile, surface);
 }
 
 static int fbdev_submit(void *ctx, struct tia_tile tile)
 {
-    return check_tile(ctx, tile);
+    struct fbdev *f = ctx;
+
+    if (f->screen.fd < 0)
+        return TIA_ERR_DEVICE;
+    return tile_inside(tile, f->frame.width, f->frame.height) ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
 static int fbdev_present(void *ctx)
@@ -193,7 +183,7 @@ static int fbdev_present(void *ctx)
     return TIA_OK;
 }
 
-const struct tia_display fbdev_display = {
+const struct tia_display port_fbdev_display = {
     .open = fbdev_open,
     .mode = fbdev_mode,
     .acquire = fbdev_acquire,
@@ -204,7 +194,7 @@ const struct tia_display fbdev_display = {
 
 /* ---- the row in ports.c ---- */
 
-void *fbdev_create(const struct port_wish *wish)
+void *port_fbdev_create(const struct port_wish *wish)
 {
     struct fbdev *f = calloc(1, sizeof *f);
 
@@ -219,7 +209,7 @@ void *fbdev_create(const struct port_wish *wish)
     return f;
 }
 
-void fbdev_destroy(void *ctx)
+void port_fbdev_destroy(void *ctx)
 {
     fbdev_close(ctx);
     free(ctx);
@@ -240,7 +230,7 @@ static void list_one(const char *path, port_line *line, void *arg)
     fb_close(&s, false);
 }
 
-void fbdev_list(port_line *line, void *arg)
+void port_fbdev_list(port_line *line, void *arg)
 {
     char path[32], text[PORT_WHY + 64], name[PORT_WHY];
     struct stat s;

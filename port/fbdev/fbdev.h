@@ -5,9 +5,9 @@
 
 #include "ports.h"
 
-extern const struct tia_display fbdev_display;
-void *fbdev_create(const struct port_wish *wish);
-void fbdev_destroy(void *ctx);
-void fbdev_list(port_line *line, void *arg);
+extern const struct tia_display port_fbdev_display;
+void *port_fbdev_create(const struct port_wish *wish);
+void port_fbdev_destroy(void *ctx);
+void port_fbdev_list(port_line *line, void *arg);
 
 #endif

@@ -26,23 +26,43 @@ static int read_mode(struct fb_screen *s)
     return ioctl(s->fd, FBIOGET_VSCREENINFO, &s->var) != 0 || ioctl(s->fd, FBIOGET_FSCREENINFO, &s->fix) != 0 ? -1 : 0;
 }
 
-int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY])
+static int read_format(struct fb_screen *s, char why[PORT_WHY])
 {
     char reason[PORT_WHY];
+    int status;
+
+    if (read_mode(s) != 0)
+        return failed(s, "not a framebuffer", why);
+    s->old = s->var;
+    status = fb_format(&s->var, &s->fix, &s->format, reason);
+    if (status != TIA_OK)
+        (void)snprintf(why, PORT_WHY, "%s: %.180s", s->path, reason);
+    return status;
+}
+
+/* Nothing keeps two programs from drawing on one device; two of ours keep each other off. */
+static int lock(struct fb_screen *s, char why[PORT_WHY])
+{
+    char holder[NODE_HOLDER];
+
+    if (flock(s->fd, LOCK_EX | LOCK_NB) == 0)
+        return TIA_OK;
+    (void)snprintf(why, PORT_WHY, "%s: in use by %s (end it, or choose another display)", s->path,
+                   node_holder(s->path, holder));
+    return TIA_ERR_DEVICE;
+}
+
+int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY])
+{
     int status;
 
     *screen = (struct fb_screen){.fd = node_open(path, O_RDWR, why), .pages = 1, .vsync = true};
     if (screen->fd < 0)
         return TIA_ERR_DEVICE;
     (void)snprintf(screen->path, sizeof screen->path, "%s", path);
-    if (read_mode(screen) != 0) {
-        status = failed(screen, "not a framebuffer", why);
-    } else {
-        screen->old = screen->var;
-        status = fb_format(&screen->var, &screen->fix, &screen->format, reason);
-        if (status != TIA_OK)
-            (void)snprintf(why, PORT_WHY, "%s: %.180s", path, reason);
-    }
+    status = read_format(screen, why);
+    if (status == TIA_OK)
+        status = lock(screen, why);
     if (status != TIA_OK)
         fb_close(screen, false);
     return status;
@@ -141,13 +161,6 @@ static size_t visible_start(const struct fb_screen *s)
 
 int fb_take(struct fb_screen *screen, char why[PORT_WHY])
 {
-    char holder[NODE_HOLDER];
-
-    if (flock(screen->fd, LOCK_EX | LOCK_NB) != 0) {
-        (void)snprintf(why, PORT_WHY, "%s: in use by %s (end it, or choose another display)", screen->path,
-                       node_holder(screen->path, holder));
-        return TIA_ERR_DEVICE;
-    }
     if (map(screen, why) != TIA_OK)
         return TIA_ERR_DEVICE;
     screen->saved = malloc(visible_size(screen));

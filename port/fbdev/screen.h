@@ -30,7 +30,7 @@ bool fb_can_pan(const struct fb_var_screeninfo *var, const struct fb_fix_screeni
 /* A colour map that changes nothing: 2^length entries from 0 to 65535. */
 void fb_ramp(uint16_t *out, unsigned length);
 
-/* Opens `path` and reads its mode; changes nothing. */
+/* Opens `path`, reads its mode and locks it against a second program of ours; changes nothing. */
 int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY]);
 /* After fb_probe: saves the screen, takes a second page where there may be one, maps the memory. */
 int fb_take(struct fb_screen *screen, char why[PORT_WHY]);
