@@ -71,9 +71,10 @@ static void prepare_spheres(struct tia_view *view)
 
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
+        const struct tia_rgb *through = &scene->materials[s->material].transmission;
         sphere_prepare(view, &view->bodies[i], s->centre, s->radius);
-        if (!rgb565_is_black(&scene->materials[s->material].transmission))
-            view->tinted = true;
+        view->tinted = view->tinted || !rgb565_is_black(through);
+        view->grey_shadows = view->grey_shadows && rgb565_is_grey(through);
     }
 }
 
@@ -109,6 +110,7 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
     v->width = (int)width;
     v->height = (int)height;
     v->tinted = false;
+    v->grey_shadows = true;
     prepare_lattice(v);
     prepare_spheres(v);
     *view = v;
@@ -126,7 +128,7 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
     if (tia_scene_check(&changed, NULL) != TIA_OK)
         return TIA_ERR_RANGE;
     view->light_count = count;
-    view->grey = true;
+    view->grey = view->grey_shadows;
     for (uint32_t i = 0; i < count; i++) {
         view->lights[i] = lights[i];
         view->grey = view->grey && rgb565_is_grey(&lights[i].emission);

@@ -40,7 +40,8 @@ struct tia_view {
     num_wide depth;            /* height/tan(fov/2) */
     int square_shift;          /* v.v * 2^square_shift fills an accumulator */
     bool tinted;               /* some material lets shadow rays through */
-    bool grey;                 /* all lights are grey */
+    bool grey_shadows;         /* what they keep on their way is grey */
+    bool grey;                 /* and all lights are */
 };
 
 /* A product a.v along a row as an accumulator: at pixel x it is start + x * step. */
