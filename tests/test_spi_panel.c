@@ -3,7 +3,6 @@
  * allows, so a strip that is drawn into too early is seen. */
 #include "check.h"
 #include "spi-panel/spi_panel.h"
-#include <stdlib.h>
 #include <tia/tia.h>
 
 enum { MEMORY_WIDTH = 240, MEMORY_HEIGHT = 320, MEMORY = MEMORY_WIDTH * MEMORY_HEIGHT, LOG = 4096 };
@@ -187,13 +186,11 @@ static int draw_tile(struct spi_panel *panel, struct tia_tile tile)
 {
     struct tia_surface surface;
     int status = spi_panel_display.acquire(panel, tile, &surface);
-    if (status != TIA_OK)
-        return status;
-    for (unsigned y = 0; y < tile.height; y++)
+    for (unsigned y = 0; y < tile.height && status == TIA_OK; y++)
         for (unsigned x = 0; x < tile.width; x++)
             *(tia_rgb565 *)((char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step) =
                 pattern(tile.x + x, tile.y + y);
-    return spi_panel_display.submit(panel, tile);
+    return status == TIA_OK ? spi_panel_display.submit(panel, tile) : status;
 }
 
 /* The picture in tiles of at most the given size, from top to bottom. */
@@ -385,7 +382,6 @@ TEST(viewer_on_the_panel)
     finish_dma();
     CHECK(memcmp(picture, model.memory, sizeof picture) == 0);
     CHECK(picture[0] != picture[300 * 240 + 120]);
-    spi_panel_display.close(&panel);
 }
 
 int main(void)
