@@ -3,6 +3,7 @@
 
 #include <stddef.h>
 
+#include "evdev/evdev.h"
 #include "fbdev/fbdev.h"
 #include "none/none.h"
 #ifdef TIA_HAVE_OSMESA
@@ -51,6 +52,13 @@ const struct port_display port_displays[] = {
 };
 
 const struct port_input port_inputs[] = {
+    {
+        .name = "evdev",
+        .summary = "every keyboard of the machine, by /dev/input",
+        .ops = &port_evdev_input,
+        .create = port_evdev_create,
+        .destroy = port_evdev_destroy,
+    },
     {
         .name = "tty",
         .summary = "the terminal's keyboard",

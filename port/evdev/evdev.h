@@ -1,0 +1,16 @@
+/* evdev.h - all keyboards of a Linux machine, by the kernel's event devices.
+ *
+ * Keyboards come and go while it is open. While the console is ours (common/console.h) nobody
+ * else hears them, and Ctrl-Alt-Fn asks for another console. wish.device names one keyboard, and
+ * then no other is used.
+ */
+#ifndef PORT_EVDEV_H
+#define PORT_EVDEV_H
+
+#include "ports.h"
+
+extern const struct tia_input port_evdev_input;
+void *port_evdev_create(const struct port_wish *wish);
+void port_evdev_destroy(void *ctx);
+
+#endif

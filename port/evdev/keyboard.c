@@ -1,0 +1,223 @@
+/* keyboard.c - an event device of the kernel. */
+#include "evdev/keyboard.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "common/node.h"
+
+static bool get_pressed(const struct keyboard *keyboard, struct key_set *down)
+{
+    *down = (struct key_set){{0}};
+    return ioctl(keyboard->fd, EVIOCGKEY(sizeof down->words), down->words) >= 0;
+}
+
+static int failed(const char *path, int error, char why[PORT_WHY])
+{
+    char text[PORT_WHY];
+
+    (void)snprintf(why, PORT_WHY, "%.80s: %s", path,
+                   error == EBUSY ? "another program has grabbed it" : node_error(error, text));
+    return TIA_ERR_DEVICE;
+}
+
+/* Is it a keyboard that nobody else has? Its times shall be CLOCK_MONOTONIC's. */
+static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
+{
+    int fd = keyboard->fd, clock = CLOCK_MONOTONIC;
+    struct key_set codes = {{0}};
+
+    if (ioctl(fd, EVIOCGBIT(EV_KEY, sizeof codes.words), codes.words) < 0 || !key_set_types(&codes)) {
+        (void)snprintf(why, PORT_WHY, "%.80s: is no keyboard", keyboard->path);
+        return TIA_ERR_UNSUPPORTED;
+    }
+    if (ioctl(fd, EVIOCGRAB, 1) != 0 || ioctl(fd, EVIOCGRAB, 0) != 0 || ioctl(fd, EVIOCSCLOCKID, &clock) != 0)
+        return failed(keyboard->path, errno, why);
+    return TIA_OK;
+}
+
+int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY])
+{
+    struct key_set down;
+    int status;
+
+    *keyboard = (struct keyboard){.fd = node_open(path, O_RDWR | O_NONBLOCK, why)};
+    if (keyboard->fd < 0)
+        return TIA_ERR_DEVICE;
+    (void)snprintf(keyboard->path, sizeof keyboard->path, "%s", path);
+    status = examine(keyboard, why);
+    if (status != TIA_OK) {
+        keyboard_close(keyboard);
+        return status;
+    }
+    (void)get_pressed(keyboard, &down);
+    key_state_begin(&keyboard->state, &down);
+    return TIA_OK;
+}
+
+void keyboard_close(struct keyboard *keyboard)
+{
+    if (keyboard->fd >= 0)
+        (void)close(keyboard->fd);
+    keyboard->fd = -1;
+}
+
+/* Writes events for those keys of `set` that are modifiers, or for all of them. A device that
+ * refuses has gone: the next read tells. */
+static void write_keys(const struct keyboard *keyboard, const struct key_set *set, bool modifiers_only, int value)
+{
+    struct input_event e = {.type = EV_KEY, .value = value}, end = {.type = EV_SYN, .code = SYN_REPORT};
+    bool any = false;
+
+    for (unsigned code = 0; code < KEY_CNT; code++)
+        if (key_set_has(set, code) && (!modifiers_only || key_is_modifier(code))) {
+            e.code = (uint16_t)code;
+            any = write(keyboard->fd, &e, sizeof e) == (ssize_t)sizeof e || any;
+        }
+    if (any && write(keyboard->fd, &end, sizeof end) < 0)
+        return;
+}
+
+static bool is_subset(const struct key_set *part, const struct key_set *whole)
+{
+    for (size_t i = 0; i < KEY_WORDS; i++)
+        if (part->words[i] & ~whole->words[i])
+            return false;
+    return true;
+}
+
+/* EVIOCGKEY also removes the key events that wait to be read: those that we wrote among them. */
+static void begin(struct keyboard *keyboard)
+{
+    struct key_set down;
+
+    (void)get_pressed(keyboard, &down);
+    keyboard->next = keyboard->count = 0;
+    keyboard->dropped = false;
+    key_state_begin(&keyboard->state, &down);
+}
+
+/* False when a key went down between the two steps: the console has seen it, and we have not. */
+static bool try_grab(struct keyboard *keyboard)
+{
+    struct key_set before, after;
+
+    if (!get_pressed(keyboard, &before))
+        return true;
+    write_keys(keyboard, &before, false, 0);
+    keyboard->grabbed = ioctl(keyboard->fd, EVIOCGRAB, 1) == 0;
+    if (!keyboard->grabbed)
+        return true;
+    write_keys(keyboard, &before, false, 1);
+    return !get_pressed(keyboard, &after) || is_subset(&after, &before);
+}
+
+/* Three tries are plenty against fingers. */
+void keyboard_grab(struct keyboard *keyboard)
+{
+    if (keyboard->grabbed || keyboard->unplugged)
+        return;
+    for (int tries = 1; !try_grab(keyboard) && tries < 3; tries++)
+        (void)ioctl(keyboard->fd, EVIOCGRAB, 0);
+    begin(keyboard);
+}
+
+/* The console learns which modifiers are down, so that Ctrl-Alt-F2 and F1 works without letting
+ * go of Ctrl-Alt. Other keys that are down (F2) it must not take for typed. */
+void keyboard_release(struct keyboard *keyboard)
+{
+    struct key_set down;
+
+    if (keyboard->unplugged)
+        return;
+    if (keyboard->grabbed && get_pressed(keyboard, &down)) {
+        write_keys(keyboard, &down, false, 0);
+        (void)ioctl(keyboard->fd, EVIOCGRAB, 0);
+        write_keys(keyboard, &down, true, 1);
+    }
+    keyboard->grabbed = false;
+    begin(keyboard);
+}
+
+bool keyboard_is_pressed(const struct keyboard *keyboard)
+{
+    struct key_set down;
+
+    if (keyboard->unplugged || !get_pressed(keyboard, &down))
+        return false;
+    for (unsigned code = 0; code < KEY_CNT; code++)
+        if (key_set_has(&down, code) && key_at(code) != 0)
+            return true;
+    return false;
+}
+
+static void unplug(struct keyboard *keyboard)
+{
+    keyboard->unplugged = true;
+    keyboard->grabbed = false;
+    key_state_begin(&keyboard->state, &(struct key_set){{0}});
+}
+
+void keyboard_read(struct keyboard *keyboard)
+{
+    ssize_t n;
+
+    if (keyboard->unplugged || keyboard->next < keyboard->count)
+        return;
+    n = read(keyboard->fd, keyboard->events, sizeof keyboard->events);
+    keyboard->next = 0;
+    keyboard->count = n > 0 ? (size_t)n / sizeof keyboard->events[0] : 0;
+    if (n < 0 && errno != EAGAIN && errno != EINTR)
+        unplug(keyboard);
+}
+
+uint64_t keyboard_next_us(const struct keyboard *keyboard)
+{
+    const struct input_event *e = &keyboard->events[keyboard->next];
+
+    if (keyboard->next == keyboard->count)
+        return UINT64_MAX;
+    return (uint64_t)e->input_event_sec * 1000000u + (uint64_t)e->input_event_usec;
+}
+
+/* SYN_DROPPED (Documentation/input/event-codes.rst): what was read before SYN_REPORT is to be
+ * thrown away, and the state asked for. */
+static void synchronise(struct keyboard *keyboard, const struct input_event *e)
+{
+    struct key_set down;
+
+    if (e->code == SYN_DROPPED) {
+        keyboard->dropped = true;
+    } else if (e->code == SYN_REPORT && keyboard->dropped) {
+        keyboard->dropped = false;
+        keyboard->next = keyboard->count = 0;
+        if (get_pressed(keyboard, &down))
+            key_state_lost(&keyboard->state, &down);
+    }
+}
+
+bool keyboard_take(struct keyboard *keyboard, struct key_modifiers modifiers, struct key_change *change)
+{
+    const struct input_event *e = &keyboard->events[keyboard->next];
+
+    if (keyboard->next == keyboard->count)
+        return false;
+    keyboard->next++;
+    if (e->type == EV_SYN)
+        synchronise(keyboard, e);
+    return e->type == EV_KEY && !keyboard->dropped &&
+           key_state_take(&keyboard->state, e->code, e->value, modifiers, change);
+}
+
+void keyboard_discard(struct keyboard *keyboard)
+{
+    do {
+        keyboard->next = keyboard->count;
+        keyboard_read(keyboard);
+    } while (keyboard->next < keyboard->count);
+}

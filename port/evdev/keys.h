@@ -1,0 +1,75 @@
+/* keys.h - from the kernel's key events to tia's. Pure: no device, no clock.
+ *
+ * A keyboard tells presses, repeats and releases of codes, which are positions on the keyboard.
+ * Modifiers and locks are no keys; they only turn KEY_C into Ctrl-C and F1 into a console.
+ */
+#ifndef PORT_EVDEV_KEYS_H
+#define PORT_EVDEV_KEYS_H
+
+#include <limits.h>
+#include <linux/input.h>
+
+#include <tia/port.h>
+
+/* A set of codes, laid out as EVIOCGKEY and EVIOCGBIT fill it. */
+#define KEY_WORD_BITS (sizeof(unsigned long) * CHAR_BIT)
+#define KEY_WORDS ((KEY_CNT + KEY_WORD_BITS - 1) / KEY_WORD_BITS)
+
+struct key_set {
+    unsigned long words[KEY_WORDS];
+};
+
+bool key_set_has(const struct key_set *set, unsigned code);
+void key_set_add(struct key_set *set, unsigned code);
+void key_set_remove(struct key_set *set, unsigned code);
+
+/* The key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
+uint16_t key_at(unsigned code);
+
+/* Ctrl, Shift, Alt and Meta, left and right. */
+bool key_is_modifier(unsigned code);
+
+/* The number of the console that Ctrl-Alt and this key bring in front: 1..12, or 0. */
+unsigned key_console(unsigned code);
+
+/* Does a device with these codes type? It has a letter or the space bar. */
+bool key_set_types(const struct key_set *set);
+
+/* What one keyboard's keys do. All zero at first. */
+struct key_state {
+    struct key_set held;    /* down, as far as the keyboard told */
+    struct key_set told;    /* of them, those whose press was told */
+    bool interrupt;         /* KEY_C was told as Ctrl-C */
+    struct key_set ending;  /* of `told`, those that are to be told as released */
+    struct key_set missing; /* down, and to be told as pressed */
+};
+
+struct key_change {
+    bool press; /* else a release */
+    uint16_t code, key;
+};
+
+/* Which modifiers are down, on any keyboard. */
+struct key_modifiers {
+    bool ctrl, alt;
+};
+
+/* Adds those of this keyboard. */
+void key_state_modifiers(const struct key_state *state, struct key_modifiers *modifiers);
+
+/* Takes an EV_KEY event: true and the change that it means, or false. */
+bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
+                    struct key_change *change);
+
+/* From now on these keys are down, and their presses were not meant for us: nor are their
+ * releases. What was told as pressed is over. */
+void key_state_begin(struct key_state *state, const struct key_set *down);
+
+/* Events were lost, and these keys are down now. */
+void key_state_lost(struct key_state *state, const struct key_set *down);
+
+/* After those two, and before taking more events: call it until it is false. It tells what is
+ * missing, the releases first. */
+bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
+
+#endif
