@@ -15,6 +15,7 @@
 
 #include "common/canvas.h"
 #include "common/console.h"
+#include "common/node.h"
 #include "terminal/colour.h"
 #include "terminal/encode.h"
 #include "terminal/signals.h"
@@ -52,6 +53,13 @@ static int failed(const struct terminal *t, const char *why)
     return TIA_ERR_DEVICE;
 }
 
+static int failed_with(const struct terminal *t, int error)
+{
+    char text[PORT_WHY];
+
+    return failed(t, node_error(error, text));
+}
+
 /* Sends what the terminal takes within timeout_ms (-1: no limit) and before a signal. */
 static int send_text(struct terminal *t, int timeout_ms)
 {
@@ -71,7 +79,7 @@ static int send_text(struct terminal *t, int timeout_ms)
 
 static int show(struct terminal *t)
 {
-    return send_text(t, -1) == TIA_OK ? TIA_OK : failed(t, strerror(errno));
+    return send_text(t, -1) == TIA_OK ? TIA_OK : failed_with(t, errno);
 }
 
 static unsigned smallest(unsigned a, unsigned b)
@@ -122,7 +130,7 @@ static int open_descriptor(struct terminal *t)
     if (t->device) {
         t->fd = open(t->device, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
         if (t->fd < 0)
-            return failed(t, strerror(errno));
+            return failed_with(t, errno);
         return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
     }
     if (!isatty(STDOUT_FILENO))
@@ -132,7 +140,7 @@ static int open_descriptor(struct terminal *t)
         t->fd = open(name, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (t->fd < 0)
         t->fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-    return t->fd < 0 ? failed(t, strerror(errno)) : TIA_OK;
+    return t->fd < 0 ? failed_with(t, errno) : TIA_OK;
 }
 
 static int look_at_environment(struct terminal *t)

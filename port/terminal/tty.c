@@ -15,6 +15,7 @@
 
 #include "common/console.h"
 #include "common/guardian.h"
+#include "common/node.h"
 #include "terminal/decode.h"
 #include "terminal/signals.h"
 #include "terminal/terminal.h"
@@ -60,6 +61,8 @@ static const char *name_of(const struct tty *tty)
 
 static int open_terminal(struct tty *tty)
 {
+    char text[PORT_WHY];
+
     if (tty->device)
         tty->fd = open(tty->device, O_RDWR | O_NOCTTY | O_CLOEXEC);
     else if (isatty(STDIN_FILENO))
@@ -69,13 +72,14 @@ static int open_terminal(struct tty *tty)
     if (tty->fd < 0 && !tty->device)
         return failed(tty, "terminal's keyboard", "standard input is no terminal and there is no controlling one");
     if (tty->fd < 0)
-        return failed(tty, tty->device, strerror(errno));
+        return failed(tty, tty->device, node_error(errno, text));
     return TIA_OK;
 }
 
 static int make_raw(struct tty *tty)
 {
     struct termios *raw = &tty->now;
+    char text[PORT_WHY];
 
     if (tcgetattr(tty->fd, &tty->before) != 0)
         return failed(tty, name_of(tty), "is no terminal");
@@ -91,7 +95,7 @@ static int make_raw(struct tty *tty)
     tty->resumes = terminal_resumes();
     tty->raw = true;
     if (tcsetattr(tty->fd, TCSANOW, raw) != 0)
-        return failed(tty, name_of(tty), strerror(errno));
+        return failed(tty, name_of(tty), node_error(errno, text));
     return TIA_OK;
 }
 
