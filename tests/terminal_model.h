@@ -94,17 +94,17 @@ static inline void model_colours(struct model *m, const unsigned *p, unsigned n)
     }
 }
 
-static inline void model_mode(struct model *m, unsigned mode, bool on)
+static inline void model_mode(struct model *m, unsigned number, bool on)
 {
-    if (mode == 1049)
+    if (number == 1049)
         m->alternate = on;
-    else if (mode == 25)
+    else if (number == 25)
         m->cursor_shown = on;
-    else if (mode == 7)
+    else if (number == 7)
         m->wrap = on;
-    else if (mode == 2004)
+    else if (number == 2004)
         m->paste = on;
-    else if (mode == 2026) {
+    else if (number == 2026) {
         m->frames += m->synchronised && !on;
         m->synchronised = on;
     } else
