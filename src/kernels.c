@@ -31,26 +31,37 @@ void kernel_sphere_inside(const struct sphere_line *line, num_u *t)
     }
 }
 
-bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit)
+static void light_pixel(const struct light_line *line, num_wide facing, num_wide square, struct lit *lit, int i)
 {
-    num_wide g = line->g;
+    struct num_normal n = num_normal(square > 0 ? square : 1);
+
+    lit->facing[i] = num_scale(facing, line->scale + n.half);
+    lit->square[i] = num_max(square, 1);
+    lit->near[i] = num_normal_top(n);
+    lit->inverse[i] = n.inverse;
+    lit->half[i] = (uint8_t)n.half;
+}
+
+bool kernel_light(const struct light_line *line, const num_u *distance, struct lit *lit)
+{
+    num_wide g = line->g, q = line->q;
+    struct row_square v = line->square;
     bool any = false;
 
-    for (int i = 0; i < line->count; i++, g += line->g_step) {
-        num_wide s = num_mul((num)t[i], num_top(g));
-        num_wide facing = line->facing + s, square = line->distance - 2 * s;
+    for (int i = 0; i < line->count; i++) {
+        num t = (num)distance[i];
+        num_wide facing = line->facing + num_mul(t, num_top(g));
 
         lit->facing[i] = 0;
-        if (facing <= 0)
-            continue;
-        square = square > 0 ? square : 1;
-        struct num_normal n = num_normal(square);
-        lit->facing[i] = num_scale(facing, line->scale + n.half);
-        lit->square[i] = square;
-        lit->near[i] = num_normal_top(n);
-        lit->inverse[i] = n.inverse;
-        lit->half[i] = (uint8_t)n.half;
-        any = true;
+        if (facing > 0) {
+            num reach = (num)num_scale(num_mul(t, num_top(v.start)), line->reach_scale);
+            light_pixel(line, facing, line->distance - 2 * num_mul(t, num_top(q)) + num_mul(t, reach), lit, i);
+            any = true;
+        }
+        g += line->g_step;
+        q += line->q_step;
+        v.start += v.step;
+        v.step += v.twice;
     }
     return any;
 }
@@ -80,7 +91,7 @@ static bool meets(const struct shadow_line *line, num_wide u, const struct lit *
         return false;
     num_u b = num_scale(product, line->b_scale + half) + num_mul_top(lit->facing[i], line->b_bias);
     num_wide k = (num_wide)line->k - num_mul_shift(num_top(u - line->to_centre), line->k_bias, line->k_bias_shift);
-    if (k > 0 && num_mul_u(b, b) < num_mul_u(lit->near[i], (num_u)k))
+    if (k > 0 && num_square_below(b, lit->near[i], (num_u)k))
         return false;
     return num_reaches(lit->square[i], half, b, line->reach_shift);
 }

@@ -22,16 +22,21 @@ void kernel_sphere(const struct sphere_line *line, num_u *t);
 /* t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
 void kernel_sphere_inside(const struct sphere_line *line, num_u *t);
 
-/* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v,
- * everything that lighting needs is linear in s = t G.v, since |P|^2 = 2 L.P - c:
+/* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v:
  *
- *     r N.(Q - P) = s + c - L.Q         |Q - P|^2 = Q.Q - c - 2 s
- */
+ *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c
+ *     |Q - P|^2   = Q.Q - 2 t Q.v + t^2 v.v
+ *
+ * The square is not taken from the sphere's equation as well: on a large sphere t's last bit
+ * would move it, while here it only moves P along the ray. */
 struct light_line {
-    num_wide g, g_step;        /* accumulator of G.v */
-    num_wide facing, distance; /* c - L.Q and Q.Q - c, with the exponent of s */
-    int scale;                 /* facing * 2^(scale + half) is a mantissa */
-    num_u inverse;             /* num_inverse(r) */
+    num_wide g, g_step;       /* accumulator of G.v */
+    num_wide q, q_step;       /* accumulator of Q.v */
+    struct row_square square; /* accumulator of v.v */
+    num_wide facing;          /* c - L.Q, with the exponent of t G.v */
+    num_wide distance;        /* Q.Q, with the exponent of t Q.v, e_d */
+    int reach_scale;          /* t v.v * 2^reach_scale is a mantissa whose product with t has e_d */
+    int scale;                /* facing * 2^(scale + half) is a mantissa */
     int count;
 };
 

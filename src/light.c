@@ -26,46 +26,92 @@ struct shading {
     num_u sum[3][CHUNK];
 };
 
-/* The exponents. e_s, that of s = t G.v, keeps s below 2^61, a product of t (31 bits) and G.v (30
- * bits), and both constants below 2^61. It is even, for the root of |Q - P|^2. r N.w/|w| is at most
- * r, so r N.w 2^(e_s + half) times 2^(15 - bits - e_s/2) is at most |w| 2^(e_s/2 + half - 1) < 2^31,
- * with 16 of the radius's bits behind the point. */
+/* The exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + t^2 v.v. It is even, for the root; each term stays
+ * below 2^61: Q.Q, t Q.v as a product of t (31 bits) and Q.v (29 bits), and t^2 v.v = |P|^2, which
+ * is at most c on the tangent, or (2r)^2 from inside. And t v.v = |P| |v| is a mantissa, below
+ * 2^31 with the exponent e_d - e_t, where |v| < 2^(30 - f). */
+static int distance_exponent(const struct tia_view *view, const struct body *body, struct num_vec light)
+{
+    int reach_bits = body->c < 0 ? num_bits(body->radius * body->radius) + 2 : num_bits(body->c);
+    int light_bits = num_bits(num_dot(light, light)), e = 92 - (reach_bits > light_bits ? reach_bits : light_bits);
+    int by_light = body->t_exponent + view->exponent - 16 + 61 - num_bits(view_reach(view, light));
+    int by_reach = body->t_exponent + 31 - ((reach_bits - 31) >> 1) - 30 + view->exponent;
+
+    e = e < by_light ? e : by_light;
+    return (e < by_reach ? e : by_reach) & ~1;
+}
+
+static struct row_form form_at(const struct tia_view *view, struct num_vec a, int x, int y, int shift)
+{
+    struct row_form form = view_row_form(view, a, y, shift);
+
+    form.start += (num_wide)x * form.step;
+    return form;
+}
+
+/* Returns e_d. The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30
+ * bits), like the constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times
+ * 2^(15 - bits - e_s + e_d/2) is at most |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's
+ * bits behind the point. */
 static int prepare_light(const struct tia_view *view, const struct body *body, struct num_vec light, int x, int y,
                          struct light_line *line)
 {
     struct num_vec g = num_vec_sub(light, body->centre);
-    num_wide facing = body->c - num_dot(body->centre, light), distance = num_dot(light, light) - body->c;
-    int bits = num_bits(num_max(num_abs(facing), num_abs(distance)));
-    int e_s = body->t_exponent + view->exponent - 16 + 62 - num_bits(view_reach(view, g));
+    num_wide facing = body->c - num_dot(body->centre, light);
+    int to_top = body->t_exponent + view->exponent - 16, limit = 93 - num_bits(facing);
+    int e_s = to_top + 62 - num_bits(view_reach(view, g)), e_d = distance_exponent(view, body, light);
 
-    e_s = (e_s < 93 - bits ? e_s : 93 - bits) & ~1;
-    struct row_form form = view_row_form(view, g, y, e_s - body->t_exponent - view->exponent + 16);
-    line->g = form.start + (num_wide)x * form.step;
+    e_s = e_s < limit ? e_s : limit;
+    struct row_form form = form_at(view, g, x, y, e_s - to_top);
+    line->g = form.start;
     line->g_step = form.step;
+    form = form_at(view, light, x, y, e_d - to_top);
+    line->q = form.start;
+    line->q_step = form.step;
+    line->square = view_row_square(view, x, y);
     line->facing = num_shift(facing, e_s - 32);
-    line->distance = num_shift(distance, e_s - 32);
-    line->scale = 15 - body->radius_bits - (e_s >> 1);
-    return e_s;
+    line->distance = num_shift(num_dot(light, light), e_d - 32);
+    line->reach_scale = e_d - 2 * body->t_exponent - (2 * view->exponent + view->square_shift - 32);
+    line->scale = 15 - body->radius_bits - e_s + (e_d >> 1);
+    return e_d;
 }
 
-/* Where `lit` is dark and was not before, the light passes a sphere that lets `through` pass:
+/* What half-transparent spheres leave of a light on its way to each pixel of a run. */
+struct tint {
+    num_u left[3][CHUNK];
+    uint16_t passed[CHUNK]; /* the sum of index + 1 of the spheres on the way */
+};
+
+/* Where `lit` is dark and was not before, the light passes `sphere`, which lets `through` pass:
  * tints it, and gives it back unless nothing is left. */
-static void tint_light(const struct tia_rgb *through, const num_u *before, struct lit *lit, int count,
-                       num_u tint[3][CHUNK])
+static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
+                       struct tint *tint)
 {
     for (int i = 0; i < count; i++) {
         if (before[i] == lit->facing[i])
             continue;
-        tint[0][i] = num_colour_product(tint[0][i], num_colour(through->r));
-        tint[1][i] = num_colour_product(tint[1][i], num_colour(through->g));
-        tint[2][i] = num_colour_product(tint[2][i], num_colour(through->b));
-        if (tint[0][i] > 0 || tint[1][i] > 0 || tint[2][i] > 0)
+        tint->left[0][i] = num_colour_product(tint->left[0][i], num_colour(through->r));
+        tint->left[1][i] = num_colour_product(tint->left[1][i], num_colour(through->g));
+        tint->left[2][i] = num_colour_product(tint->left[2][i], num_colour(through->b));
+        tint->passed[i] = (uint16_t)((tint->passed[i] + sphere + 1) & 0xffff);
+        if (tint->left[0][i] > 0 || tint->left[1][i] > 0 || tint->left[2][i] > 0)
             lit->facing[i] = before[i];
     }
 }
 
+/* The pixels' light states, as tia_options has them. */
+static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *reached)
+{
+    for (int i = 0; i < count; i++)
+        if (lit->facing[i] > 0) {
+            uint32_t way = tint ? tint->passed[i] * (l + 1) & 0xffff : 0;
+            way = ((reached[i] >> 16) + way) & 0xffff;
+            reached[i] = way << 16 | (reached[i] & 0xffff) | UINT32_C(1) << l;
+        }
+}
+
 static void cast_shadows(const struct shading *s, const struct shadow_source *source, struct lit *lit,
-                         num_u tint[3][CHUNK])
+                         struct tint *tint)
 {
     const struct chunk *chunk = s->chunk;
     const struct tia_scene *scene = chunk->view->scene;
@@ -83,11 +129,11 @@ static void cast_shadows(const struct shading *s, const struct shadow_source *so
             before[i] = lit->facing[i];
         kernel_shadow(&line, chunk->t + s->first, lit);
         if (!rgb565_is_black(through))
-            tint_light(through, before, lit, s->count, tint);
+            tint_light(through, j, before, lit, s->count, tint);
     }
 }
 
-static void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert, num_u tint[3][CHUNK])
+static void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert, struct tint *tint)
 {
     const struct tia_rgb *colour = &s->material->colour, *emission = &light->emission;
     num_u product[3] = {num_colour_product(num_colour(colour->r), num_colour(emission->r)),
@@ -97,13 +143,13 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
         for (int i = 0; tint && i < s->count; i++)
-            tinted[i] = num_colour_product(lambert[i], tint[c][i]);
+            tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
         kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->count);
     }
 }
 
 /* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
-static void shade_light(struct shading *s, uint32_t l, num_u tint[3][CHUNK])
+static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct chunk *chunk = s->chunk;
     const struct tia_view *view = chunk->view;
@@ -113,25 +159,26 @@ static void shade_light(struct shading *s, uint32_t l, num_u tint[3][CHUNK])
     struct lit lit;
     num_u lambert[CHUNK];
 
-    source.s_exponent = prepare_light(view, source.body, source.light, chunk->x + s->first, chunk->y, &line);
+    source.exponent = prepare_light(view, source.body, source.light, chunk->x + s->first, chunk->y, &line);
     line.count = s->count;
     if (!kernel_light(&line, chunk->t + s->first, &lit))
         return;
     cast_shadows(s, &source, &lit, tint);
-    for (int i = 0; chunk->reached && l < 32 && i < s->count; i++)
-        if (lit.facing[i] > 0)
-            chunk->reached[s->first + i] |= (uint32_t)1 << l;
+    if (chunk->reached && l < 16)
+        note_reached(&lit, tint, l, s->count, chunk->reached + s->first);
     kernel_lambert(&lit, source.body->inverse, s->count, lambert);
     add_light(s, &view->lights[l], lambert, tint);
 }
 
 static void shade_tinted_light(struct shading *s, uint32_t l)
 {
-    num_u tint[3][CHUNK];
+    struct tint tint;
 
-    for (int i = 0; i < s->count; i++)
-        tint[0][i] = tint[1][i] = tint[2][i] = NUM_ONE;
-    shade_light(s, l, tint);
+    for (int i = 0; i < s->count; i++) {
+        tint.left[0][i] = tint.left[1][i] = tint.left[2][i] = NUM_ONE;
+        tint.passed[i] = 0;
+    }
+    shade_light(s, l, &tint);
 }
 
 static void shade_run(struct chunk *chunk, int first, int count, const num_u threshold[8])

@@ -157,10 +157,16 @@ static inline num_wide num_mul_shift(num a, num_u b, int s)
     return tia_round_shift((num_wide)a * b, (unsigned)s);
 }
 
-/* The mantissa of x as a num_u, where x is num_normal's argument. */
+/* The mantissa as a num_u, rounded down. */
 static inline num_u num_normal_top(struct num_normal n)
 {
     return (num_u)(n.mantissa >> 32);
+}
+
+/* b^2 < (near + 1/2) k: near is a num_normal_top, and half a unit its mean error. */
+static inline bool num_square_below(num_u b, num_u near, num_u k)
+{
+    return num_mul_u(b, b) < num_mul_u(near, k) + (k >> 1);
 }
 
 /* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */

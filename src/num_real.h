@@ -107,6 +107,11 @@ static inline num_u num_normal_top(struct num_normal n)
     return n.mantissa;
 }
 
+static inline bool num_square_below(num_u b, num_u near, num_u k)
+{
+    return b * b < near * k;
+}
+
 static inline num_u num_inverse(num_wide r)
 {
     return 1 / r;

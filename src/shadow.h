@@ -8,7 +8,7 @@
 struct shadow_source {
     const struct body *body; /* the run's object */
     struct num_vec light;    /* Q */
-    int s_exponent;          /* of the light_line's s */
+    int exponent;            /* of |Q - P|^2 */
 };
 
 /* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. False when the

@@ -32,8 +32,9 @@ struct tia_surface {
 /* What tia_light may be asked besides the pixels; all zero is the plain exact picture. */
 struct tia_options {
     bool dither;                    /* ordered dithering, Bayer 8x8, before quantising */
-    uint32_t *reached;              /* NULL, or for each pixel of the tile, row by row, the set of
-                                       lights 0..31 that light it (bit n: light n) */
+    uint32_t *reached;              /* NULL, or for each pixel of the tile, row by row, which light
+                                       arrives: bit n (0..15) when light n does, and in bits 16..31 the
+                                       sum of (n + 1)(j + 1) over the spheres j that let it through */
 };
 
 struct tia_view;                    /* a prepared scene, in the caller's memory */

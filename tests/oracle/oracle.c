@@ -145,16 +145,19 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* What is left of white light on its way along the ray up to `distance`. */
-static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance)
+/* What is left of white light on its way along the ray up to `distance`; *passed is the sum of
+ * index + 1 over the spheres on the way. */
+static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance, uint32_t *passed)
 {
     struct colour left = {{1.0, 1.0, 1.0}};
     double d;
 
+    *passed = 0;
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
         if (oracle_sphere_geometric(ray.origin, ray.direction, position(s->centre), q16(s->radius), &d) &&
             d < distance) {
+            *passed += i + 1;
             struct colour kept = rgb(scene->materials[s->material].transmission);
             for (int c = 0; c < 3; c++)
                 left.channel[c] *= kept.channel[c];
@@ -163,9 +166,10 @@ static struct colour transmission(const struct tia_scene *scene, struct ray ray,
     return left;
 }
 
-/* Adds what one light gives the point p with normal n of a surface; true when any of it arrives. */
+/* Adds what one light gives the point p with normal n of a surface; true when any of it arrives,
+ * through spheres that *passed sums up. */
 static bool add_light(const struct tia_scene *scene, const struct tia_light *light, struct oracle_vec p,
-                      struct oracle_vec n, struct colour surface, double sum[3])
+                      struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
 {
     struct oracle_vec way = sub(position(light->centre), p);
     double distance = length(way);
@@ -174,7 +178,7 @@ static bool add_light(const struct tia_scene *scene, const struct tia_light *lig
 
     if (!(cosine > 0))
         return false;
-    struct colour left = transmission(scene, (struct ray){along(p, BIAS, n), ldir}, distance);
+    struct colour left = transmission(scene, (struct ray){along(p, BIAS, n), ldir}, distance, passed);
     struct colour emission = rgb(light->emission);
     for (int c = 0; c < 3; c++)
         sum[c] += surface.channel[c] * left.channel[c] * cosine * emission.channel[c];
@@ -190,9 +194,10 @@ static void shade(const struct tia_scene *scene, struct ray ray, struct oracle_p
     struct colour emission = rgb(material->emission);
 
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        bool lit = add_light(scene, &scene->lights[i], p, n, rgb(material->colour), pixel->linear);
-        if (lit && i < 32)
-            pixel->reached |= UINT32_C(1) << i;
+        uint32_t passed;
+        bool lit = add_light(scene, &scene->lights[i], p, n, rgb(material->colour), pixel->linear, &passed);
+        if (lit && i < 16)
+            pixel->reached = (pixel->reached + (passed * (i + 1) << 16)) | UINT32_C(1) << i;
     }
     for (int c = 0; c < 3; c++)
         pixel->linear[c] += emission.channel[c];
