@@ -3,7 +3,11 @@
 
 #include <stddef.h>
 
+#ifdef TIA_HAVE_DRM
+#include "drm/drm.h"
+#endif
 #include "evdev/evdev.h"
+#include "fbdev/fbdev.h"
 #include "fbdev/fbdev.h"
 #include "none/none.h"
 #ifdef TIA_HAVE_OSMESA
@@ -13,6 +17,17 @@
 
 /* `auto` stops before "none". */
 const struct port_display port_displays[] = {
+#ifdef TIA_HAVE_DRM
+    {
+        .name = "drm",
+        .summary = "a screen through the kernel's DRM, /dev/dri/cardN",
+        .takes_screen = true,
+        .ops = &port_drm_display,
+        .create = port_drm_create,
+        .destroy = port_drm_destroy,
+        .list = port_drm_list,
+    },
+#endif
     {
         .name = "fbdev",
         .summary = "a Linux framebuffer, /dev/fbN",

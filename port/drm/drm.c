@@ -1,0 +1,245 @@
+#include "drm/drm.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <xf86drm.h>
+
+#include "common/canvas.h"
+#include "common/console.h"
+#include "common/node.h"
+#include "drm/scanout.h"
+
+struct drm {
+    struct port_wish wish;
+    struct card card;
+    struct scanout scanout;
+    char connector[PICK_NAME];
+    bool direct;          /* the buffers are drawn into */
+    struct canvas canvas; /* else this is, and expanded */
+    struct expander expander;
+    char format[PIXEL_NAME];
+    struct console_listener listener;
+    bool lost; /* another program took the screen meanwhile */
+};
+
+/* ---- another console in front ---- */
+
+static void leave(void *arg)
+{
+    struct drm *d = arg;
+
+    scanout_settle(&d->scanout);
+    (void)drmDropMaster(d->card.fd);
+}
+
+static void enter(void *arg)
+{
+    struct drm *d = arg;
+
+    d->lost = drmSetMaster(d->card.fd) != 0 || scanout_relight(&d->scanout) != 0;
+    if (d->lost)
+        (void)card_failed(&d->card, "the screen cannot be taken back", d->wish.why);
+}
+
+/* ---- open and close ---- */
+
+static void drm_close(void *ctx)
+{
+    struct drm *d = ctx;
+
+    if (d->card.fd < 0)
+        return;
+    console_ignore(&d->listener);
+    scanout_end(&d->scanout);
+    card_close(&d->card);
+    console_close();
+    canvas_free(&d->canvas);
+}
+
+/* A card that can be ours and has a screen. */
+static const drmModeConnector *try_card(struct drm *d, const char *path, char why[PORT_WHY])
+{
+    const drmModeConnector *connector;
+    char reason[PORT_WHY];
+
+    if (card_open(&d->card, path, why) != TIA_OK)
+        return NULL;
+    connector = pick_connector(&d->card.parts, d->wish.connector, reason);
+    if (connector == NULL)
+        (void)snprintf(why, PORT_WHY, "%s: %.180s", path, reason);
+    else if (pick_crtc(&d->card.parts, connector) == 0)
+        (void)snprintf(why, PORT_WHY, "%s: connector %s: no CRTC is free for it", path, pick_name(connector, reason));
+    else if (card_become_master(&d->card, why) == TIA_OK)
+        return connector;
+    card_close(&d->card);
+    return NULL;
+}
+
+/* The first card that works. The reason told is that of the first one that does not. */
+static const drmModeConnector *find_card(struct drm *d)
+{
+    const drmModeConnector *connector = NULL;
+    char path[32], why[PORT_WHY];
+    struct stat s;
+
+    if (d->wish.device != NULL)
+        return try_card(d, d->wish.device, d->wish.why);
+    (void)snprintf(d->wish.why, PORT_WHY, "/dev/dri/card0: no such device (this kernel has no DRM driver loaded)");
+    for (int i = 0, found = 0; connector == NULL && i < CARDS; i++) {
+        (void)snprintf(path, sizeof path, "/dev/dri/card%d", i);
+        if (stat(path, &s) == 0)
+            connector = try_card(d, path, found++ == 0 ? d->wish.why : why);
+    }
+    return connector;
+}
+
+/* The letters of a DRM format mean little-endian pixels, on every processor. */
+static int prepare_drawing(struct drm *d)
+{
+    const uint16_t one = 1;
+    struct pixel_format format = *d->scanout.format.pixel;
+
+    format.swapped = *(const uint8_t *)&one != 1;
+    (void)pixel_name(&format, d->format);
+    d->direct = pixel_is_rgb565(&format);
+    expander_init(&d->expander, &format);
+    if (!d->direct && canvas_resize(&d->canvas, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay) != TIA_OK) {
+        (void)snprintf(d->wish.why, PORT_WHY, "%s: no memory for a frame", d->card.path);
+        return TIA_ERR_MEMORY;
+    }
+    return TIA_OK;
+}
+
+static void describe(const struct drm *d, struct tia_mode *mode)
+{
+    *mode = (struct tia_mode){
+        .width = d->scanout.mode.hdisplay,
+        .height = d->scanout.mode.vdisplay,
+        .concurrent = true,
+        .format = d->format,
+    };
+}
+
+static int drm_open(void *ctx, struct tia_mode *mode)
+{
+    struct drm *d = ctx;
+    const drmModeConnector *connector = find_card(d);
+    int status;
+
+    if (connector == NULL)
+        return TIA_ERR_DEVICE;
+    status = console_open(d->wish.why);
+    if (status == TIA_OK)
+        status = scanout_light(&d->scanout, &d->card, connector, d->wish.mode, d->wish.why);
+    if (status == TIA_OK)
+        status = prepare_drawing(d);
+    if (status != TIA_OK) {
+        drm_close(d);
+        return status;
+    }
+    (void)pick_name(connector, d->connector);
+    d->lost = false;
+    console_listen(&d->listener);
+    describe(d, mode);
+    return TIA_OK;
+}
+
+/* ---- a frame ---- */
+
+/* Is the screen still plugged in? Asks the kernel only for what it knows already. */
+static int check_connector(struct drm *d)
+{
+    drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);
+    bool there = c != NULL && c->connection != DRM_MODE_DISCONNECTED;
+
+    if (!there)
+        (void)snprintf(d->wish.why, PORT_WHY, "%s: connector %s: its screen was unplugged", d->card.path, d->connector);
+    if (c == NULL && errno == ENODEV)
+        (void)card_failed(&d->card, "the device is gone", d->wish.why);
+    drmModeFreeConnector(c);
+    return there ? TIA_OK : TIA_ERR_DEVICE;
+}
+
+static int drm_mode(void *ctx, struct tia_mode *mode)
+{
+    struct drm *d = ctx;
+
+    /* With no input to wait for, this is where a switch of consoles is seen. */
+    if (d->card.fd < 0 || console_wait(NULL, 0, 0) < 0)
+        return TIA_ERR_DEVICE;
+    describe(d, mode);
+    if (console_state() != CONSOLE_OURS)
+        return TIA_HIDDEN;
+    return d->lost ? TIA_ERR_DEVICE : check_connector(d);
+}
+
+static int drm_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    struct drm *d = ctx;
+    const struct card_buffer *b = scanout_hidden(&d->scanout);
+
+    if (d->card.fd < 0)
+        return TIA_ERR_DEVICE;
+    if (!d->direct)
+        return canvas_tile(&d->canvas, tile, surface);
+    if (!tile_inside(tile, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay))
+        return TIA_ERR_ARGUMENT;
+    surface->pixels = (tia_rgb565 *)(void *)(b->map + (size_t)tile.y * b->pitch) + tile.x;
+    surface->step = sizeof *surface->pixels;
+    surface->pitch = (ptrdiff_t)b->pitch;
+    return TIA_OK;
+}
+
+static int drm_submit(void *ctx, struct tia_tile tile)
+{
+    struct drm *d = ctx;
+
+    if (d->card.fd < 0)
+        return TIA_ERR_DEVICE;
+    return tile_inside(tile, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay) ? TIA_OK : TIA_ERR_ARGUMENT;
+}
+
+static int drm_present(void *ctx)
+{
+    struct drm *d = ctx;
+    const struct card_buffer *b = scanout_hidden(&d->scanout);
+
+    if (d->card.fd < 0)
+        return TIA_ERR_DEVICE;
+    if (console_state() != CONSOLE_OURS)
+        return TIA_HIDDEN;
+    for (size_t y = 0; y < d->canvas.height; y++)
+        expand_row(&d->expander, b->map + y * b->pitch, d->canvas.pixels + y * d->canvas.width, d->canvas.width);
+    return scanout_swap(&d->scanout, d->wish.why);
+}
+
+const struct tia_display port_drm_display = {
+    .open = drm_open,
+    .mode = drm_mode,
+    .acquire = drm_acquire,
+    .submit = drm_submit,
+    .present = drm_present,
+    .close = drm_close,
+};
+
+void *port_drm_create(const struct port_wish *wish)
+{
+    struct drm *d = calloc(1, sizeof *d);
+
+    if (d == NULL) {
+        (void)snprintf(wish->why, PORT_WHY, "drm: out of memory");
+        return NULL;
+    }
+    d->wish = *wish;
+    d->card.fd = -1;
+    d->listener = (struct console_listener){.enter = enter, .leave = leave, .arg = d};
+    return d;
+}
+
+void port_drm_destroy(void *ctx)
+{
+    drm_close(ctx);
+    free(ctx);
+}

@@ -1,0 +1,210 @@
+#include "drm/scanout.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <xf86drm.h>
+
+#include "common/node.h"
+
+/* No flip takes longer on a screen that works: the slowest modes have 24 pictures a second. */
+#define FLIP_MS 1000
+
+/* ---- what was there before ---- */
+
+static void remember(struct scanout *s)
+{
+    const struct drm_parts *parts = &s->card->parts;
+
+    s->old = drmModeGetCrtc(s->card->fd, s->crtc);
+    s->old_count = 0;
+    for (int i = 0; i < parts->resources->count_connectors && s->old_count < SCANOUT_CONNECTORS; i++)
+        if (parts->connectors[i] != NULL && pick_current_crtc(parts, parts->connectors[i]) == s->crtc)
+            s->old_connectors[s->old_count++] = parts->connectors[i]->connector_id;
+}
+
+static void put_back(struct scanout *s)
+{
+    drmModeCrtc *old = s->old;
+    int fd = s->card->fd;
+
+    if (old != NULL && drmIsMaster(fd)) {
+        if (old->mode_valid && old->buffer_id != 0 && s->old_count > 0)
+            (void)drmModeSetCrtc(fd, old->crtc_id, old->buffer_id, old->x, old->y, s->old_connectors, s->old_count,
+                                 &old->mode);
+        else
+            (void)drmModeSetCrtc(fd, old->crtc_id, 0, 0, 0, NULL, 0, NULL);
+    }
+    drmModeFreeCrtc(old);
+    s->old = NULL;
+}
+
+/* ---- lighting: asking, then falling back ---- */
+
+static int set_crtc(struct scanout *s, int buffer)
+{
+    return drmModeSetCrtc(s->card->fd, s->crtc, s->buffers[buffer].fb, 0, 0, &s->connector, 1, &s->mode);
+}
+
+static void free_buffers(struct scanout *s)
+{
+    int error = errno;
+
+    for (int i = 0; i < 2; i++)
+        card_buffer_destroy(s->card, &s->buffers[i]);
+    errno = error;
+}
+
+/* One mode with one format: drivers refuse RGB565 at any of these calls. */
+static int try(struct scanout *s, const char **what)
+{
+    for (int i = 0; i < 2; i++)
+        if (card_buffer_create(s->card, &s->buffers[i], s->mode.hdisplay, s->mode.vdisplay, &s->format, what) != 0) {
+            free_buffers(s);
+            return -1;
+        }
+    *what = "the mode cannot be set";
+    if (set_crtc(s, 0) == 0)
+        return 0;
+    free_buffers(s);
+    return -1;
+}
+
+/* An answer that no other mode or format will change. */
+static bool hopeless(int error)
+{
+    return error == ENODEV || error == EACCES || error == EPERM || error == ENOMEM;
+}
+
+static int refused(const struct scanout *s, const char *mode_wish, const char *what, char why[PORT_WHY])
+{
+    char name[PICK_NAME], reason[PORT_WHY];
+    bool choice = !hopeless(errno);
+
+    (void)snprintf(why, PORT_WHY, "%s: mode %s: %s: %.80s%s", s->card->path, pick_mode_name(&s->mode, name), what,
+                   node_error(errno, reason), choice && mode_wish != NULL ? " (choose another with --mode)" : "");
+    return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
+}
+
+int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
+                  const char *mode_wish, char why[PORT_WHY])
+{
+    const drmModeModeInfo *mode;
+    const char *what;
+    int status = TIA_OK;
+
+    *scanout = (struct scanout){
+        .card = card, .connector = connector->connector_id, .crtc = pick_crtc(&card->parts, connector), .flips = true};
+    remember(scanout);
+    for (int m = 0; (mode = pick_mode(connector, mode_wish, m)) != NULL; m++) {
+        scanout->mode = *mode;
+        for (int f = 0; card_format(card, scanout->crtc, f, false, &scanout->format); f++) {
+            if (try(scanout, &what) == 0)
+                return TIA_OK;
+            bool last = hopeless(errno);
+            if (status == TIA_OK || last)
+                status = refused(scanout, mode_wish, what, why);
+            if (last)
+                goto out;
+        }
+    }
+    if (status == TIA_OK) {
+        (void)snprintf(why, PORT_WHY, "%s: mode %.40s: its screen has no such mode (see --mode help)", card->path,
+                       mode_wish != NULL ? mode_wish : "preferred");
+        status = TIA_ERR_UNSUPPORTED;
+    }
+out:
+    scanout_end(scanout);
+    return status;
+}
+
+/* ---- flipping ---- */
+
+static void flipped(int fd, unsigned sequence, unsigned seconds, unsigned microseconds, void *arg)
+{
+    struct scanout *s = arg;
+
+    (void)fd, (void)sequence, (void)seconds, (void)microseconds;
+    if (s->pending > 0)
+        s->pending--;
+}
+
+/* Takes one event; false when none comes. */
+static bool take_event(struct scanout *s, int timeout_ms)
+{
+    drmEventContext events = {.version = 2, .page_flip_handler = flipped};
+    struct pollfd fd = {.fd = s->card->fd, .events = POLLIN};
+    int ready;
+
+    do {
+        ready = poll(&fd, 1, timeout_ms);
+    } while (ready < 0 && errno == EINTR);
+    return ready > 0 && (fd.revents & POLLIN) != 0 && drmHandleEvent(s->card->fd, &events) == 0;
+}
+
+void scanout_settle(struct scanout *scanout)
+{
+    while (scanout->pending > 0)
+        if (!take_event(scanout, FLIP_MS)) {
+            /* The driver forgets events: show pictures by setting the mode, which waits. */
+            scanout->flips = false;
+            scanout->pending = 0;
+        }
+}
+
+/* EBUSY: the driver is still at work on the picture before, which may be no flip of ours. */
+static int flip(struct scanout *s, int buffer)
+{
+    for (int ms = 0;; ms++) {
+        if (drmModePageFlip(s->card->fd, s->crtc, s->buffers[buffer].fb, DRM_MODE_PAGE_FLIP_EVENT, s) == 0)
+            break;
+        if (errno != EBUSY || ms >= FLIP_MS)
+            return -1;
+        (void)take_event(s, 1);
+    }
+    s->pending++;
+    scanout_settle(s);
+    return 0;
+}
+
+int scanout_swap(struct scanout *scanout, char why[PORT_WHY])
+{
+    int next = 1 - scanout->shown, fd = scanout->card->fd;
+
+    if (!scanout->flips || flip(scanout, next) != 0) {
+        if (scanout->flips && hopeless(errno))
+            return card_failed(scanout->card, "the picture cannot be shown", why);
+        scanout->flips = false;
+        if (set_crtc(scanout, next) != 0)
+            return card_failed(scanout->card, "the picture cannot be shown", why);
+    }
+    scanout->shown = next;
+    /* Where the screen is a copy of the buffer, this makes it; elsewhere it is not implemented. */
+    if (drmModeDirtyFB(fd, scanout->buffers[next].fb, NULL, 0) != 0 && errno == ENODEV)
+        return card_failed(scanout->card, "the picture cannot be shown", why);
+    return TIA_OK;
+}
+
+const struct card_buffer *scanout_hidden(const struct scanout *scanout)
+{
+    return &scanout->buffers[1 - scanout->shown];
+}
+
+int scanout_relight(struct scanout *scanout)
+{
+    if (set_crtc(scanout, scanout->shown) != 0)
+        return -1;
+    (void)drmModeDirtyFB(scanout->card->fd, scanout->buffers[scanout->shown].fb, NULL, 0);
+    return 0;
+}
+
+void scanout_end(struct scanout *scanout)
+{
+    if (scanout->card == NULL)
+        return;
+    scanout_settle(scanout);
+    put_back(scanout);
+    free_buffers(scanout);
+    scanout->card = NULL;
+}
