@@ -9,7 +9,7 @@ void kernel_sphere(const struct sphere_line *line, num_u *t)
         num_u top = num_top_u(b);
         num_u root = num_sqrt(num_excess(num_mul_u(top, top), num_mul_u(line->c_disc, num_top_u(v.start))));
         num_u sum = top + root;
-        t[i] = num_quotient(line->c_top, sum > 0 ? sum : 1, line->t_shift);
+        t[i] = num_quotient(line->c_top, sum > 0 ? sum : NUM_LEAST, line->t_shift);
         b += line->b_step;
         v.start += v.step;
         v.step += v.twice;
@@ -33,10 +33,11 @@ void kernel_sphere_inside(const struct sphere_line *line, num_u *t)
 
 static void light_pixel(const struct light_line *line, num_wide facing, num_wide square, struct lit *lit, int i)
 {
-    struct num_normal n = num_normal(square > 0 ? square : 1);
+    num_wide positive = square > 0 ? square : NUM_LEAST;
+    struct num_normal n = num_normal(positive);
 
     lit->facing[i] = num_scale(facing, line->scale + n.half);
-    lit->square[i] = num_max(square, 1);
+    lit->square[i] = positive;
     lit->near[i] = num_normal_top(n);
     lit->inverse[i] = n.inverse;
     lit->half[i] = (uint8_t)n.half;

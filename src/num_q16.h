@@ -196,6 +196,7 @@ static inline num_u num_double_bias(num_u inverse)
     return inverse;
 }
 
+#define NUM_LEAST 1 /* the least positive mantissa */
 #define NUM_BIAS_SQUARED ((num_wide)1 << (30 - 26)) /* exponent 30 */
 
 /* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */

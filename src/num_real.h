@@ -13,6 +13,7 @@ typedef num_real num, num_u, num_wide, num_uwide;
 #define NUM_HALF ((num_real)0)
 #define NUM_ONE ((num_real)1)
 #define NUM_ROUND ((num_real)0.5)
+#define NUM_LEAST ((num_real)1e-30)
 #define NUM_BIAS_SQUARED ((num_real)(1.0 / 67108864)) /* 2^-26 */
 
 static inline num_wide num_coordinate(tia_q16 q)
