@@ -131,11 +131,13 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) 
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive
+.PHONY: check-exhaustive prove
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 check-exhaustive: $(BUILD)/tests/exhaustive
 	tests/run $<
+prove:
+	@tests/slow/prove
 
 deps:
 	@echo "deps: all there"

@@ -28,11 +28,14 @@ TEST(small_square_root_of_all_numbers)
     CHECK_MSG(sweep_sqrt32(0, 1) == 0, "wrong for %" PRIu64, sweep_bad);
 }
 
-TEST(seed_of_all_numbers)
+TEST(seeds_of_all_numbers)
 {
     struct sweep_range relative = {0, 0};
     CHECK_MSG(sweep_rsqrt_seed(0, 1, &relative) == 0, "off at %" PRIu64, sweep_bad);
     report("1/sqrt seed, relative", relative);
+    relative = (struct sweep_range){0, 0};
+    CHECK_MSG(sweep_reciprocal_seed(0, 1, &relative) == 0, "off at %" PRIu64, sweep_bad);
+    report("reciprocal seed, relative", relative);
 }
 
 TEST(one_over_square_root_of_all_numbers)
@@ -67,7 +70,7 @@ int main(void)
     RUN(square_root_of_all_32_bit_numbers);
     RUN(square_root_of_400_million_random_numbers);
     RUN(small_square_root_of_all_numbers);
-    RUN(seed_of_all_numbers);
+    RUN(seeds_of_all_numbers);
     RUN(one_over_square_root_of_all_numbers);
     RUN(reciprocal_of_all_numbers);
     RUN(leading_zeros_of_all_numbers);

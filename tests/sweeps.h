@@ -102,13 +102,25 @@ static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_r
     return bad;
 }
 
-/* How far the straight lines of the table are from 1/sqrt, relative. */
+/* How far the straight lines of the tables are from 1/sqrt and from 1/d, relative: what the proofs of
+ * the Newton steps (tests/proofs) start from. */
 static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;
     for (uint64_t a = (UINT64_C(1) << 30) + first; a < TWO_TO_32; a += step) {
         double error = (double)tia_rsqrt_seed((uint32_t)a) * sqrt((double)a * 0x1p-32) * 0x1p-31 - 1;
-        bad = sweep_count(fabs(error) > 3.8e-6, a, bad);
+        bad = sweep_count(fabs(error) > 3.2e-6, a, bad);
+        sweep_widen(relative, error);
+    }
+    return bad;
+}
+
+static inline uint64_t sweep_reciprocal_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
+{
+    uint64_t bad = 0;
+    for (uint64_t d = (UINT64_C(1) << 31) + first; d < TWO_TO_32; d += step) {
+        double error = (double)tia_reciprocal_seed((uint32_t)d) * (double)d * 0x1p-63 - 1;
+        bad = sweep_count(fabs(error) > 7.9e-6, d, bad);
         sweep_widen(relative, error);
     }
     return bad;

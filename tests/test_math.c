@@ -64,6 +64,9 @@ TEST(seed_lines)
     struct sweep_range relative = {0, 0};
     CHECK_EQ(sweep_rsqrt_seed(0, THIN, &relative), 0);
     printf("# 1/sqrt seed: %.3g to %.3g\n", relative.low, relative.high);
+    relative = (struct sweep_range){0, 0};
+    CHECK_EQ(sweep_reciprocal_seed(0, THIN, &relative), 0);
+    printf("# reciprocal seed: %.3g to %.3g\n", relative.low, relative.high);
 }
 
 TEST(one_over_square_root)
