@@ -14,6 +14,7 @@ int main(void)
     return check_status();
 }
 #else
+#include "conform.h"
 #include "osmesa/osmesa.h"
 
 static const char *library; /* the one under test */
@@ -29,7 +30,6 @@ static void *create(unsigned width, unsigned height)
 /* A display of this size, open; NULL after a failed check. */
 static void *opened(unsigned width, unsigned height)
 {
-    struct tia_mode mode = {0};
     void *ctx = create(width, height);
 
     if (!ctx || port_osmesa_display.open(ctx, &mode) != TIA_OK) {
@@ -68,12 +68,12 @@ static void show(void *ctx, const tia_rgb565 *image, unsigned width, unsigned he
 
 static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned height)
 {
-    const tia_rgb565 *seen = port_osmesa_read(ctx);
+    const tia_rgb565 *shown = port_osmesa_read(ctx);
 
-    CHECK(seen != NULL);
-    for (size_t i = 0; seen && i < (size_t)width * height; i++) {
-        CHECK_MSG(seen[i] == image[i], "%ux%u: pixel (%zu, %zu) is %04x, not %04x", width, height, i % width, i / width,
-                  seen[i], image[i]);
+    CHECK(shown != NULL);
+    for (size_t i = 0; shown && i < (size_t)width * height; i++) {
+        CHECK_MSG(shown[i] == image[i], "%ux%u: pixel (%zu, %zu) is %04x, not %04x", width, height, i % width,
+                  i / width, shown[i], image[i]);
     }
 }
 
@@ -100,6 +100,37 @@ static void round_trip(unsigned width, unsigned height)
     }
     free(image);
 }
+
+/* ---- the suite that every display passes, here with all pixels read back ---- */
+
+static const tia_rgb565 *seen;
+
+static void read_frame(void *arg, unsigned frames)
+{
+    (void)frames;
+    seen = port_osmesa_read(arg);
+    CHECK(seen != NULL);
+}
+
+static tia_rgb565 seen_pixel(void *arg, unsigned x, unsigned y)
+{
+    (void)arg;
+    return seen ? seen[y * mode.width + x] : 0;
+}
+
+TEST(conformance)
+{
+    void *ctx = create(101, 67);
+
+    CHECK_MSG(ctx != NULL, "%s", why);
+    if (!ctx)
+        return;
+    subject = (struct subject){&port_osmesa_display, ctx, why, seen_pixel, read_frame, ctx, 0, 0};
+    conform();
+    port_osmesa_destroy(ctx);
+}
+
+/* ---- pictures in, pictures out ---- */
 
 TEST(every_colour)
 {
@@ -206,7 +237,6 @@ TEST(thesis_frames)
 TEST(open_again)
 {
     tia_rgb565 *image = pattern(31, 17, 3);
-    struct tia_mode mode;
     void *ctx = opened(31, 17);
 
     for (int i = 0; ctx && i < 5; i++) {
@@ -228,7 +258,6 @@ TEST(refusals)
 {
     struct port_wish other = {.device = "opengl", .why = why};
     struct tia_surface surface;
-    struct tia_mode mode;
     void *ctx = create(65535, 1);
 
     CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_ERR_UNSUPPORTED);
@@ -264,10 +293,10 @@ static void run_all(const char *name)
     static const struct {
         const char *name;
         void (*test)(void);
-    } cases[] = {
-        {"every_colour", every_colour}, {"any_size", any_size},           {"frame_after_frame", frame_after_frame},
-        {"two_displays", two_displays}, {"thesis_frames", thesis_frames}, {"open_again", open_again},
-        {"refusals", refusals}};
+    } cases[] = {{"conformance", conformance},   {"every_colour", every_colour},
+                 {"any_size", any_size},         {"frame_after_frame", frame_after_frame},
+                 {"two_displays", two_displays}, {"thesis_frames", thesis_frames},
+                 {"open_again", open_again},     {"refusals", refusals}};
     char title[64];
 
     library = name;
