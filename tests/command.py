@@ -2,16 +2,19 @@
 import os
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import traceback
 import zlib
 from array import array
+from contextlib import contextmanager
 
 TIA = os.path.abspath(os.path.join(os.environ.get("BUILD", "build"), "tia"))
-LIMIT_S = 120           # far more than any case needs: only a hang takes that long
+LIMIT_S = 60            # far more than any case needs: only a hang takes that long
 
 
 class Skip(Exception):
@@ -32,6 +35,38 @@ def tia(*args, **options):
     options.setdefault("stdout", subprocess.PIPE)
     return subprocess.run([TIA, *args], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=LIMIT_S,
                           start_new_session=True, **options)
+
+
+@contextmanager
+def started(*args, **options):
+    """The command while it runs; Ctrl-C reaches it, and whatever happens, nothing stays behind."""
+    running = subprocess.Popen([TIA, *args], stdin=subprocess.DEVNULL, stderr=options.pop("stderr", subprocess.PIPE),
+                               preexec_fn=options.pop("preexec_fn", restore_interrupt), **options)
+    try:
+        yield running
+    finally:
+        running.kill()
+        running.communicate()
+
+
+def restore_interrupt():
+    """For preexec_fn: a shell starts what runs in the background with SIGINT ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def status_of(running):
+    """Its exit status, soon."""
+    try:
+        return running.wait(timeout=LIMIT_S)
+    except subprocess.TimeoutExpired:
+        raise AssertionError(f"it still runs after {LIMIT_S} s") from None
+
+
+def wait_for(condition, what):
+    end = time.monotonic() + LIMIT_S
+    while not condition():
+        check(time.monotonic() < end, f"{what} did not happen")
+        time.sleep(0.002)
 
 
 def fine(*args, **options):
