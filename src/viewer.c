@@ -293,6 +293,8 @@ static int step(struct loop *loop)
         return status;
     if (v->frame_limit && loop->frame >= v->frame_limit)
         return QUIT;
+    if (v->stop && *v->stop) /* a display that had to wait has let signals in */
+        return QUIT;
     return rest(loop, status == TIA_HIDDEN);
 }
 
