@@ -18,7 +18,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-enum kind { NOTHING, VT, TERMINAL, FB };
+enum kind { NOTHING, VT, TERMINAL, SCREEN, FB };
 
 /* A thing that is kept: how to find it, and how it was. Also the message that says so. */
 struct thing {
@@ -32,6 +32,7 @@ struct thing {
             unsigned back_to;
         } vt;
         struct termios terminal;
+        char screen[64];
         struct fb_var_screeninfo fb;
     } was;
 };
@@ -75,6 +76,13 @@ static void restore_terminal(const struct thing *t, int fd, pid_t group)
     (void)tcflush(fd, TCIFLUSH);
 }
 
+/* Whatever the shell may have written already: it did not know that the screen was not its own. */
+static void restore_screen(const struct thing *t, int fd)
+{
+    ssize_t n = write(fd, t->was.screen, strlen(t->was.screen));
+    (void)n;
+}
+
 static void restore(const struct thing *t, pid_t group)
 {
     int fd = open(t->path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -85,6 +93,8 @@ static void restore(const struct thing *t, pid_t group)
         restore_vt(t, fd);
     else if (t->kind == FB)
         restore_fb(t, fd);
+    else if (t->kind == SCREEN)
+        restore_screen(t, fd);
     else
         restore_terminal(t, fd, group);
     (void)close(fd);
@@ -116,7 +126,7 @@ static int note(const struct thing *t)
 static void restore_all(pid_t group, bool terminals)
 {
     for (int i = THINGS - 1; i >= 0; i--)
-        if (kept[i].kind != NOTHING && (kept[i].kind == TERMINAL) == terminals)
+        if (kept[i].kind != NOTHING && (kept[i].kind == TERMINAL || kept[i].kind == SCREEN) == terminals)
             restore(&kept[i], group);
 }
 
@@ -233,6 +243,16 @@ int guardian_keep_terminal(int fd)
     return keep(&t);
 }
 
+int guardian_keep_screen(int fd, const char *text)
+{
+    struct thing t = {.kind = SCREEN};
+
+    if (ttyname_r(fd, t.path, sizeof t.path) != 0 || strlen(text) >= sizeof t.was.screen)
+        return -1;
+    (void)snprintf(t.was.screen, sizeof t.was.screen, "%s", text);
+    return keep(&t);
+}
+
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
 {
     struct thing t = {.kind = FB, .was.fb = *var};
@@ -250,10 +270,19 @@ void guardian_forget_fb(const char *path)
     forget(FB, path);
 }
 
-void guardian_forget_terminal(int fd)
+static void forget_by_descriptor(enum kind kind, int fd)
 {
     char path[sizeof kept->path];
 
     if (ttyname_r(fd, path, sizeof path) == 0)
-        forget(TERMINAL, path);
+        forget(kind, path);
+}
+
+void guardian_forget_terminal(int fd)
+{
+    forget_by_descriptor(TERMINAL, fd);
+}
+void guardian_forget_screen(int fd)
+{
+    forget_by_descriptor(SCREEN, fd);
 }

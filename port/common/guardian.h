@@ -20,9 +20,14 @@ int guardian_keep_terminal(int fd);
 /* The mode and the position of a framebuffer device. */
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var);
 
+/* The text that puts the screen of the terminal `fd` back when it is written to it, less than 64
+ * bytes. -1 also when the terminal has no name. */
+int guardian_keep_screen(int fd, const char *text);
+
 /* It has been put back. `path` or `fd` as given to keep. Safe when it was not kept. */
 void guardian_forget_vt(const char *path);
 void guardian_forget_terminal(int fd);
+void guardian_forget_screen(int fd);
 void guardian_forget_fb(const char *path);
 
 #endif

@@ -15,8 +15,10 @@
 
 #include "common/canvas.h"
 #include "common/console.h"
+#include "common/guardian.h"
 #include "common/node.h"
 #include "terminal/colour.h"
+#include "terminal/descriptor.h"
 #include "terminal/encode.h"
 #include "terminal/signals.h"
 #include "terminal/terminal.h"
@@ -27,9 +29,9 @@
 #define LAST_WRITES 5     /* and how often, as a signal ends a wait too */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, from within any frame. A terminal
- * without an alternate screen is cleared. */
+ * without an alternate screen is cleared. The bracketed paste is tty.c's, and goes with a crash too. */
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
-static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
+static const char leave_text[] = "\033[?2026l\033[?2004l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
@@ -121,26 +123,14 @@ static int fit_window(struct terminal *t)
     return TIA_OK;
 }
 
-/* A file description of our own, so that O_NONBLOCK is not everybody's who shares it. Without one
- * (no name, no right) writes may block. */
-static int open_descriptor(struct terminal *t)
+static int open_window(struct terminal *t)
 {
-    char name[64];
-
-    if (t->device) {
-        t->fd = open(t->device, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-        if (t->fd < 0)
-            return failed_with(t, errno);
-        return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
-    }
-    if (!isatty(STDOUT_FILENO))
+    if (!t->device && !isatty(STDOUT_FILENO))
         return failed(t, "standard output is no terminal");
-    t->fd = -1;
-    if (ttyname_r(STDOUT_FILENO, name, sizeof name) == 0)
-        t->fd = open(name, O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    t->fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
     if (t->fd < 0)
-        t->fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-    return t->fd < 0 ? failed_with(t, errno) : TIA_OK;
+        return failed_with(t, errno);
+    return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
 static int look_at_environment(struct terminal *t)
@@ -155,6 +145,7 @@ static int look_at_environment(struct terminal *t)
 
 static void enter(struct terminal *t)
 {
+    (void)guardian_keep_screen(t->fd, leave_text);
     terminal_signals_begin();
     t->resumes = terminal_resumes();
     text_add(&t->text, enter_text);
@@ -167,6 +158,7 @@ static void leave(struct terminal *t)
     for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
         (void)send_text(t, LAST_WRITE_MS);
     terminal_signals_end();
+    guardian_forget_screen(t->fd);
     t->entered = false;
 }
 
@@ -236,7 +228,7 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
 static int terminal_open(void *ctx, struct tia_mode *mode)
 {
     struct terminal *t = ctx;
-    int status = open_descriptor(t);
+    int status = open_window(t);
 
     if (status == TIA_OK)
         status = look_at_environment(t);
@@ -308,7 +300,7 @@ void port_terminal_list(port_line *line, void *arg)
     struct terminal t = {.why = why, .fd = -1};
     unsigned columns, rows;
 
-    if (open_descriptor(&t) != TIA_OK || look_at_environment(&t) != TIA_OK) {
+    if (open_window(&t) != TIA_OK || look_at_environment(&t) != TIA_OK) {
         line(arg, why);
     } else {
         read_window(&t, &columns, &rows);

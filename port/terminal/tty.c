@@ -17,6 +17,7 @@
 #include "common/guardian.h"
 #include "common/node.h"
 #include "terminal/decode.h"
+#include "terminal/descriptor.h"
 #include "terminal/signals.h"
 #include "terminal/terminal.h"
 
@@ -63,12 +64,10 @@ static int open_terminal(struct tty *tty)
 {
     char text[PORT_WHY];
 
-    if (tty->device)
-        tty->fd = open(tty->device, O_RDWR | O_NOCTTY | O_CLOEXEC);
-    else if (isatty(STDIN_FILENO))
-        tty->fd = fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (!tty->device && isatty(STDIN_FILENO))
+        tty->fd = descriptor_copy(STDIN_FILENO, O_RDWR);
     else
-        tty->fd = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+        tty->fd = descriptor_open(tty->device ? tty->device : "/dev/tty", O_RDWR);
     if (tty->fd < 0 && !tty->device)
         return failed(tty, "terminal's keyboard", "standard input is no terminal and there is no controlling one");
     if (tty->fd < 0)
@@ -99,7 +98,7 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* A terminal that is read only, or hung up, does without. */
+/* A terminal that is read only, has hung up, or takes nothing just now does without. */
 static void send(const struct tty *tty, const char *text)
 {
     ssize_t n = write(tty->fd, text, strlen(text));
