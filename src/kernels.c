@@ -56,7 +56,8 @@ bool kernel_light(const struct light_line *line, const num_u *distance, struct l
         lit->facing[i] = 0;
         if (facing > 0) {
             num reach = (num)num_scale(num_mul(t, num_top(v.start)), line->reach_scale);
-            light_pixel(line, facing, line->distance - 2 * num_mul(t, num_top(q)) + num_mul(t, reach), lit, i);
+            lit->reach[i] = num_mul(t, reach);
+            light_pixel(line, facing, line->distance - 2 * num_mul(t, num_top(q)) + lit->reach[i], lit, i);
             any = true;
         }
         g += line->g_step;
@@ -73,37 +74,33 @@ void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
         lambert[i] = lit->facing[i] > 0 ? num_lambert(num_mul_top(lit->facing[i], lit->inverse[i]), inverse) : 0;
 }
 
-/* Whether the light, inside the sphere, is met from P: P is outside, and faces the centre. */
-static bool meets_enclosed(const struct shadow_line *line, num_wide square, num_wide product)
+/* Whether the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
+static bool meets(const struct shadow_line *line, num_wide product, num_wide turn, const struct lit *lit, int i)
 {
-    num_wide w = num_shift(square, line->square_scale), b = num_shift(product, line->product_scale);
+    num_wide a = line->toward - product + num_shift(lit->reach[i], line->to_product);
 
-    return w >= b && w - 2 * b + line->outside > 0;
-}
-
-static bool meets(const struct shadow_line *line, num_wide u, const struct lit *lit, int i)
-{
-    num_wide product = u - line->to_light;
-    int half = lit->half[i];
-
-    if (line->enclosed)
-        return meets_enclosed(line, lit->square[i], product);
-    if (product <= 0)
+    if (a <= 0)
         return false;
-    num_u b = num_scale(product, line->b_scale + half) + num_mul_top(lit->facing[i], line->b_bias);
-    num_wide k = (num_wide)line->k - num_mul_shift(num_top(u - line->to_centre), line->k_bias, line->k_bias_shift);
-    if (k > 0 && num_square_below(b, lit->near[i], (num_u)k))
+    a -= num_bias_product(lit->facing[i], line->inverse, line->bias_shift + lit->half[i]);
+    if (a <= 0 || (!line->enclosed && num_shift(lit->square[i], line->to_product) <= a))
         return false;
-    return num_reaches(lit->square[i], half, b, line->reach_shift);
+    num_wide k = line->power - 2 * turn + num_shift(lit->reach[i], line->to_power);
+    if (k <= 0)
+        return !line->enclosed;
+    return num_covers(a, lit->near[i], lit->half[i], k, line->swell, line->exponent);
 }
 
 void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *lit)
 {
-    num_wide b = line->b;
+    num_wide a = line->a, c = line->c;
 
-    for (int i = 0; i < line->count; i++, b += line->b_step)
-        if (lit->facing[i] > 0 && meets(line, num_mul((num)t[i], num_top(b)), lit, i))
+    for (int i = 0; i < line->count; i++) {
+        num distance = (num)t[i];
+        if (lit->facing[i] > 0 && meets(line, num_mul(distance, num_top(a)), num_mul(distance, num_top(c)), lit, i))
             lit->facing[i] = 0;
+        a += line->a_step;
+        c += line->c_step;
+    }
 }
 
 void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count)

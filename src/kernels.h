@@ -43,7 +43,8 @@ struct light_line {
 /* What one light does to each pixel of a run. Where facing is 0, the rest is not defined. */
 struct lit {
     num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
-    num_wide square[CHUNK]; /* |Q - P|^2 */
+    num_wide reach[CHUNK];  /* |P|^2 */
+    num_wide square[CHUNK]; /* |Q - P|^2, with the same exponent */
     num_u near[CHUNK];      /* the same as a mantissa, times 4^half */
     num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
     uint8_t half[CHUNK];
@@ -55,27 +56,31 @@ bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit
 /* lambert = max(0, N.Ldir), NUM_ONE is 1; inverse as in the light_line. */
 void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert);
 
-/* A sphere C that may stand between a light Q and the points P of a run. With B = C - Q and
- * w = P - Q: B.w = t B.v - B.Q. The shadow ray starts at P + bias N and passes the light at
- * Q + bias N, so B is taken from there, B' = B - bias N:
+/* A sphere, centre C and radius R, that may stand between a light Q and the points P of a run of
+ * the sphere L, r. With w = Q - P and A = C - P, seen from P as the eye sees a sphere:
  *
- *     B'.w = B.w + bias r N.(Q - P) / r
- *     |B'|^2 - R^2 = |B|^2 - R^2 - 2 bias N.B + bias^2,    r N.B = t B.v - B.L.
+ *     A.w         = C.Q - t (C + Q).v + |P|^2
+ *     |A|^2 - R^2 = C.C - R^2 - 2 t C.v + |P|^2.
  *
- * It meets the sphere when (B'.w)^2 >= |w|^2 (|B'|^2 - R^2); after its start when |w|^2 >= B'.w
- * and before the light when B'.w > 0. A light inside the sphere is met when P is outside. */
+ * The shadow ray starts at P + bias N in the direction w, so A' = A - bias N takes A's place:
+ *
+ *     A'.w         = A.w - bias N.w
+ *     |A'|^2 - R^2 = (|A|^2 - R^2)(1 + bias/r) - (|L - C|^2 - r^2 - R^2) bias/r + bias^2,
+ *
+ * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0,
+ * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. From
+ * inside it meets it unless the light is inside too. */
 struct shadow_line {
-    num_wide b, b_step;           /* accumulator of B.v */
-    num_wide to_light, to_centre; /* B.Q and B.L, with the exponent of t B.v */
-    int b_scale;                  /* B.w * 2^(b_scale + half) is a mantissa */
-    num_u b_bias;                 /* bias/r for B'.w */
-    num_u k;                      /* |B|^2 - R^2 + bias^2 */
-    num_u k_bias;                 /* 2 bias/r for k */
-    int k_bias_shift;
-    int reach_shift;                 /* B.w as a mantissa * 2^reach_shift is |w|^2 * 2^half */
-    bool enclosed;                   /* the light is inside */
-    int square_scale, product_scale; /* when enclosed: |w|^2 and B.w to one exponent, */
-    num_wide outside;                /* and |B|^2 - R^2 with it */
+    num_wide a, a_step;       /* accumulator of (C + Q).v */
+    num_wide c, c_step;       /* accumulator of C.v */
+    num_wide toward;          /* C.Q, with the exponent e_a of A.w */
+    num_wide power;           /* C.C - R^2 and what the bias adds, with the exponent e_k */
+    int to_product, to_power; /* from e_d, that of |P|^2 and |w|^2, to e_a and to e_k */
+    num_u inverse;            /* num_inverse(r) */
+    int bias_shift;           /* what num_bias_product is given, less half */
+    num_u swell;              /* bias/r */
+    int exponent;             /* 2 e_a - e_d - e_k */
+    bool enclosed;            /* the light is inside */
     int count;
 };
 

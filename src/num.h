@@ -50,6 +50,12 @@ static inline struct num_vec num_vec_between(struct tia_vec3 from, struct tia_ve
     return v;
 }
 
+static inline struct num_vec num_vec_add(struct num_vec a, struct num_vec b)
+{
+    struct num_vec v = {a.x + b.x, a.y + b.y, a.z + b.z};
+    return v;
+}
+
 static inline struct num_vec num_vec_sub(struct num_vec a, struct num_vec b)
 {
     struct num_vec v = {a.x - b.x, a.y - b.y, a.z - b.z};

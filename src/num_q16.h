@@ -151,22 +151,25 @@ static inline num_u num_mul_top(num_u a, num_u b)
     return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
 }
 
-/* a * b * 2^-s for a signed a, rounded to nearest; s in 0..63. */
-static inline num_wide num_mul_shift(num a, num_u b, int s)
-{
-    return tia_round_shift((num_wide)a * b, (unsigned)s);
-}
-
 /* The mantissa as a num_u, rounded down. */
 static inline num_u num_normal_top(struct num_normal n)
 {
     return (num_u)(n.mantissa >> 32);
 }
 
-/* b^2 < (near + 1/2) k: near is a num_normal_top, and half a unit its mean error. */
-static inline bool num_square_below(num_u b, num_u near, num_u k)
+/* a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) is a num_normal, swell
+ * has the exponent 32 and `e` is twice a's exponent less those of d and k. Mantissas of 32 and 31
+ * bits: each product is off by less than 2^-29 of itself. */
+static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
-    return num_mul_u(b, b) < num_mul_u(near, k) + (k >> 1);
+    int a_zeros = (int)tia_clz64((uint64_t)a), k_zeros = (int)tia_clz64((uint64_t)k);
+    num_u top = (num_u)((uint64_t)a << a_zeros >> 32), power = (num_u)((uint64_t)k << k_zeros >> 33);
+    num_uwide left = num_mul_u(top, top), right = num_mul_u(near, power + num_mul_top(power, swell));
+    int shift = 1 - 2 * half - k_zeros + 2 * a_zeros + e;
+
+    if (shift < 0)
+        return left >= (shift < -63 ? 0 : right >> -shift);
+    return (shift > 63 ? 0 : left >> shift) >= right;
 }
 
 /* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */
@@ -175,29 +178,34 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
     return (num_u)((num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31);
 }
 
-/* x * 2^half >= b * 2^s, exactly; x > 0 and x * 4^half < 2^64. */
-static inline bool num_reaches(num_wide x, int half, num_u b, int s)
+/* With R = 2^16 r and inverse = num_inverse(r), which is 2^(31 + num_bits(R)) / R, bias/r is
+ * 2^(-28 - num_bits(R)) inverse. */
+
+/* bias/r as a fraction of 2^32, for a radius of `bits` bits. */
+static inline num_u num_bias(num_u inverse, int bits)
 {
-    num_uwide scaled = (num_uwide)x << half;
-    if (s < 0)
-        return scaled >= (s < -31 ? 0 : (num_uwide)b >> -s);
-    return (s > 63 ? 0 : scaled >> s) >= b;
+    return (num_u)num_shift(inverse, 4 - bits);
 }
 
-/* bias/r from num_inverse(r), as a mantissa with 2^s (at most 2^32 - 1), and 2 bias/r. The bias
- * is 2^-13; with R = 2^16 r and inverse = 2^(31 + num_bits(R)) / R that is 2^(-28 - num_bits(R)) inverse. */
-static inline num_u num_bias(num_u inverse, int s)
+/* facing * inverse * 2^-s, rounded: bias N.w from r N.w and num_inverse(r). */
+static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
-    return s > 0 ? UINT32_MAX : (num_u)num_shift(inverse, s);
+    s = s < 1 ? 1 : s > 63 ? 63 : s;
+    return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
 }
 
-static inline num_u num_double_bias(num_u inverse)
+/* x bias/r with the exponent e, where x has 30 and the radius `bits` bits. */
+static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
-    return inverse;
+    int x_bits = num_bits(x), s = 88 + bits - x_bits - e;
+
+    if (s > 63)
+        return 0;
+    return tia_round_shift(num_shift(x, 30 - x_bits) * (num_wide)inverse, s < 0 ? 0 : (unsigned)s);
 }
 
-#define NUM_LEAST 1 /* the least positive mantissa */
-#define NUM_BIAS_SQUARED ((num_wide)1 << (30 - 26)) /* exponent 30 */
+#define NUM_LEAST 1            /* the least positive mantissa */
+#define NUM_BIAS ((num_wide)8) /* of shadow rays: 2^-13, exponent 16 */
 
 /* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)

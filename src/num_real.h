@@ -14,7 +14,7 @@ typedef num_real num, num_u, num_wide, num_uwide;
 #define NUM_ONE ((num_real)1)
 #define NUM_ROUND ((num_real)0.5)
 #define NUM_LEAST ((num_real)1e-30)
-#define NUM_BIAS_SQUARED ((num_real)(1.0 / 67108864)) /* 2^-26 */
+#define NUM_BIAS ((num_real)(1.0 / 8192))
 
 static inline num_wide num_coordinate(tia_q16 q)
 {
@@ -108,9 +108,11 @@ static inline num_u num_normal_top(struct num_normal n)
     return n.mantissa;
 }
 
-static inline bool num_square_below(num_u b, num_u near, num_u k)
+static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
-    return b * b < near * k;
+    (void)half;
+    (void)e;
+    return a * a >= near * k * (1 + swell);
 }
 
 static inline num_u num_inverse(num_wide r)
@@ -144,33 +146,28 @@ static inline num_u num_mul_top(num_u a, num_u b)
     return a * b;
 }
 
-static inline num_wide num_mul_shift(num a, num_u b, int s)
-{
-    (void)s;
-    return a * b;
-}
-
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
     return scaled * inverse;
 }
 
-static inline bool num_reaches(num_wide x, int half, num_u b, int s)
+static inline num_u num_bias(num_u inverse, int bits)
 {
-    (void)half;
-    (void)s;
-    return x >= b;
+    (void)bits;
+    return inverse * NUM_BIAS;
 }
 
-static inline num_u num_bias(num_u inverse, int s)
+static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
     (void)s;
-    return inverse / 8192;
+    return facing * inverse * NUM_BIAS;
 }
 
-static inline num_u num_double_bias(num_u inverse)
+static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
-    return inverse / 4096;
+    (void)bits;
+    (void)e;
+    return x * inverse * NUM_BIAS;
 }
 
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)

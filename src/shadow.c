@@ -1,60 +1,77 @@
 #include "shadow.h"
 
-/* When the light is inside the caster, |w|^2, B.w and |B|^2 - R^2 are compared directly: all are
- * brought to the smallest of their exponents, and one less for the factor 2. */
-static void prepare_enclosed(struct shadow_line *line, num_wide k, int e_d, int e_w)
+/* The smallest of `e` and what keeps a number of `bits` bits, exponent 32, below 2^60. */
+static int limit(int e, int bits)
 {
-    int e = e_d < e_w ? e_d : e_w;
-
-    e = (e < 30 ? e : 30) - 1;
-    line->square_scale = e - e_d;
-    line->product_scale = e - e_w;
-    line->outside = num_shift(k, e - 30);
+    return e < 92 - bits ? e : 92 - bits;
 }
 
-/* The exponents of the comparison (B'.w)^2 >= |w|^2 k'. B.w <= |B| |w|, and |w| 2^(e_d/2 + half) is
- * below 2^32, so B.w 2^(e_w + half + a - 32) is below 2^30 for a = 30 - log2 |B| - e_w + e_d/2. Both
- * sides then agree when k has the exponent e_k = 2 e_w + 2 a - e_d - 32. False when k is so large
- * that no product reaches it: k >= 2^31, |w|^2 >= 2^30 and (B'.w)^2 < 2^61. */
-static bool prepare_comparison(struct shadow_line *line, const struct body *body, num_wide k, int b_bits, int e_d,
-                               int e_w)
+/* The same for t a.v, a product of t (31 bits) and a.v. */
+static int limit_product(int e, const struct tia_view *view, const struct body *body, struct num_vec a)
 {
-    int a = 30 - b_bits - e_w + (e_d >> 1), e_k = 2 * e_w + 2 * a - e_d - 32;
-
-    if (num_bits(k) + e_k - 30 > 31)
-        return false;
-    line->k = num_scale(k, e_k - 30);
-    line->b_scale = a - 32;
-    line->reach_shift = e_d - e_w - a + 32;
-
-    /* bias/r is 2^(-28 - bits) inverse. facing has the exponent 15 - bits + e_d/2 + half, and
-     * num_mul_top takes 2^-32; t B.v - B.L goes through num_top as well. */
-    line->b_bias = num_bias(body->inverse, e_w + a - 43 - (e_d >> 1));
-    line->k_bias = num_double_bias(body->inverse);
-    line->k_bias_shift = body->radius_bits - 5 + e_w - e_k;
-    line->k_bias_shift = line->k_bias_shift < 0 ? 0 : line->k_bias_shift > 63 ? 63 : line->k_bias_shift;
-    return true;
+    int most = body->t_exponent + view->exponent - 16 + 61 - num_bits(view_reach(view, a));
+    return e < most ? e : most;
 }
 
-bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+/* t a.v with the exponent e. */
+static struct row_form product_form(const struct tia_view *view, const struct body *body, struct num_vec a, int x,
+                                    int y, int e)
+{
+    struct row_form form = view_row_form(view, a, y, e - body->t_exponent - view->exponent + 16);
+
+    form.start += (num_wide)x * form.step;
+    return form;
+}
+
+/* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a. */
+static int prepare_product(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+                           int x, int y, struct shadow_line *line)
+{
+    struct num_vec sum = num_vec_add(caster->centre, source->light);
+    num_wide toward = num_dot(caster->centre, source->light);
+    int e = limit_product(limit(source->exponent, num_bits(toward)), view, source->body, sum);
+    struct row_form form = product_form(view, source->body, sum, x, y, e);
+
+    line->a = form.start;
+    line->a_step = form.step;
+    line->toward = num_shift(toward, e - 32);
+    line->to_product = e - source->exponent;
+    return e;
+}
+
+/* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); twice
+ * t C.v and each other term stay below 2^60. Returns e_k. */
+static int prepare_power(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
     const struct body *body = source->body;
-    struct num_vec b = num_vec_sub(caster->centre, source->light);
-    num_wide square = num_square30(b);
-    num_wide k = square - num_shift(caster->radius * caster->radius, -2) + NUM_BIAS_SQUARED;
-    num_wide to_light = num_dot(b, source->light), to_centre = num_dot(b, body->centre);
-    int bits = num_bits(num_max(num_abs(to_light), num_abs(to_centre)));
-    int e_w = body->t_exponent + view->exponent - 16 + 62 - num_bits(view_reach(view, b));
+    num_wide r = body->radius, biased = r + NUM_BIAS;
+    num_wide apart = num_square30(num_vec_sub(body->centre, caster->centre)) -
+                     num_shift(r * biased + caster->radius * caster->radius, -2);
+    int e = limit(limit(source->exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
-    e_w = e_w < 93 - bits ? e_w : 93 - bits;
-    struct row_form form = view_row_form(view, b, y, e_w - body->t_exponent - view->exponent + 16);
-    line->b = form.start + (num_wide)x * form.step;
-    line->b_step = form.step;
-    line->to_light = num_shift(to_light, e_w - 32);
-    line->to_centre = num_shift(to_centre, e_w - 32);
-    line->enclosed = k <= 0;
-    if (line->enclosed)
-        prepare_enclosed(line, k, source->exponent, e_w);
-    return line->enclosed || prepare_comparison(line, body, k, (num_bits(square) - 29) >> 1, source->exponent, e_w);
+    e = limit_product(e, view, body, caster->centre) - 1;
+    struct row_form form = product_form(view, body, caster->centre, x, y, e);
+    line->c = form.start;
+    line->c_step = form.step;
+    line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
+    line->to_power = e - source->exponent;
+    return e;
+}
+
+void shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+                         int x, int y, struct shadow_line *line)
+{
+    const struct body *body = source->body;
+    num_wide from_light = num_square30(num_vec_sub(caster->centre, source->light));
+    int e_a = prepare_product(view, source, caster, x, y, line);
+    int e_k = prepare_power(view, source, caster, x, y, line);
+
+    /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is
+     * 2^(-28 - bits) inverse. */
+    line->inverse = body->inverse;
+    line->bias_shift = 43 + (source->exponent >> 1) - e_a;
+    line->swell = num_bias(body->inverse, body->radius_bits);
+    line->exponent = 2 * e_a - source->exponent - e_k;
+    line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);
 }

@@ -11,9 +11,8 @@ struct shadow_source {
     int exponent;            /* of |Q - P|^2 */
 };
 
-/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. False when the
- * sphere cannot stand before the light for any pixel. */
-bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. */
+void shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line);
 
 #endif
