@@ -40,7 +40,7 @@ def count(board, image, plugin, text=None):
         lines = [line.split() for line in log.read().splitlines()]
     passages = [int(line[1]) for line in lines if line[0] == 'passage']
     frames = said[0::2]
-    if frames not in (['full'], ['full', 'relit']) or len(passages) % len(frames):
+    if frames not in (['full'], ['full', 'relit']) or len(passages) % len(frames) or len(set(said[1::2])) > 1:
         raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
     each = len(passages) // len(frames)
     relit = sum(passages[each:]) if len(frames) == 2 else None
