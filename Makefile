@@ -28,7 +28,7 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
-        gcc-arm-none-eabi gcc-riscv64-unknown-elf frama-c-base why3 z3 cvc4 gappa
+        gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
