@@ -161,6 +161,20 @@ TEST(farthest_things)
     compare_both(160, 120, 1);
 }
 
+/* A light like the sun: from there a ball is so small that its outline is the last bits of an angle. */
+TEST(distant_light)
+{
+    start(25);
+    ball(0, -10004, -20, 10000, 0);
+    ball(0, -1, -20, 3, 2);
+    light(-600, 700, -300, 0, 1);
+    compare_both(320, 240, 0);
+    lights[0].centre = (struct tia_vec3)TIA_VEC3(-2400, 2800, -1200);
+    compare_both(320, 240, 2);
+    lights[0].centre = (struct tia_vec3)TIA_VEC3(-12000, 14000, -6000);
+    compare_both(320, 240, 12);
+}
+
 TEST(narrowest_and_widest_view)
 {
     start(1);
@@ -308,6 +322,13 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     CHECK_EQ(sum.stray, 0);
 }
 
+/* Where a ball seen from 0.001 away is lit from 3000 away, the products with its points keep few bits
+ * beside those with the light, and its shadows are off by pixels. No colour is, but for these. */
+TEST(wild_scenes_in_q16)
+{
+    compare_wild(&tia_core_q16, 1100, 1100);
+}
+
 #ifdef TIA_HAVE_F64
 TEST(wild_scenes_in_f64)
 {
@@ -328,12 +349,14 @@ int main(int argc, char **argv)
     RUN(eye_inside_a_light);
     RUN(smallest_balls);
     RUN(farthest_things);
+    RUN(distant_light);
     RUN(narrowest_and_widest_view);
     RUN(equal_balls);
     RUN(lights_in_sight);
     RUN(forty_lights);
     RUN(lattice_of_touching_balls);
     RUN(odd_sizes);
+    RUN(wild_scenes_in_q16);
 #ifdef TIA_HAVE_F64
     RUN(wild_scenes_in_f64);
 #endif
