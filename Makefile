@@ -28,7 +28,8 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
-        gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa
+        gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
@@ -155,11 +156,19 @@ QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
 SLOW  := $(sort $(wildcard tests/slow/*))
 TOOLS := $(patsubst tools/%.c,$(BUILD)/%,$(wildcard tools/*.c))
 export BUILD CC F64
-tests: $(TESTS) $(TOOLS)
+tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
 	@tests/run $(QUICK)
 check: all tests
 	@tests/run $(QUICK) $(SLOW)
+
+# Real kernel drivers in guests; the table of what they said comes last.
+.PHONY: check-vm
+$(BUILD)/vm/probe: tests/vm/probe.c
+	@mkdir -p $(@D)
+	$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
+check-vm: all $(BUILD)/vm/probe
+	@tests/run tests/slow/vm; status=$$?; tests/vm/table; exit $$status
 
 $(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
@@ -272,6 +281,6 @@ clean:
 	rm -rf $(BUILD)
 
 help:
-	@echo "all run check check-quick bench deps install uninstall size lint clean - see the top of the Makefile"
+	@echo "all run check check-quick check-vm bench deps install uninstall size lint clean - see the top of the Makefile"
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,175 @@
+"""Cases about the console below: it is alive after every kind of end, and others have it in between."""
+import random
+import time
+
+from guest import Failure
+
+
+def signals(s):
+    """Every deadly signal leaves a living console; a crash is survived by the guardian."""
+    for signal, status in (('TERM', 143), ('INT', 130), ('HUP', 129), ('SEGV', 139), ('KILL', 137)):
+        s.start()
+        s.kill(signal)
+        s.ends(status)
+
+
+def keys_that_quit(s):
+    """Ctrl-C and any typing key quit; modifiers and locks do nothing, here or to the console."""
+    for key in ('ctrl-c', 'x', 'f5', 'ret'):
+        s.start()
+        for modifier in ('shift', 'ctrl', 'alt', 'caps_lock', 'num_lock'):
+            s.guest.tap(modifier)
+        s.guest.tap('a')
+        s.frame('a')
+        s.guest.tap(key)
+        s.ends(0)
+
+
+def serial(s):
+    """Without a VT of its own, tia takes the console in front."""
+    s.start(serial=True)
+    s.guest.tap('s')
+    s.frame('s')
+    s.guest.tap('spc')
+    s.ends(0)
+    s.start(serial=True)
+    s.kill('KILL')
+    s.ends(137)
+
+
+def terminal_keys(s):
+    """-i tty listens to the console itself, whose settings come back."""
+    s.start('-i', 'tty')
+    s.guest.tap('a')
+    s.guest.tap('right')
+    s.frame('a<right>')
+    s.guest.tap('pgup')
+    s.frame('a<right><pgup>')
+    s.guest.tap('ctrl-c')
+    s.ends(0)
+
+
+def other_text(s):
+    """What the console on tty2 shows."""
+    s.guest.sh('chvt 2')
+    text = s.console.steady(unlike=s.console.text)
+    s.guest.sh('chvt 1')
+    s.guest.wait(s.console.sees_text, 'the console')
+    return text
+
+
+def is_active(s, number):
+    return s.guest.sh('probe vt 1').startswith('active=%d ' % number)
+
+
+def is_master(s):
+    """Whether tia is the display's master, in the kernel's list: command, pid, dev, master, ..."""
+    clients = [line.split() for line in s.guest.sh('cat /sys/kernel/debug/dri/0/clients').splitlines()]
+    return any(client[0] == 'tia' and client[3] == 'y' for client in clients)
+
+
+def switch(s):
+    """Ctrl-Alt-F2 gives screen and keyboard away, Ctrl-Alt-F1 takes them back."""
+    text = other_text(s)
+    s.start('-k', 'a', first='a')
+    if s.setup.display == 'drm' and not is_master(s):
+        raise Failure('tia is not master of the display')
+    s.guest.tap('ctrl-alt-f2')
+    s.guest.wait(lambda: is_active(s, 2), 'console 2')
+    s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+    if s.guest.sh('probe grabbed'):
+        raise Failure('a keyboard is grabbed behind the back of console 2')
+    if s.setup.display == 'drm' and is_master(s):
+        raise Failure('tia is still master of the display behind the back of console 2')
+    s.guest.type('other\n')
+    s.guest.wait(lambda: s.console.read(2) == ['other'], lambda: 'keys on console 2: it read %r' % s.console.read(2))
+    s.guest.tap('ctrl-alt-f1')
+    s.frame('a')
+    s.guest.tap('right')
+    s.frame('a<right>')
+    s.guest.tap('esc')
+    s.ends(0)
+
+
+def ends_away(s):
+    """A tia that ends while another console is in front leaves that one alone."""
+    text = other_text(s)
+    for signal, status in (('TERM', 143), ('KILL', 137)):
+        s.start()
+        s.guest.tap('ctrl-alt-f2')
+        s.guest.wait(lambda: is_active(s, 2), 'console 2')
+        s.kill(signal)
+        s.status()
+        s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+        s.guest.tap('ctrl-alt-f1')
+        s.ends(status)
+
+
+def second(s):
+    """A second tia on the same screen is refused and does not disturb the first."""
+    s.start()
+    answer = s.guest.sh('tia -d %s -i none -n 1 </dev/null 2>&1; echo $?' % s.setup.display).splitlines()
+    if answer[-1] != '3' or len(answer) != 2 or not answer[0].startswith('tia: '):
+        raise Failure('a second tia: %r' % answer)
+    s.guest.tap('d')
+    s.frame('d')
+    s.guest.tap('esc')
+    s.ends(0)
+
+
+def master(s):
+    """A display that another program is master of is refused by name."""
+    s.guest.sh('probe master /dev/dri/card0 >/tmp/master & echo $! >/tmp/master.pid')
+    s.guest.wait(lambda: s.guest.sh('cat /tmp/master') == 'master', 'another master')
+    s.run('-d', s.setup.display)
+    s.refused(3, '/dev/dri/card0')
+    s.guest.sh('kill $(cat /tmp/master.pid)')
+
+
+def exhausted(s):
+    """No room on the disk, no memory to start with, and the kernel's out-of-memory killer."""
+    s.run(command='sh -c "exec tia -d %s --checksum >/dev/full"' % s.setup.display)
+    s.refused(1)
+    ends = set()
+    for kilobytes in range(9000, 2000, -1000):
+        s.run(command='sh -c "ulimit -v %d; exec tia -d %s"' % (kilobytes, s.setup.display))
+        if s.shown_or_ended('') == 'shown':
+            s.guest.tap('esc')
+        s.ends(0, 1, 3, 127)    # 127 from the loader, below what the libraries need
+        ends.add(s.status())
+    if not ends & {1, 3}:
+        raise Failure('memory was short for nobody: statuses %s' % ends)
+    s.start()
+    s.guest.sh('echo 1000 >/proc/%s/oom_score_adj; echo f >/proc/sysrq-trigger' % s.pid())
+    s.ends(137)
+
+
+# ---- many times ----
+
+def kills(s, times=100):
+    """SIGKILL at random moments, from before the first instruction to long after the first frame."""
+    moments = random.Random(1)
+    for _ in range(times):
+        s.run('-d', s.setup.display)
+        s.pid()
+        time.sleep(moments.choice((0.02, 0.1, 0.5)) * moments.random())
+        s.kill('KILL')
+        s.ends(137)
+
+
+def switches(s, times=200):
+    """Console 2 and back, again and again; every tenth time all of it is looked at."""
+    text = other_text(s)
+    s.start('-k', 'd', first='d')
+    for i in range(times):
+        s.guest.tap('ctrl-alt-f2')
+        s.guest.wait(lambda: is_active(s, 2), 'console 2, time %d' % i)
+        if i % 10 == 0:
+            s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+        s.guest.tap('ctrl-alt-f1')
+        s.guest.wait(lambda: is_active(s, 1), 'console 1, time %d' % i)
+        if i % 10 == 0:
+            s.frame('d')
+    s.frame('d')
+    s.guest.tap('esc')
+    s.ends(0)
