@@ -113,7 +113,8 @@ static int show_any(struct session *session)
             continue;
         }
         int status = try_display(session, port);
-        bool refused = status == EXIT_DISPLAY || status == EXIT_INPUT;
+        bool named = strcmp(session->options->input, "auto") != 0 && strcmp(session->options->input, "none") != 0;
+        bool refused = status == EXIT_DISPLAY || (status == EXIT_INPUT && !named);
         if (!refused || session->stage.opened) {
             return status;
         }
@@ -155,6 +156,23 @@ static void print_line(void *arg, const char *text)
     (void)printf("  %s\n", text);
 }
 
+/* The other half of why a display that takes the screen can or cannot be opened. */
+static void print_input(const char *name)
+{
+    const struct port_input *port = find_input(name);
+    char why[PORT_WHY] = "this build has none";
+    struct port_wish wish = {.why = why};
+    void *ctx = port != NULL ? port->create(&wish) : NULL;
+    if (ctx != NULL) {
+        if (port->ops->open(ctx) == TIA_OK) {
+            (void)snprintf(why, sizeof why, "works");
+        }
+        port->ops->close(ctx);
+        port->destroy(ctx);
+    }
+    (void)printf("  input %s: %s\n", name, why);
+}
+
 int show_list(const char *only)
 {
     bool found = false;
@@ -162,6 +180,9 @@ int show_list(const char *only)
         if (only == NULL || strcmp(port->name, only) == 0) {
             (void)printf("%s: %s\n", port->name, port->summary);
             port->list(print_line, NULL);
+            if (port->takes_screen) {
+                print_input("evdev");
+            }
             found = true;
         }
     }
