@@ -57,7 +57,8 @@ bool kernel_light(const struct light_line *line, const num_u *distance, struct l
         if (facing > 0) {
             num reach = (num)num_scale(num_mul(t, num_top(v.start)), line->reach_scale);
             lit->reach[i] = num_mul(t, reach);
-            light_pixel(line, facing, line->distance - 2 * num_mul(t, num_top(q)) + lit->reach[i], lit, i);
+            num_wide square = line->distance - 2 * num_mul(t, num_top(q)) + num_shift(lit->reach[i], line->to_distance);
+            light_pixel(line, facing, square, lit, i);
             any = true;
         }
         g += line->g_step;
@@ -82,7 +83,8 @@ static bool meets(const struct shadow_line *line, num_wide product, num_wide tur
     if (a <= 0)
         return false;
     a -= num_bias_product(lit->facing[i], line->inverse, line->bias_shift + lit->half[i]);
-    if (a <= 0 || (!line->enclosed && num_shift(lit->square[i], line->to_product) <= a))
+    if (a <= 0 ||
+        (!line->enclosed && num_shift(lit->square[i], line->square_scale) <= num_shift(a, line->product_scale)))
         return false;
     num_wide k = line->power - 2 * turn + num_shift(lit->reach[i], line->to_power);
     if (k <= 0)

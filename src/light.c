@@ -26,19 +26,25 @@ struct shading {
     num_u sum[3][CHUNK];
 };
 
-/* The exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + t^2 v.v. It is even, for the root; each term stays
- * below 2^61: Q.Q, t Q.v as a product of t (31 bits) and Q.v (29 bits), and t^2 v.v = |P|^2, which
- * is at most c on the tangent, or (2r)^2 from inside. And t v.v = |P| |v| is a mantissa, below
- * 2^31 with the exponent e_d - e_t, where |v| < 2^(30 - f). */
-static int distance_exponent(const struct tia_view *view, const struct body *body, struct num_vec light)
+/* The exponent e_p of t^2 v.v = |P|^2, which is at most c on the tangent, or (2r)^2 from inside: it
+ * keeps |P|^2 below 2^60, and t v.v = |P| |v|, where |v| < 2^(30 - f), a mantissa below 2^31 with the
+ * exponent e_p - e_t. */
+static int reach_exponent(const struct tia_view *view, const struct body *body)
 {
-    int reach_bits = body->c < 0 ? num_bits(body->radius * body->radius) + 2 : num_bits(body->c);
-    int light_bits = num_bits(num_dot(light, light)), e = 92 - (reach_bits > light_bits ? reach_bits : light_bits);
-    int by_light = body->t_exponent + view->exponent - 16 + 61 - num_bits(view_reach(view, light));
-    int by_reach = body->t_exponent + 31 - ((reach_bits - 31) >> 1) - 30 + view->exponent;
+    int bits = body->c < 0 ? num_bits(body->radius * body->radius) + 2 : num_bits(body->c);
+    int by_mantissa = body->t_exponent + 31 - ((bits - 31) >> 1) - 30 + view->exponent;
 
-    e = e < by_light ? e : by_light;
-    return (e < by_reach ? e : by_reach) & ~1;
+    return 92 - bits < by_mantissa ? 92 - bits : by_mantissa;
+}
+
+/* The exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product
+ * of t (31 bits) and Q.v (29 bits). It is even, for the root. */
+static int distance_exponent(const struct tia_view *view, const struct body *body, struct num_vec light, int e_p)
+{
+    int by_product = body->t_exponent + view->exponent - 16 + 61 - num_bits(view_reach(view, light));
+    int by_light = 92 - num_bits(num_dot(light, light)), e = by_light < by_product ? by_light : by_product;
+
+    return (e < e_p ? e : e_p) & ~1;
 }
 
 static struct row_form form_at(const struct tia_view *view, struct num_vec a, int x, int y, int shift)
@@ -49,31 +55,34 @@ static struct row_form form_at(const struct tia_view *view, struct num_vec a, in
     return form;
 }
 
-/* Returns e_d. The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30
- * bits), like the constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times
+/* The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30 bits), like the
+ * constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times
  * 2^(15 - bits - e_s + e_d/2) is at most |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's
  * bits behind the point. */
-static int prepare_light(const struct tia_view *view, const struct body *body, struct num_vec light, int x, int y,
-                         struct light_line *line)
+static void prepare_light(const struct tia_view *view, struct shadow_source *source, int x, int y,
+                          struct light_line *line)
 {
-    struct num_vec g = num_vec_sub(light, body->centre);
-    num_wide facing = body->c - num_dot(body->centre, light);
+    const struct body *body = source->body;
+    struct num_vec g = num_vec_sub(source->light, body->centre);
+    num_wide facing = body->c - num_dot(body->centre, source->light), square = num_dot(source->light, source->light);
     int to_top = body->t_exponent + view->exponent - 16, limit = 93 - num_bits(facing);
-    int e_s = to_top + 62 - num_bits(view_reach(view, g)), e_d = distance_exponent(view, body, light);
+    int e_s = to_top + 62 - num_bits(view_reach(view, g));
 
     e_s = e_s < limit ? e_s : limit;
+    source->reach_exponent = reach_exponent(view, body);
+    source->exponent = distance_exponent(view, body, source->light, source->reach_exponent);
     struct row_form form = form_at(view, g, x, y, e_s - to_top);
     line->g = form.start;
     line->g_step = form.step;
-    form = form_at(view, light, x, y, e_d - to_top);
+    form = form_at(view, source->light, x, y, source->exponent - to_top);
     line->q = form.start;
     line->q_step = form.step;
     line->square = view_row_square(view, x, y);
     line->facing = num_shift(facing, e_s - 32);
-    line->distance = num_shift(num_dot(light, light), e_d - 32);
-    line->reach_scale = e_d - 2 * body->t_exponent - (2 * view->exponent + view->square_shift - 32);
-    line->scale = 15 - body->radius_bits - e_s + (e_d >> 1);
-    return e_d;
+    line->distance = num_shift(square, source->exponent - 32);
+    line->to_distance = source->exponent - source->reach_exponent;
+    line->reach_scale = source->reach_exponent - 2 * body->t_exponent - (2 * view->exponent + view->square_shift - 32);
+    line->scale = 15 - body->radius_bits - e_s + (source->exponent >> 1);
 }
 
 /* What half-transparent spheres leave of a light on its way to each pixel of a run. */
@@ -153,13 +162,13 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct chunk *chunk = s->chunk;
     const struct tia_view *view = chunk->view;
-    struct shadow_source source = {&view->bodies[s->object],
-                                   num_vec_between(view->scene->camera.eye, view->lights[l].centre), 0};
+    struct shadow_source source = {.body = &view->bodies[s->object],
+                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
     num_u lambert[CHUNK];
 
-    source.exponent = prepare_light(view, source.body, source.light, chunk->x + s->first, chunk->y, &line);
+    prepare_light(view, &source, chunk->x + s->first, chunk->y, &line);
     line.count = s->count;
     if (!kernel_light(&line, chunk->t + s->first, &lit))
         return;

@@ -29,13 +29,13 @@ static int prepare_product(const struct tia_view *view, const struct shadow_sour
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
     num_wide toward = num_dot(caster->centre, source->light);
-    int e = limit_product(limit(source->exponent, num_bits(toward)), view, source->body, sum);
+    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), view, source->body, sum);
     struct row_form form = product_form(view, source->body, sum, x, y, e);
 
     line->a = form.start;
     line->a_step = form.step;
     line->toward = num_shift(toward, e - 32);
-    line->to_product = e - source->exponent;
+    line->to_product = e - source->reach_exponent;
     return e;
 }
 
@@ -48,14 +48,14 @@ static int prepare_power(const struct tia_view *view, const struct shadow_source
     num_wide r = body->radius, biased = r + NUM_BIAS;
     num_wide apart = num_square30(num_vec_sub(body->centre, caster->centre)) -
                      num_shift(r * biased + caster->radius * caster->radius, -2);
-    int e = limit(limit(source->exponent, num_bits(caster->c)), num_bits(apart) + 2);
+    int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
     e = limit_product(e, view, body, caster->centre) - 1;
     struct row_form form = product_form(view, body, caster->centre, x, y, e);
     line->c = form.start;
     line->c_step = form.step;
     line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
-    line->to_power = e - source->exponent;
+    line->to_power = e - source->reach_exponent;
     return e;
 }
 
@@ -71,6 +71,8 @@ void shadow_line_prepare(const struct tia_view *view, const struct shadow_source
      * 2^(-28 - bits) inverse. */
     line->inverse = body->inverse;
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
+    line->square_scale = e_a < source->exponent ? e_a - source->exponent : 0;
+    line->product_scale = e_a < source->exponent ? 0 : source->exponent - e_a;
     line->swell = num_bias(body->inverse, body->radius_bits);
     line->exponent = 2 * e_a - source->exponent - e_k;
     line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);

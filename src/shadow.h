@@ -6,9 +6,9 @@
 
 /* The light that a run of pixels of one object looks at. */
 struct shadow_source {
-    const struct body *body; /* the run's object */
-    struct num_vec light;    /* Q */
-    int exponent;            /* of |Q - P|^2 */
+    const struct body *body;      /* the run's object */
+    struct num_vec light;         /* Q */
+    int exponent, reach_exponent; /* e_d of |Q - P|^2 and e_p of |P|^2 */
 };
 
 /* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. */
