@@ -1,0 +1,146 @@
+/* frames.h - the frames whose checksums are pinned in tests/golden/frames.crc: small enough for an
+ * emulator, and together everything that pixels depend on. */
+#ifndef TESTS_ARCH_FRAMES_H
+#define TESTS_ARCH_FRAMES_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/corpus.h"
+
+#define FRAMES_RANDOM 20
+
+/* Told each frame's name and CRC-32. */
+typedef void frames_report(void *ctx, const char *name, uint32_t crc);
+
+struct frames_canvas {
+    const struct tia_core *core;
+    struct tia_tile area;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    tia_rgb565 *pixels;
+    void *memory[2];
+    frames_report *report;
+    void *ctx;
+};
+
+static inline void frames_close(struct frames_canvas *c)
+{
+    free(c->memory[0]);
+    free(c->memory[1]);
+    free(c->pixels);
+}
+
+/* 0 when the scene is refused or memory is short. */
+static inline int frames_open(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    const struct tia_core *core = c->core;
+    uint32_t lights = scene->light_count + 1;
+    size_t view = core->view_size(scene, lights), hits;
+
+    c->area = (struct tia_tile){0, 0, (uint16_t)width, (uint16_t)height};
+    hits = core->hits_size(c->area);
+    c->memory[0] = malloc(view);
+    c->memory[1] = malloc(hits);
+    c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
+    return c->memory[0] && c->memory[1] && c->pixels &&
+           core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) == TIA_OK &&
+           core->hits_init(&c->hits, c->memory[1], hits, c->area) == TIA_OK;
+}
+
+/* Draws in tiles of the given size, from the last to the first. */
+static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, unsigned tile_height, bool trace,
+                               bool dither)
+{
+    const unsigned width = c->area.width, height = c->area.height;
+    const unsigned columns = (width + tile_width - 1) / tile_width, rows = (height + tile_height - 1) / tile_height;
+
+    for (unsigned n = columns * rows; n-- > 0;) {
+        unsigned x = n % columns * tile_width, y = n / columns * tile_height;
+        struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(width - x < tile_width ? width - x : tile_width),
+                                (uint16_t)(height - y < tile_height ? height - y : tile_height)};
+        struct tia_surface surface = {c->pixels + (size_t)y * width + x, 2, (ptrdiff_t)width * 2};
+        struct tia_options options = {dither, NULL};
+        int status = trace ? c->core->trace(c->view, c->hits, tile) : TIA_OK;
+        if (status || c->core->light(c->view, c->hits, tile, &surface, &options))
+            abort();
+    }
+}
+
+static inline void frames_tell(struct frames_canvas *c, const char *name)
+{
+    c->report(c->ctx, name, tia_crc32(0, c->pixels, (size_t)c->area.width * c->area.height));
+}
+
+static inline void frames_thesis(struct frames_canvas *c, const char *keys, unsigned width, unsigned height,
+                                 unsigned tile_width, unsigned tile_height, bool dither)
+{
+    struct corpus_scene scene;
+    char name[80];
+
+    if (corpus_thesis(&scene, keys, width, height) || !frames_open(c, &scene.scene, width, height))
+        abort();
+    frames_draw(c, tile_width, tile_height, true, dither);
+    (void)snprintf(name, sizeof name, "thesis-%s-%ux%u-tiles-%ux%u%s", *keys ? keys : "dark", width, height, tile_width,
+                   tile_height, dither ? "-dithered" : "");
+    frames_tell(c, name);
+    frames_close(c);
+}
+
+/* Traced without a light, then lit: the hits alone must do. Then which object each pixel sees. */
+static inline void frames_relit(struct frames_canvas *c)
+{
+    struct corpus_scene dark, lit;
+
+    if (corpus_thesis(&dark, "", 200, 150) || corpus_thesis(&lit, "w", 200, 150) ||
+        !frames_open(c, &dark.scene, 200, 150))
+        abort();
+    frames_draw(c, 200, 150, true, false);
+    if (c->core->set_lights(c->view, lit.scene.lights, lit.scene.light_count))
+        abort();
+    frames_draw(c, 64, 64, false, false);
+    frames_tell(c, "thesis-w-200x150-relit");
+    for (unsigned i = 0; i < 200 * 150; i++)
+        c->pixels[i] = (tia_rgb565)c->core->hits_object(c->hits, i % 200, i / 200);
+    frames_tell(c, "thesis-200x150-objects");
+    frames_close(c);
+}
+
+static inline void frames_random(struct frames_canvas *c, unsigned index)
+{
+    unsigned width = 120 + 7 * index, height = 200 - 5 * index;
+    struct corpus_scene scene;
+    char name[40];
+
+    corpus_random(&scene, 565, index);
+    if (!frames_open(c, &scene.scene, width, height))
+        abort();
+    frames_draw(c, width, height, true, index % 4 == 3);
+    (void)snprintf(name, sizeof name, "random-%u-%ux%u", index, width, height);
+    frames_tell(c, name);
+    frames_close(c);
+}
+
+/* Every frame, drawn with `core`. */
+static inline void frames_all(const struct tia_core *core, frames_report *report, void *ctx)
+{
+    struct frames_canvas c = {.core = core, .report = report, .ctx = ctx};
+    static const char *const keys[] = {"", "a", "d", "s", "w"};
+
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
+        frames_thesis(&c, keys[i], 320, 240, 320, 240, false);
+    frames_thesis(&c, "a", 1, 1, 1, 1, false);
+    frames_thesis(&c, "d", 1, 480, 1, 16, false);
+    frames_thesis(&c, "s", 641, 1, 100, 1, false);
+    frames_thesis(&c, "w", 333, 251, 31, 17, false);
+    frames_thesis(&c, "a", 8192, 2, 8192, 1, false);
+    frames_thesis(&c, "s", 2, 8192, 1, 8192, false);
+    frames_thesis(&c, "d", 160, 120, 160, 120, true);
+    frames_thesis(&c, "a", 97, 89, 7, 5, true);
+    frames_relit(&c);
+    for (unsigned i = 0; i < FRAMES_RANDOM; i++)
+        frames_random(&c, i);
+}
+
+#endif
