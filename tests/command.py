@@ -89,6 +89,12 @@ def refused(status, *args, says="", **options):
     same(sorted(os.listdir(".")), before, f"the directory after {args}")
 
 
+def formats():
+    """What this build writes."""
+    return [name for name in ("png", "ppm", "bmp", "565")
+            if tia("-o", "-", "--format", name, "-s", "1x1").returncode == 0]
+
+
 def as_somebody():
     """For preexec_fn: gives up root's right to write everywhere."""
     if os.getuid() == 0:
