@@ -108,6 +108,10 @@ $(BUILD)/f64/%.o: %.c
 $(BUILD)/f32/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CORE) -DTIA_NUM_F32 -fno-math-errno $(CFLAGS) -c -o $@ $<
+# The checking build: what num_chk.h does not see, sums and differences, the compiler checks.
+$(BUILD)/chk/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(CORE) -DTIA_NUM_CHK -fsanitize=signed-integer-overflow,shift $(CFLAGS) -c -o $@ $<
 $(BUILD)/host/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(HOSTED) $(CFLAGS) -c -o $@ $<
@@ -118,6 +122,7 @@ $(BUILD)/tests/%.o: tests/%.c
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
+$(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 %.a:

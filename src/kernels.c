@@ -50,12 +50,12 @@ bool kernel_light(const struct light_line *line, const num_u *distance, struct l
     bool any = false;
 
     for (int i = 0; i < line->count; i++) {
-        num t = (num)distance[i];
+        num t = num_signed(distance[i]);
         num_wide facing = line->facing + num_mul(t, num_top(g));
 
         lit->facing[i] = 0;
         if (facing > 0) {
-            num reach = (num)num_scale(num_mul(t, num_top(v.start)), line->reach_scale);
+            num reach = num_signed(num_scale(num_mul(t, num_top(v.start)), line->reach_scale));
             lit->reach[i] = num_mul(t, reach);
             num_wide square = line->distance - 2 * num_mul(t, num_top(q)) + num_shift(lit->reach[i], line->to_distance);
             light_pixel(line, facing, square, lit, i);
@@ -97,7 +97,7 @@ void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *l
     num_wide a = line->a, c = line->c;
 
     for (int i = 0; i < line->count; i++) {
-        num distance = (num)t[i];
+        num distance = num_signed(t[i]);
         if (lit->facing[i] > 0 && meets(line, num_mul(distance, num_top(a)), num_mul(distance, num_top(c)), lit, i))
             lit->facing[i] = 0;
         a += line->a_step;

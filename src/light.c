@@ -47,14 +47,6 @@ static int distance_exponent(const struct tia_view *view, const struct body *bod
     return (e < e_p ? e : e_p) & ~1;
 }
 
-static struct row_form form_at(const struct tia_view *view, struct num_vec a, int x, int y, int shift)
-{
-    struct row_form form = view_row_form(view, a, y, shift);
-
-    form.start += (num_wide)x * form.step;
-    return form;
-}
-
 /* The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30 bits), like the
  * constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times
  * 2^(15 - bits - e_s + e_d/2) is at most |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's
@@ -71,10 +63,10 @@ static void prepare_light(const struct tia_view *view, struct shadow_source *sou
     e_s = e_s < limit ? e_s : limit;
     source->reach_exponent = reach_exponent(view, body);
     source->exponent = distance_exponent(view, body, source->light, source->reach_exponent);
-    struct row_form form = form_at(view, g, x, y, e_s - to_top);
+    struct row_form form = view_row_form(view, g, x, y, e_s - to_top);
     line->g = form.start;
     line->g_step = form.step;
-    form = form_at(view, source->light, x, y, source->exponent - to_top);
+    form = view_row_form(view, source->light, x, y, source->exponent - to_top);
     line->q = form.start;
     line->q_step = form.step;
     line->square = view_row_square(view, x, y);

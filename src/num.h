@@ -16,6 +16,7 @@
  *
  *   num_coordinate(q)      a Q16.16 coordinate as num_wide, exponent 16
  *   num_lattice(n, f)      the integer n as num_wide, exponent f
+ *   num_signed(t)          an unsigned mantissa as a signed one
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
  *   num_shift(x, s)        x * 2^s, rounded to nearest, ties up, when s < 0

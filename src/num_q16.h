@@ -2,9 +2,12 @@
 #ifndef TIA_NUM_Q16_H
 #define TIA_NUM_Q16_H
 
+#ifndef NUM_NAME
 #define NUM_NAME "q16"
 #define NUM_PREFIX tia_
 #define NUM_CORE tia_core_q16
+#define NUM_CHECK(condition) ((void)0) /* what num_chk.h tests */
+#endif
 
 #include "names.h"
 #include <tia/render.h>
@@ -27,12 +30,14 @@ static inline num_wide num_coordinate(tia_q16 q)
 
 static inline num_wide num_lattice(int32_t n, int exponent)
 {
+    NUM_CHECK(exponent >= 0 && exponent <= 30);
     return (num_wide)n * ((num_wide)1 << exponent);
 }
 
 /* height * cotangent (Q8.56, below 2^7) with the given exponent (at most 43). */
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
+    NUM_CHECK(exponent >= 0 && exponent <= 43);
     return tia_round_shift((num_wide)(height * (cotangent >> 13)), (unsigned)(43 - exponent));
 }
 
@@ -44,7 +49,15 @@ static inline num_u num_colour(tia_q30 c)
 /* A product of two colours, each at most 2, rounded to nearest. */
 static inline num_u num_colour_product(num_u a, num_u b)
 {
+    NUM_CHECK(a <= (num_u)1 << 31 && b <= (num_u)1 << 31);
     return (num_u)(((uint64_t)a * b + ((uint64_t)1 << 29)) >> 30);
+}
+
+/* A mantissa below 2^31 as a signed one. */
+static inline num num_signed(num_u t)
+{
+    NUM_CHECK(t >> 31 == 0);
+    return (num)t;
 }
 
 static inline num_wide num_mul(num a, num b)
@@ -65,6 +78,7 @@ static inline int num_bits(num_wide x)
 
 static inline num_wide num_shift(num_wide x, int s)
 {
+    NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
         return (num_wide)((uint64_t)x << s);
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
@@ -77,6 +91,7 @@ static inline num num_top(num_wide x)
 
 static inline num_u num_top_u(num_wide x)
 {
+    NUM_CHECK(x >= 0);
     return (num_u)((num_uwide)x >> 32);
 }
 
@@ -95,9 +110,11 @@ static inline num_u num_sqrt(num_uwide x)
  * to one part in 2^31. */
 static inline num_u num_quotient(num_u a, num_u b, int s)
 {
+    NUM_CHECK(b > 0);
     unsigned z = tia_clz32(b);
     int shift = s - (int)z;
     num_uwide product = num_mul_u(a, tia_reciprocal(b << z));
+    NUM_CHECK(a == 0 || (shift >= 1 && (shift > 63 || product >> shift <= INT32_MAX)));
     shift = shift < 1 ? 1 : shift > 63 ? 63 : shift;
     return (num_u)(((product >> (shift - 1)) + 1) >> 1);
 }
@@ -111,6 +128,7 @@ struct num_normal {
 
 static inline struct num_normal num_normal(num_wide x)
 {
+    NUM_CHECK(x > 0);
     unsigned z = tia_clz64((uint64_t)x) & ~1u;
     struct num_normal n = {(uint64_t)x << z, 0, (int)(z / 2)};
     n.inverse = tia_rsqrt(n.mantissa);
@@ -120,18 +138,21 @@ static inline struct num_normal num_normal(num_wide x)
 /* 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
 static inline num_u num_inverse(num_wide r)
 {
+    NUM_CHECK(r > 0 && r <= UINT32_MAX);
     return tia_reciprocal((uint32_t)r << tia_clz32((uint32_t)r));
 }
 
 /* b >= 0 and b^2 >= c q, exactly; q > 0. */
 static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
 {
+    NUM_CHECK(q > 0);
     return b >= 0 && (c <= 0 || tia_cmp_products((uint64_t)b, (uint64_t)b, (uint64_t)c, (uint64_t)q) >= 0);
 }
 
 /* a b > c d, exactly; b >= 0 and c > 0. */
 static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
 {
+    NUM_CHECK(b >= 0 && c > 0);
     if (a > 0 ? d <= 0 : d >= 0)
         return a > 0;
     if (a > 0)
@@ -142,6 +163,7 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
 /* x * 2^s as a mantissa; the caller knows that it fits. */
 static inline num_u num_scale(num_wide x, int s)
 {
+    NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
     return (num_u)num_shift(x, s);
 }
 
@@ -162,6 +184,7 @@ static inline num_u num_normal_top(struct num_normal n)
  * bits: each product is off by less than 2^-29 of itself. */
 static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
+    NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
     int a_zeros = (int)tia_clz64((uint64_t)a), k_zeros = (int)tia_clz64((uint64_t)k);
     num_u top = (num_u)((uint64_t)a << a_zeros >> 32), power = (num_u)((uint64_t)k << k_zeros >> 33);
     num_uwide left = num_mul_u(top, top), right = num_mul_u(near, power + num_mul_top(power, swell));
@@ -175,6 +198,7 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
 /* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
+    NUM_CHECK(num_mul_u(scaled, inverse) >> 31 <= NUM_ONE + (NUM_ONE >> 16));
     return (num_u)((num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31);
 }
 
@@ -184,12 +208,14 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
 /* bias/r as a fraction of 2^32, for a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
 {
+    NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
     return (num_u)num_shift(inverse, 4 - bits);
 }
 
 /* facing * inverse * 2^-s, rounded: bias N.w from r N.w and num_inverse(r). */
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
+    NUM_CHECK(s >= 1);
     s = s < 1 ? 1 : s > 63 ? 63 : s;
     return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
 }
@@ -199,6 +225,7 @@ static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
     int x_bits = num_bits(x), s = 88 + bits - x_bits - e;
 
+    NUM_CHECK(x == 0 || s >= 0);
     if (s > 63)
         return 0;
     return tia_round_shift(num_shift(x, 30 - x_bits) * (num_wide)inverse, s < 0 ? 0 : (unsigned)s);
@@ -210,6 +237,7 @@ static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 /* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
 {
+    NUM_CHECK(c <= NUM_ONE && threshold < NUM_ONE);
     return (unsigned)(((num_uwide)c * levels + threshold) >> 30);
 }
 
@@ -231,6 +259,7 @@ static inline bool num_nearer(num_u t, int e, num_u u, int f)
 static inline num_wide num_sum_of_squares30(num_wide a, num_wide b, num_wide c)
 {
     uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b), z = (uint64_t)(c < 0 ? -c : c);
+    NUM_CHECK(x >> 32 == 0 && y >> 32 == 0 && z >> 32 == 0);
     return (num_wide)((x * x + y * y + z * z) >> 2);
 }
 

@@ -43,6 +43,11 @@ static inline num_u num_colour_product(num_u a, num_u b)
     return a * b;
 }
 
+static inline num num_signed(num_u t)
+{
+    return t;
+}
+
 static inline num_wide num_mul(num a, num b)
 {
     return a * b;

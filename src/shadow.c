@@ -13,14 +13,11 @@ static int limit_product(int e, const struct tia_view *view, const struct body *
     return e < most ? e : most;
 }
 
-/* t a.v with the exponent e. */
+/* a.v from pixel (x, y) on, so that its product with t has the exponent e. */
 static struct row_form product_form(const struct tia_view *view, const struct body *body, struct num_vec a, int x,
                                     int y, int e)
 {
-    struct row_form form = view_row_form(view, a, y, e - body->t_exponent - view->exponent + 16);
-
-    form.start += (num_wide)x * form.step;
-    return form;
+    return view_row_form(view, a, x, y, e - body->t_exponent - view->exponent + 16);
 }
 
 /* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a. */

@@ -16,12 +16,16 @@ num_wide view_lattice_y(const struct tia_view *view, int y)
     return num_lattice(view->height - 2 * y - 1, view->exponent);
 }
 
-struct row_form view_row_form(const struct tia_view *view, struct num_vec a, int y, int shift)
+struct row_form view_row_form(const struct tia_view *view, struct num_vec a, int x, int y, int shift)
 {
-    num_wide first = num_lattice(1 - view->width, view->exponent), step = num_lattice(2, view->exponent);
-    num_wide start = a.x * first + a.y * view_lattice_y(view, y) - a.z * view->depth;
-    struct row_form form = {num_shift(start, shift) + NUM_HALF, num_shift(a.x * step, shift)};
+    int middle = view->width / 2;
+    num_wide lattice = num_lattice(2 * middle + 1 - view->width, view->exponent);
+    num_wide start = a.x * lattice + a.y * view_lattice_y(view, y) - a.z * view->depth;
+    struct row_form form = {num_shift(start, shift) + NUM_HALF, num_shift(a.x * num_lattice(2, view->exponent), shift)};
 
+    /* From the middle no product is larger than the form itself; and where the shift rounds, every
+     * pixel's value is the same wherever a run begins. */
+    form.start += (num_wide)(x - middle) * form.step;
     return form;
 }
 

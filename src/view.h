@@ -44,7 +44,7 @@ struct tia_view {
     bool grey;                 /* and all lights are */
 };
 
-/* A product a.v along a row as an accumulator: at pixel x it is start + x * step. */
+/* A product a.v along a row as an accumulator: start at the first pixel, then add step. */
 struct row_form {
     num_wide start, step;
 };
@@ -57,8 +57,8 @@ struct row_square {
 /* The largest |a.v| that a pixel of the image can have: it is met in a corner. */
 num_wide view_reach(const struct tia_view *view, struct num_vec a);
 
-/* a.v * 2^shift along row y, as num_top takes it. */
-struct row_form view_row_form(const struct tia_view *view, struct num_vec a, int y, int shift);
+/* a.v * 2^shift from pixel (x, y) on, as num_top takes it. */
+struct row_form view_row_form(const struct tia_view *view, struct num_vec a, int x, int y, int shift);
 
 /* v.v * 2^square_shift from pixel (x, y) on. */
 struct row_square view_row_square(const struct tia_view *view, int x, int y);

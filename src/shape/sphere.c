@@ -86,14 +86,9 @@ struct run sphere_run(const struct tia_view *view, const struct body *body, int 
 
 void sphere_distances(const struct tia_view *view, const struct body *body, int y, int x, int count, num_u *t)
 {
-    struct row_form b = view_row_form(view, body->centre, y, body->b_shift);
-    struct sphere_line line = {b.start + (num_wide)x * b.step,
-                               b.step,
-                               view_row_square(view, x, y),
-                               body->c_disc,
-                               body->c_top,
-                               body->t_shift,
-                               count};
+    struct row_form b = view_row_form(view, body->centre, x, y, body->b_shift);
+    struct sphere_line line = {b.start,       b.step, view_row_square(view, x, y), body->c_disc, body->c_top,
+                               body->t_shift, count};
 
     if (body->c < 0)
         kernel_sphere_inside(&line, t);

@@ -1,0 +1,53 @@
+/* num_chk.h - q16 that reports every intermediate that leaves its range, with the file and the line
+ * that asked for it. The numbers are q16's, and so are the pixels.
+ *
+ * Whoever links this build defines tia_chk_report. Sums and differences are the language's own here
+ * as everywhere: the Makefile has the compiler check them. */
+#ifndef TIA_NUM_CHK_H
+#define TIA_NUM_CHK_H
+
+#define NUM_NAME "chk"
+#define NUM_PREFIX tia_chk_
+#define NUM_CORE tia_core_chk
+#define NUM_RENAME
+
+void tia_chk_report(const char *file, int line, const char *range);
+
+/* Where the core is just now; each file of the core and each thread has its own. */
+static _Thread_local struct num_site {
+    const char *file;
+    int line;
+} num_site;
+
+static inline void num_at(const char *file, int line)
+{
+    num_site.file = file;
+    num_site.line = line;
+}
+
+#define NUM_CHECK(condition) ((condition) ? (void)0 : tia_chk_report(num_site.file, num_site.line, #condition))
+
+#include "num_q16.h"
+
+#define NUM_AT num_at(__FILE__, __LINE__)
+#define num_lattice(n, e) (NUM_AT, num_lattice(n, e))
+#define num_depth(h, c, e) (NUM_AT, num_depth(h, c, e))
+#define num_colour_product(a, b) (NUM_AT, num_colour_product(a, b))
+#define num_signed(t) (NUM_AT, num_signed(t))
+#define num_shift(x, s) (NUM_AT, num_shift(x, s))
+#define num_top_u(x) (NUM_AT, num_top_u(x))
+#define num_quotient(a, b, s) (NUM_AT, num_quotient(a, b, s))
+#define num_normal(x) (NUM_AT, num_normal(x))
+#define num_inverse(r) (NUM_AT, num_inverse(r))
+#define num_inside_cone(b, c, q) (NUM_AT, num_inside_cone(b, c, q))
+#define num_product_above(a, b, c, d) (NUM_AT, num_product_above(a, b, c, d))
+#define num_scale(x, s) (NUM_AT, num_scale(x, s))
+#define num_covers(a, n, h, k, s, e) (NUM_AT, num_covers(a, n, h, k, s, e))
+#define num_lambert(s, i) (NUM_AT, num_lambert(s, i))
+#define num_bias(i, b) (NUM_AT, num_bias(i, b))
+#define num_bias_product(f, i, s) (NUM_AT, num_bias_product(f, i, s))
+#define num_bias_of(x, i, b, e) (NUM_AT, num_bias_of(x, i, b, e))
+#define num_quantise(c, l, t) (NUM_AT, num_quantise(c, l, t))
+#define num_sum_of_squares30(x, y, z) (NUM_AT, num_sum_of_squares30(x, y, z))
+
+#endif
