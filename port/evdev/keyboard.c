@@ -41,6 +41,17 @@ static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
     return TIA_OK;
 }
 
+/* The kernel keeps 64 events for a program that is busy drawing. Scan codes (EV_MSC) are a third
+ * of them, and the movements of a keyboard's touchpad far more: only keys are wanted. Kernels
+ * before 4.4 have no masks. */
+static void want_keys_only(const struct keyboard *keyboard)
+{
+    const unsigned long types = 1ul << EV_KEY;
+    struct input_mask mask = {.type = EV_SYN, .codes_size = sizeof types, .codes_ptr = (uintptr_t)&types};
+
+    (void)ioctl(keyboard->fd, EVIOCSMASK, &mask);
+}
+
 int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY])
 {
     struct key_set down;
@@ -55,6 +66,7 @@ int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY
         keyboard_close(keyboard);
         return status;
     }
+    want_keys_only(keyboard);
     (void)get_pressed(keyboard, &down);
     key_state_begin(&keyboard->state, &down);
     return TIA_OK;
