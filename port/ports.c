@@ -8,7 +8,6 @@
 #endif
 #include "evdev/evdev.h"
 #include "fbdev/fbdev.h"
-#include "fbdev/fbdev.h"
 #include "none/none.h"
 #ifdef TIA_HAVE_OSMESA
 #include "osmesa/osmesa.h"

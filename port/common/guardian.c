@@ -45,12 +45,25 @@ static pid_t guardian;
 
 /* ---- the guardian's side: nothing here may need a lock that another thread held at the fork ---- */
 
+/* When the process that died was its session's leader, the session has no terminal any more, and
+ * its user no right to the VT until it is somebody's terminal again. A child can have it: it leads
+ * no group, and so may lead a session. The child goes on as the guardian. */
+static bool claim_terminal(int fd)
+{
+    pid_t child = fork();
+
+    if (child > 0)
+        _exit(0);
+    return child == 0 && setsid() > 0 && ioctl(fd, TIOCSCTTY, 0L) == 0;
+}
+
 static void restore_vt(const struct thing *t, int fd)
 {
     struct vt_mode mode = t->was.vt.mode;
 
     /* Text first: a console in graphics mode whose owner is dead is not redrawn by a switch. */
-    (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
+    if (ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode) != 0 && errno == EPERM && claim_terminal(fd))
+        (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
     (void)ioctl(fd, VT_SETMODE, &mode);
     if (t->was.vt.back_to != 0)
         (void)ioctl(fd, VT_ACTIVATE, (long)t->was.vt.back_to);

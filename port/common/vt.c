@@ -6,13 +6,13 @@
 #include <linux/major.h>
 #include <signal.h>
 #include <stdio.h>
-#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/sysmacros.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "common/guardian.h"
+#include "common/node.h"
 
 #define OPEN_FLAGS (O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)
 
@@ -44,8 +44,9 @@ static void found(struct vt *vt, int fd, unsigned number, const char *which)
 static void none(struct vt *vt, const char *path)
 {
     const char *fix = errno == EACCES || errno == EPERM ? " (run it on that console or as root)" : "";
+    char reason[PORT_WHY];
 
-    (void)snprintf(vt->name, sizeof vt->name, "none: %s: %s%s", path, strerror(errno), fix);
+    (void)snprintf(vt->name, sizeof vt->name, "none: %s: %.100s%s", path, node_error(errno, reason), fix);
     vt_close(vt);
 }
 
@@ -87,12 +88,10 @@ void vt_close(struct vt *vt)
 static int bring_in_front(struct vt *vt, int enter)
 {
     const struct timespec limit = {.tv_sec = 3};
-    unsigned front = in_front(vt->fd);
     sigset_t set;
 
-    if (front == vt->number)
+    if (vt->back_to == 0)
         return 0;
-    vt->back_to = front;
     (void)sigemptyset(&set);
     (void)sigaddset(&set, enter);
     if (ioctl(vt->fd, VT_ACTIVATE, (long)vt->number) != 0 || sigtimedwait(&set, NULL, &limit) < 0)
@@ -105,7 +104,9 @@ static int take_modes(struct vt *vt, int leave, int enter)
 {
     struct vt_mode mode = {.mode = VT_PROCESS, .relsig = (short)leave, .acqsig = (short)enter};
 
-    (void)guardian_keep_vt(vt->path, 0);
+    if (!vt_in_front(vt))
+        vt->back_to = in_front(vt->fd);
+    (void)guardian_keep_vt(vt->path, vt->back_to);
     if (ioctl(vt->fd, VT_SETMODE, &mode) != 0) {
         guardian_forget_vt(vt->path);
         return -1;
@@ -132,12 +133,8 @@ int vt_take(struct vt *vt, int leave, int enter, char why[PORT_WHY])
         none(vt, vt->path);
         return TIA_OK;
     }
-    if (bring_in_front(vt, enter) == 0) {
-        if (vt->back_to != 0)
-            (void)guardian_keep_vt(vt->path, vt->back_to);
-        if (ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) == 0)
-            return TIA_OK;
-    }
+    if (bring_in_front(vt, enter) == 0 && ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) == 0)
+        return TIA_OK;
     (void)snprintf(why, PORT_WHY, "%s: cannot come in front of tty%u (switch to it first)", vt->path, vt->back_to);
     vt_give(vt);
     return TIA_ERR_DEVICE;
