@@ -266,6 +266,14 @@ static void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
         chunk->object = object;
 }
 
+/* A run that sees light number n itself. */
+static void light_run(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
+{
+    flat_run(chunk, first, count, &chunk->view->lights[n].emission, threshold);
+    for (int i = first; chunk->reached && i < first + count; i++)
+        chunk->reached[i] = UINT32_C(0xffff0000) | (n & 0xffff);
+}
+
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 {
     const struct tia_view *view = chunk->view;
@@ -280,7 +288,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
         if (object == TIA_NO_OBJECT)
             flat_run(chunk, first, end - first, &view->scene->background, threshold);
         else if (object >= view->scene->sphere_count)
-            flat_run(chunk, first, end - first, &view->lights[object - view->scene->sphere_count].emission, threshold);
+            light_run(chunk, first, end - first, object - view->scene->sphere_count, threshold);
         else
             shade_run(chunk, first, end - first, threshold);
     }

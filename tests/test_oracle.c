@@ -308,6 +308,7 @@ TEST(lights_are_seen)
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
     CHECK_EQ(p.object, 2);
     CHECK_EQ(p.sphere, 0);
+    CHECK_EQ(p.reached, UINT32_C(0xffff0001));
     CHECK_EQ(p.colour, 0xf81f);
     lights[1].radius = 0;
     CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).object, 0);

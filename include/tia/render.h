@@ -34,7 +34,8 @@ struct tia_options {
     bool dither;                    /* ordered dithering, Bayer 8x8, before quantising */
     uint32_t *reached;              /* NULL, or for each pixel of the tile, row by row, which light
                                        arrives: bit n (0..15) when light n does, and in bits 16..31 the
-                                       sum of (n + 1)(j + 1) over the spheres j that let it through */
+                                       sum of (n + 1)(j + 1) over the spheres j that let it through;
+                                       where light n itself is seen, 0xffff0000 + n */
 };
 
 struct tia_view;                    /* a prepared scene, in the caller's memory */

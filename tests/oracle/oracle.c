@@ -237,9 +237,10 @@ static struct oracle_pixel look(const struct tia_scene *scene, unsigned width, u
     pixel.sphere = nearest_sphere(scene, ray, &pixel.depth);
     uint32_t light = nearest_light(scene, ray, &pixel.depth);
     pixel.object = light == TIA_NO_OBJECT ? pixel.sphere : scene->sphere_count + light;
-    if (light != TIA_NO_OBJECT)
+    if (light != TIA_NO_OBJECT) {
+        pixel.reached = UINT32_C(0xffff0000) + light;
         set_linear(&pixel, rgb(scene->lights[light].emission));
-    else if (pixel.object == TIA_NO_OBJECT)
+    } else if (pixel.object == TIA_NO_OBJECT)
         set_linear(&pixel, rgb(scene->background));
     else
         shade(scene, ray, &pixel);
