@@ -13,11 +13,9 @@
 
 #ifdef TIA_HAVE_F64
 
-static const struct tia_core *const cores[MEASURE_CORES] = {&tia_core_q16, &tia_core_f32};
-
 struct run {
     struct options options;
-    struct threads *pool;
+    struct measure what;
     struct report report;
     unsigned frame_count;
 };
@@ -40,12 +38,12 @@ static void heatmap_path(const struct run *run, char *path, size_t size)
         (void)snprintf(path, size, "%.*s-%u%s", stem, name, run->report.frames + 1, name + stem);
 }
 
-static int draw_heatmap(const struct run *run, const struct corpus_scene *c, const struct measure_map *map)
+static int draw_heatmap(const struct run *run, const struct heatmap *map)
 {
     char path[4096], why[PORT_WHY] = "out of memory";
 
     heatmap_path(run, path, sizeof path);
-    if (heatmap_write(map, c->width, c->height, MEASURE_CORES, path, why) == TIA_OK)
+    if (heatmap_write(map, path, why) == TIA_OK)
         return 0;
     (void)fprintf(stderr, "tia-compare: %s\n", why);
     return 1;
@@ -53,25 +51,28 @@ static int draw_heatmap(const struct run *run, const struct corpus_scene *c, con
 
 static int run_frame(struct run *run, const char *name, struct corpus_scene *c)
 {
+    struct measure what = run->what;
     struct tally tallies[MEASURE_CORES];
-    struct measure_map map = {0};
-    bool mapped = run->options.heatmap != NULL;
-    int result = 0;
+    struct heatmap map = {0};
+    int status = TIA_OK, result = 0;
 
-    if (run->options.width > 0) {
-        c->width = run->options.width;
-        c->height = run->options.height;
+    what.scene = &c->scene;
+    what.width = run->options.width > 0 ? run->options.width : c->width;
+    what.height = run->options.width > 0 ? run->options.height : c->height;
+    if (run->options.heatmap != NULL) {
+        status = heatmap_alloc(&map, what.width, what.height, what.core_count) ? TIA_OK : TIA_ERR_MEMORY;
+        what.picture = map.picture;
+        what.differs = heatmap_mark;
+        what.arg = &map;
     }
-    int status = mapped && !heatmap_alloc(&map, c->width, c->height, MEASURE_CORES) ? TIA_ERR_MEMORY : TIA_OK;
     if (status == TIA_OK)
-        status = measure(&c->scene, c->width, c->height, &tia_core_f64, cores, MEASURE_CORES, &threads_workers,
-                         run->pool, tallies, mapped ? &map : NULL);
+        status = measure(&what, tallies);
     if (status != TIA_OK)
         result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
-    if (result == 0 && mapped)
-        result = draw_heatmap(run, c, &map);
+    else if (run->options.heatmap != NULL)
+        result = draw_heatmap(run, &map);
     if (result == 0)
-        report_frame(&run->report, name, c->width, c->height, tallies);
+        report_frame(&run->report, name, what.width, what.height, tallies);
     heatmap_free(&map);
     return result;
 }
@@ -135,21 +136,22 @@ int main(int argc, char **argv)
     if (result != 0)
         return result < 0 ? 2 : 0;
     (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
-    run.pool = threads_create(run.options.threads);
-    if (run.pool == NULL)
+    struct threads *pool = threads_create(run.options.threads);
+    if (pool == NULL)
         return failed("threads", "out of memory");
-    run.report = (struct report){.json = run.options.json,
-                                 .summary = run.options.summary,
-                                 .reference = &tia_core_f64,
-                                 .cores = cores,
-                                 .core_count = MEASURE_CORES};
+    run.what = (struct measure){.reference = &tia_core_f64,
+                                .cores = {&tia_core_q16, &tia_core_f32},
+                                .core_count = MEASURE_CORES,
+                                .workers = &threads_workers,
+                                .workers_ctx = pool};
+    run.report = (struct report){.json = run.options.json, .summary = run.options.summary, .what = &run.what};
     report_begin(&run.report);
     result = run_frames(&run);
     if (result == 0) {
         report_end(&run.report);
         result = check_bounds(&run);
     }
-    threads_destroy(run.pool);
+    threads_destroy(pool);
     if (fflush(stdout) != 0 || ferror(stdout))
         result = failed("standard output", "cannot be written");
     return result;

@@ -219,20 +219,22 @@ static unsigned quantise(double linear, double levels, double threshold, double 
     return (unsigned)floor(value);
 }
 
-static void pack(struct oracle_pixel *pixel, double threshold)
+tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool dither)
 {
+    double threshold = dither ? (oracle_bayer(x, y) + 0.5) / 64.0 : 0.5;
+
+    pixel->margin = 1;
     unsigned r = quantise(pixel->linear[0], 31, threshold, &pixel->margin);
     unsigned g = quantise(pixel->linear[1], 63, threshold, &pixel->margin);
     unsigned b = quantise(pixel->linear[2], 31, threshold, &pixel->margin);
-
     pixel->colour = (tia_rgb565)(r << 11 | g << 5 | b);
+    return pixel->colour;
 }
 
-/* What is seen at a place of the image that need not be a pixel's centre; not yet packed. */
-static struct oracle_pixel look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
+struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
 {
     struct ray ray = {position(scene->camera.eye), oracle_direction(&scene->camera, width, height, x, y)};
-    struct oracle_pixel pixel = {.margin = 1};
+    struct oracle_pixel pixel = {0};
 
     pixel.sphere = nearest_sphere(scene, ray, &pixel.depth);
     uint32_t light = nearest_light(scene, ray, &pixel.depth);
@@ -240,29 +242,31 @@ static struct oracle_pixel look(const struct tia_scene *scene, unsigned width, u
     if (light != TIA_NO_OBJECT) {
         pixel.reached = UINT32_C(0xffff0000) + light;
         set_linear(&pixel, rgb(scene->lights[light].emission));
-    } else if (pixel.object == TIA_NO_OBJECT)
+    } else if (pixel.object == TIA_NO_OBJECT) {
         set_linear(&pixel, rgb(scene->background));
-    else
+    } else {
         shade(scene, ray, &pixel);
+    }
     return pixel;
 }
 
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                                  bool dither)
 {
-    struct oracle_pixel pixel = look(scene, width, height, x, y);
+    struct oracle_pixel pixel = oracle_look(scene, width, height, x, y);
 
-    pack(&pixel, dither ? (oracle_bayer(x, y) + 0.5) / 64.0 : 0.5);
+    (void)oracle_pack(&pixel, x, y, dither);
     return pixel;
 }
 
 bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                       double reach)
 {
-    struct oracle_pixel here = look(scene, width, height, x, y);
+    struct oracle_pixel here = oracle_look(scene, width, height, x, y);
 
     for (int i = 0; i < 9; i++) {
-        struct oracle_pixel near = look(scene, width, height, x + (i % 3 - 1) * reach, y + (i / 3 - 1) * reach);
+        double u = x + (i % 3 - 1) * reach, v = y + (i / 3 - 1) * reach;
+        struct oracle_pixel near = oracle_look(scene, width, height, u, v);
         if (near.object != here.object || near.sphere != here.sphere || near.reached != here.reached)
             return true;
     }

@@ -43,9 +43,17 @@ bool oracle_sphere_analytic(struct oracle_vec origin, struct oracle_vec directio
 /* Row y & 7, column x & 7 of the 8x8 matrix M(8): M(1) = 0, M(2n) = [4M, 4M+2; 4M+3, 4M+1]. */
 unsigned oracle_bayer(unsigned x, unsigned y);
 
-/* Pixel (x, y) of the width x height image of `scene`. */
+/* What is seen through the place (x, y) of the width x height image of `scene`, where pixel (1, 2) has
+ * its centre at (1, 2); without colour and margin. And these two, from the rest. */
+struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y);
+tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool dither);
+
+/* Both in one: pixel (x, y). */
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                                  bool dither);
+
+/* The oracle as the library's arithmetics are: but its lights cannot be replaced. */
+extern const struct tia_core oracle_core;
 
 /* Whether the oracle itself sees another object, or other lights, when it looks `reach` pixels beside
  * the pixel's centre: its rounding errors, some 1e-12 of a pixel, decide what is there. */

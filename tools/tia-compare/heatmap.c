@@ -7,34 +7,43 @@
 #define REACH 2  /* a square's half width: a lone pixel of a large picture would not be seen */
 #define GUTTER 4 /* white columns between two panels */
 
-bool heatmap_alloc(struct measure_map *map, unsigned width, unsigned height, unsigned core_count)
+bool heatmap_alloc(struct heatmap *map, unsigned width, unsigned height, unsigned core_count)
 {
     size_t count = (size_t)width * height;
-    bool ok = (map->picture = malloc(count * sizeof *map->picture)) != NULL;
 
-    for (unsigned i = 0; i < MEASURE_CORES; i++)
-        map->verdict[i] = NULL;
+    *map = (struct heatmap){.width = width, .height = height, .core_count = core_count};
+    bool ok = (map->picture = malloc(count * sizeof *map->picture)) != NULL;
     for (unsigned i = 0; i < core_count; i++)
-        ok &= (map->verdict[i] = malloc(count)) != NULL;
+        ok &= (map->verdict[i] = calloc(count, 1)) != NULL;
     return ok;
 }
 
-void heatmap_free(struct measure_map *map)
+void heatmap_free(struct heatmap *map)
 {
     free(map->picture);
     for (unsigned i = 0; i < MEASURE_CORES; i++)
         free(map->verdict[i]);
 }
 
+void heatmap_mark(void *arg, unsigned core, enum verdict verdict, const struct measure_pixel *want,
+                  const struct measure_pixel *got)
+{
+    struct heatmap *map = arg;
+
+    (void)got;
+    map->verdict[core][(size_t)want->y * map->width + want->x] = (unsigned char)verdict;
+}
+
 /* The worst verdict in the square around (x, y). */
-static unsigned worst_near(const unsigned char *verdict, unsigned width, unsigned height, unsigned x, unsigned y)
+static unsigned worst_near(const struct heatmap *map, unsigned core, unsigned x, unsigned y)
 {
     unsigned left = x > REACH ? x - REACH : 0, top = y > REACH ? y - REACH : 0, worst = SAME;
 
-    for (unsigned v = top; v <= y + REACH && v < height; v++)
-        for (unsigned u = left; u <= x + REACH && u < width; u++)
-            if (verdict[(size_t)v * width + u] > worst)
-                worst = verdict[(size_t)v * width + u];
+    for (unsigned v = top; v <= y + REACH && v < map->height; v++)
+        for (unsigned u = left; u <= x + REACH && u < map->width; u++) {
+            unsigned verdict = map->verdict[core][(size_t)v * map->width + u];
+            worst = verdict > worst ? verdict : worst;
+        }
     return worst;
 }
 
@@ -46,22 +55,20 @@ static tia_rgb565 dark_grey(tia_rgb565 c)
     return (tia_rgb565)(level << 11 | level << 6 | level);
 }
 
-static void panel_row(const struct measure_map *map, unsigned core, unsigned width, unsigned height, unsigned y,
-                      tia_rgb565 *out)
+static void panel_row(const struct heatmap *map, unsigned core, unsigned y, tia_rgb565 *out)
 {
     static const tia_rgb565 colours[] = {[ONE_LEVEL] = 0xffe0, [MORE] = 0xf800, [FLIP] = 0x07ff};
 
-    for (unsigned x = 0; x < width; x++) {
-        unsigned worst = worst_near(map->verdict[core], width, height, x, y);
-        out[x] = worst != SAME ? colours[worst] : dark_grey(map->picture[(size_t)y * width + x]);
+    for (unsigned x = 0; x < map->width; x++) {
+        unsigned worst = worst_near(map, core, x, y);
+        out[x] = worst != SAME ? colours[worst] : dark_grey(map->picture[(size_t)y * map->width + x]);
     }
 }
 
-int heatmap_write(const struct measure_map *map, unsigned width, unsigned height, unsigned core_count, const char *path,
-                  char *why)
+int heatmap_write(const struct heatmap *map, const char *path, char *why)
 {
-    unsigned stride = width + GUTTER, total = core_count * stride - GUTTER;
-    struct image *image = image_create(path, IMAGE_PNG, total, height, why);
+    unsigned stride = map->width + GUTTER, total = map->core_count * stride - GUTTER;
+    struct image *image = image_create(path, IMAGE_PNG, total, map->height, why);
     tia_rgb565 *row = image != NULL ? malloc(total * sizeof *row) : NULL;
 
     if (image == NULL)
@@ -72,9 +79,9 @@ int heatmap_write(const struct measure_map *map, unsigned width, unsigned height
     }
     for (unsigned i = 0; i < total; i++)
         row[i] = 0xffff;
-    for (unsigned y = 0; y < height; y++) {
-        for (unsigned core = 0; core < core_count; core++)
-            panel_row(map, core, width, height, y, row + core * stride);
+    for (unsigned y = 0; y < map->height; y++) {
+        for (unsigned core = 0; core < map->core_count; core++)
+            panel_row(map, core, y, row + core * stride);
         (void)image_band(image, row, 1);
     }
     free(row);

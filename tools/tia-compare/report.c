@@ -30,16 +30,16 @@ static void json_tally(const char *core, const struct tally *t)
 
 static void json_tallies(const struct report *report, const struct tally *tallies)
 {
-    for (unsigned i = 0; i < report->core_count; i++) {
+    for (unsigned i = 0; i < report->what->core_count; i++) {
         (void)fputs(i > 0 ? ", " : "", stdout);
-        json_tally(report->cores[i]->name, &tallies[i]);
+        json_tally(report->what->cores[i]->name, &tallies[i]);
     }
 }
 
 void report_begin(struct report *report)
 {
     if (report->json)
-        printf("{\"reference\": \"%s\", \"frames\": [", report->reference->name);
+        printf("{\"reference\": \"%s\", \"frames\": [", report->what->reference->name);
     else
         printf("%-12s %9s %4s %10s %10s %10s %7s %6s %6s %6s %5s %7s\n", "frame", "size", "", "pixels", "identical",
                "percent", "1 level", "more", "flips", "stray", "worst", "PSNR dB");
@@ -56,9 +56,9 @@ void report_frame(struct report *report, const char *name, unsigned width, unsig
         json_tallies(report, tallies);
         printf("}");
     }
-    for (unsigned i = 0; i < report->core_count; i++) {
+    for (unsigned i = 0; i < report->what->core_count; i++) {
         if (!report->json && !report->summary)
-            table_row(i == 0 ? name : "", i == 0 ? size : "", report->cores[i]->name, &tallies[i]);
+            table_row(i == 0 ? name : "", i == 0 ? size : "", report->what->cores[i]->name, &tallies[i]);
         tally_add(&report->sums[i], &tallies[i]);
     }
     report->frames++;
@@ -76,9 +76,9 @@ void report_end(struct report *report)
         return;
     }
     (void)snprintf(name, sizeof name, "%u frames", report->frames);
-    for (unsigned i = 0; i < report->core_count; i++)
-        table_row(i == 0 ? name : "", "", report->cores[i]->name, &report->sums[i]);
+    for (unsigned i = 0; i < report->what->core_count; i++)
+        table_row(i == 0 ? name : "", "", report->what->cores[i]->name, &report->sums[i]);
     printf("\nflips: another object is hit or other lights reach it; stray: off by more than one level, no flip;\n"
            "worst: the largest difference of a channel, in its levels. The truth is %s.\n",
-           report->reference->name);
+           report->what->reference->name);
 }

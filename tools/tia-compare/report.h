@@ -2,14 +2,12 @@
 #ifndef TIA_COMPARE_REPORT_H
 #define TIA_COMPARE_REPORT_H
 
-#include "measure.h"
+#include "common/measure.h"
 
 struct report {
     bool json, summary;
-    const struct tia_core *reference;
-    const struct tia_core *const *cores;
-    unsigned core_count;
-    unsigned frames; /* so far */
+    const struct measure *what; /* its reference and cores */
+    unsigned frames;            /* so far */
     struct tally sums[MEASURE_CORES];
 };
 

@@ -1,4 +1,4 @@
-#include "measure.h"
+#include "common/measure.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,13 +12,13 @@ struct layer {
     uint32_t *reached, *object;
 };
 
+/* The cores, and the reference after them. */
 struct frame {
-    unsigned width, height, core_count;
-    const struct tia_core *cores[MEASURE_CORES + 1]; /* the reference last */
+    const struct measure *what;
+    const struct tia_core *cores[MEASURE_CORES + 1];
     struct tia_view *views[MEASURE_CORES + 1];
     void *memory[MEASURE_CORES + 1];
     struct band *bands;
-    const struct measure_map *map;
 };
 
 struct band {
@@ -68,34 +68,47 @@ static enum verdict judge(struct tally *tally, tia_rgb565 want, tia_rgb565 got, 
     return flip ? FLIP : largest > 1 ? MORE : largest == 1 ? ONE_LEVEL : SAME;
 }
 
+static struct measure_pixel pixel_of(const struct layer *layer, struct tia_tile tile, size_t i)
+{
+    struct measure_pixel pixel = {.x = tile.x + (unsigned)(i % tile.width), .y = tile.y + (unsigned)(i / tile.width)};
+
+    pixel.colour = layer->pixels[i];
+    pixel.object = layer->object[i];
+    pixel.reached = layer->reached[i];
+    return pixel;
+}
+
 static void compare(struct frame *frame, unsigned core, struct tia_tile tile, const struct layer *want,
                     const struct layer *got)
 {
-    unsigned char *verdicts = frame->map != NULL ? frame->map->verdict[core] : NULL;
+    const struct measure *what = frame->what;
     struct tally *tally = &frame->bands[tile.y / BAND_ROWS].tallies[core];
-    size_t count = (size_t)tile.width * tile.height, first = (size_t)tile.y * frame->width;
+    size_t count = (size_t)tile.width * tile.height;
 
     for (size_t i = 0; i < count; i++) {
         bool flip = want->object[i] != got->object[i] || want->reached[i] != got->reached[i];
         enum verdict verdict = judge(tally, want->pixels[i], got->pixels[i], flip);
-        if (verdicts != NULL)
-            verdicts[first + i] = (unsigned char)verdict;
+        if (verdict != SAME && what->differs != NULL) {
+            struct measure_pixel a = pixel_of(want, tile, i), b = pixel_of(got, tile, i);
+            what->differs(what->arg, core, verdict, &a, &b);
+        }
     }
 }
 
-static int draw(const struct tia_core *core, const struct tia_view *view, struct tia_tile tile, struct layer *layer)
+static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, struct layer *layer)
 {
+    const struct tia_core *core = frame->cores[n];
     struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
-    struct tia_options options = {.reached = layer->reached};
+    struct tia_options options = {.dither = frame->what->dither, .reached = layer->reached};
     size_t size = core->hits_size(tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
     int status = memory == NULL ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, tile);
 
     if (status == TIA_OK)
-        status = core->trace(view, hits, tile);
+        status = core->trace(frame->views[n], hits, tile);
     if (status == TIA_OK)
-        status = core->light(view, hits, tile, &surface, &options);
+        status = core->light(frame->views[n], hits, tile, &surface, &options);
     if (status == TIA_OK)
         for (unsigned y = tile.y; y < tile.y + (unsigned)tile.height; y++)
             for (unsigned x = 0; x < tile.width; x++)
@@ -119,28 +132,29 @@ static void layer_destroy(struct layer *layer)
     free(layer->object);
 }
 
-static void keep_picture(const struct frame *frame, struct tia_tile tile, const struct layer *reference)
+static void keep_picture(const struct measure *what, struct tia_tile tile, const struct layer *reference)
 {
-    if (frame->map != NULL)
-        memcpy(frame->map->picture + (size_t)tile.y * frame->width, reference->pixels,
+    if (what->picture != NULL)
+        memcpy(what->picture + (size_t)tile.y * what->width, reference->pixels,
                (size_t)tile.width * tile.height * sizeof *reference->pixels);
 }
 
 static void measure_band(void *arg, unsigned index)
 {
     struct frame *frame = arg;
-    unsigned y = index * BAND_ROWS, left = frame->height - y, last = frame->core_count;
-    struct tia_tile tile = {0, (uint16_t)y, (uint16_t)frame->width, (uint16_t)(left < BAND_ROWS ? left : BAND_ROWS)};
+    const struct measure *what = frame->what;
+    unsigned y = index * BAND_ROWS, left = what->height - y;
+    struct tia_tile tile = {0, (uint16_t)y, (uint16_t)what->width, (uint16_t)(left < BAND_ROWS ? left : BAND_ROWS)};
     size_t count = (size_t)tile.width * tile.height;
     struct layer want = {0}, got = {0};
     int status = layer_create(&want, count) && layer_create(&got, count) ? TIA_OK : TIA_ERR_MEMORY;
 
     if (status == TIA_OK)
-        status = draw(frame->cores[last], frame->views[last], tile, &want);
+        status = draw(frame, what->core_count, tile, &want);
     if (status == TIA_OK)
-        keep_picture(frame, tile, &want);
-    for (unsigned core = 0; core < last && status == TIA_OK; core++) {
-        status = draw(frame->cores[core], frame->views[core], tile, &got);
+        keep_picture(what, tile, &want);
+    for (unsigned core = 0; core < what->core_count && status == TIA_OK; core++) {
+        status = draw(frame, core, tile, &got);
         if (status == TIA_OK)
             compare(frame, core, tile, &want, &got);
     }
@@ -149,48 +163,48 @@ static void measure_band(void *arg, unsigned index)
     layer_destroy(&got);
 }
 
-static int prepare(struct frame *frame, const struct tia_scene *scene)
+static int prepare(struct frame *frame)
 {
+    const struct tia_scene *scene = frame->what->scene;
     int status = TIA_OK;
 
-    for (unsigned i = 0; i <= frame->core_count && status == TIA_OK; i++) {
+    for (unsigned i = 0; i <= frame->what->core_count && status == TIA_OK; i++) {
         size_t size = frame->cores[i]->view_size(scene, scene->light_count);
         frame->memory[i] = malloc(size);
-        status = frame->memory[i] == NULL ? TIA_ERR_MEMORY
-                                          : frame->cores[i]->view_init(&frame->views[i], frame->memory[i], size, scene,
-                                                                       scene->light_count, frame->width, frame->height);
+        status = frame->memory[i] == NULL
+                     ? TIA_ERR_MEMORY
+                     : frame->cores[i]->view_init(&frame->views[i], frame->memory[i], size, scene, scene->light_count,
+                                                  frame->what->width, frame->what->height);
     }
     return status;
 }
 
 static int sum_up(const struct frame *frame, unsigned band_count, struct tally *tallies)
 {
-    memset(tallies, 0, frame->core_count * sizeof *tallies);
+    memset(tallies, 0, frame->what->core_count * sizeof *tallies);
     for (unsigned i = 0; i < band_count; i++) {
         if (frame->bands[i].status != TIA_OK)
             return frame->bands[i].status;
-        for (unsigned core = 0; core < frame->core_count; core++)
+        for (unsigned core = 0; core < frame->what->core_count; core++)
             tally_add(&tallies[core], &frame->bands[i].tallies[core]);
     }
     return TIA_OK;
 }
 
-int measure(const struct tia_scene *scene, unsigned width, unsigned height, const struct tia_core *reference,
-            const struct tia_core *const *cores, unsigned core_count, const struct tia_workers *workers,
-            void *workers_ctx, struct tally *tallies, const struct measure_map *map)
+int measure(const struct measure *what, struct tally *tallies)
 {
-    unsigned band_count = (height + BAND_ROWS - 1) / BAND_ROWS;
-    struct frame frame = {.width = width, .height = height, .core_count = core_count, .map = map};
+    unsigned band_count = (what->height + BAND_ROWS - 1) / BAND_ROWS;
+    struct frame frame = {.what = what};
 
-    memcpy(frame.cores, cores, core_count * sizeof *cores);
-    frame.cores[core_count] = reference;
+    memcpy(frame.cores, what->cores, sizeof what->cores);
+    frame.cores[what->core_count] = what->reference;
     frame.bands = calloc(band_count, sizeof *frame.bands);
-    int status = frame.bands == NULL ? TIA_ERR_MEMORY : prepare(&frame, scene);
+    int status = frame.bands == NULL ? TIA_ERR_MEMORY : prepare(&frame);
     if (status == TIA_OK) {
-        workers->run(workers_ctx, measure_band, &frame, band_count);
+        what->workers->run(what->workers_ctx, measure_band, &frame, band_count);
         status = sum_up(&frame, band_count, tallies);
     }
-    for (unsigned i = 0; i <= core_count; i++)
+    for (unsigned i = 0; i <= what->core_count; i++)
         free(frame.memory[i]);
     free(frame.bands);
     return status;

@@ -1,0 +1,99 @@
+/* against.h - a picture of the library held against the oracle's, pixel by pixel. */
+#ifndef TESTS_AGAINST_H
+#define TESTS_AGAINST_H
+
+#include "common/measure.h"
+#include "oracle/oracle.h"
+
+#include <inttypes.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define AGAINST_NOTES 8
+#define AGAINST_REACH 1e-9 /* of a pixel: a thousand times double's errors, far below those of q16 */
+
+/* A pixel that differs. */
+struct against_note {
+    struct measure_pixel got;
+    struct oracle_pixel want;
+};
+
+struct against {
+    struct tally tally;
+    uint64_t undecided; /* those of the flips that lie within AGAINST_REACH of a boundary */
+    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors reached */
+    unsigned note_count;
+    struct against_note notes[AGAINST_NOTES];
+};
+
+struct against_comparison {
+    const struct measure *what;
+    struct against *out;
+    pthread_mutex_t lock;
+};
+
+static inline void against_add(struct against *sum, const struct against *part)
+{
+    tally_add(&sum->tally, &part->tally);
+    sum->undecided += part->undecided;
+    sum->margin = part->margin > sum->margin ? part->margin : sum->margin;
+    for (unsigned i = 0; i < part->note_count && sum->note_count < AGAINST_NOTES; i++)
+        sum->notes[sum->note_count++] = part->notes[i];
+}
+
+static inline void against_differs(void *arg, unsigned core, enum verdict verdict, const struct measure_pixel *want,
+                                   const struct measure_pixel *got)
+{
+    struct against_comparison *c = arg;
+    const struct measure *what = c->what;
+    struct against one = {.note_count = 1, .notes = {{.got = *got}}};
+    struct oracle_pixel *pixel = &one.notes[0].want;
+
+    (void)core;
+    *pixel = oracle_pixel(what->scene, what->width, what->height, want->x, want->y, what->dither);
+    one.margin = verdict == ONE_LEVEL ? pixel->margin : 0;
+    one.undecided =
+        verdict == FLIP && oracle_undecided(what->scene, what->width, what->height, want->x, want->y, AGAINST_REACH);
+    (void)pthread_mutex_lock(&c->lock);
+    against_add(c->out, &one);
+    (void)pthread_mutex_unlock(&c->lock);
+}
+
+/* Draws `scene` with `core` and with the oracle. A negative tia_status: it could not be drawn. */
+static inline int against_oracle(const struct tia_core *core, const struct tia_scene *scene, unsigned width,
+                                 unsigned height, bool dither, const struct tia_workers *workers, void *workers_ctx,
+                                 struct against *out)
+{
+    struct measure what = {.scene = scene,
+                           .width = width,
+                           .height = height,
+                           .dither = dither,
+                           .reference = &oracle_core,
+                           .cores = {core},
+                           .core_count = 1,
+                           .workers = workers,
+                           .workers_ctx = workers_ctx,
+                           .differs = against_differs};
+    struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};
+
+    memset(out, 0, sizeof *out);
+    what.arg = &comparison;
+    return measure(&what, &out->tally);
+}
+
+/* Prints the notes when the environment has VERBOSE. */
+static inline void against_list(const char *name, const struct against *against)
+{
+    for (unsigned i = 0; i < against->note_count && getenv("VERBOSE") != NULL; i++) {
+        const struct measure_pixel *got = &against->notes[i].got;
+        const struct oracle_pixel *want = &against->notes[i].want;
+        printf("%s (%u, %u): colour %04x object %" PRId32 " lights %" PRIx32 ", oracle %04x %" PRId32 " (%" PRId32
+               ") %" PRIx32 "; margin %g depth %g\n",
+               name, got->x, got->y, (unsigned)got->colour, (int32_t)got->object, got->reached, (unsigned)want->colour,
+               (int32_t)want->sphere, (int32_t)want->object, want->reached, want->margin, want->depth);
+    }
+}
+
+#endif
