@@ -83,7 +83,7 @@ static int run_thesis(struct run *run, const char *keys)
     char name[64];
 
     if (corpus_thesis(&c, keys, 1920, 1080) < 0)
-        return failed(keys, "a key that the built-in scene does not have");
+        return failed(keys, "one of these keys would quit");
     (void)snprintf(name, sizeof name, "thesis %s", *keys != '\0' ? keys : "none");
     return run_frame(run, name, &c);
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <tia/render.h>
+#include <tia/tia.h>
 
 #include "common/threads.h"
 
@@ -24,10 +24,11 @@ static const struct option long_options[] = {{"keys", required_argument, NULL, '
                                              {"require-identical", required_argument, NULL, IDENTICAL},
                                              {"max-flips", required_argument, NULL, FLIPS},
                                              {"help", no_argument, NULL, 'h'},
+                                             {"version", no_argument, NULL, 'V'},
                                              {0}};
 
 static const char usage[] =
-    "usage: tia-compare [options]\n"
+    "Usage: tia-compare [options]\n"
     "Draws scenes in integers (q16), in single (f32) and in double precision (f64), and counts how\n"
     "q16 and f32 differ from f64.\n"
     "\n"
@@ -44,7 +45,7 @@ static const char usage[] =
     "                               FILE-1.png, FILE-2.png, ...\n"
     "      --require-identical P    fail when less than P percent of q16's pixels are identical\n"
     "      --max-flips N            fail when more than N of q16's pixels show another object or shadow\n"
-    "  -h, --help\n"
+    "  -h, --help, -V, --version\n"
     "\n"
     "Exit status: 0 fine, 1 a bound is not met or something failed, 2 wrong usage.\n";
 
@@ -145,6 +146,9 @@ static int set(struct options *options, int option, const char *text)
     case 'h':
         (void)fputs(usage, stdout);
         return 1;
+    case 'V':
+        (void)puts("tia-compare " TIA_VERSION);
+        return 1;
     default:
         return set_number(options, option, text);
     }
@@ -162,7 +166,7 @@ int options_parse(struct options *options, int argc, char **argv)
 
     *options = (struct options){.seed = 1, .threads = threads_processors(), .require_identical = -1, .max_flips = -1};
     opterr = 0;
-    while (result == 0 && (option = getopt_long(argc, argv, ":k:s:j:h", long_options, NULL)) != -1)
+    while (result == 0 && (option = getopt_long(argc, argv, ":k:s:j:hV", long_options, NULL)) != -1)
         result = option == '?' || option == ':' ? reject(option, argv) : set(options, option, optarg);
     if (result == 0 && optind < argc)
         result = mistake(argv[optind], "unexpected argument (see --help)");
