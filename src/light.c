@@ -122,9 +122,9 @@ static void cast_shadows(const struct shading *s, const struct shadow_source *so
         struct shadow_line line;
         num_u before[CHUNK];
 
-        if (j == s->object)
+        if (j == s->object ||
+            !shadow_line_prepare(chunk->view, source, &chunk->view->bodies[j], chunk->x + s->first, chunk->y, &line))
             continue;
-        shadow_line_prepare(chunk->view, source, &chunk->view->bodies[j], chunk->x + s->first, chunk->y, &line);
         line.count = s->count;
         for (int i = 0; !rgb565_is_black(through) && i < s->count; i++)
             before[i] = lit->facing[i];

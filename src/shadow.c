@@ -56,9 +56,37 @@ static int prepare_power(const struct tia_view *view, const struct shadow_source
     return e;
 }
 
-void shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+static num_wide sum_of_sizes(struct num_vec a)
+{
+    return num_abs(a.x) + num_abs(a.y) + num_abs(a.z);
+}
+
+static struct num_vec quarter(struct num_vec a)
+{
+    struct num_vec q = {num_shift(a.x, -2), num_shift(a.y, -2), num_shift(a.z, -2)};
+    return q;
+}
+
+/* Whether the caster is behind every point of the sphere L as seen from the light: with D = C - L,
+ * G = Q - L and P = L + r N,
+ *
+ *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
+ *
+ * In quarters the products fit; the last term makes up for their rounding. */
+static bool is_behind(const struct shadow_source *source, const struct body *caster)
+{
+    struct num_vec d = quarter(num_vec_sub(caster->centre, source->body->centre));
+    struct num_vec g = quarter(num_vec_sub(source->light, source->body->centre));
+    num_wide r = num_shift(source->body->radius, -2) + 1;
+
+    return num_dot(d, g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
+}
+
+bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
+    if (is_behind(source, caster))
+        return false;
     const struct body *body = source->body;
     num_wide from_light = num_square30(num_vec_sub(caster->centre, source->light));
     int e_a = prepare_product(view, source, caster, x, y, line);
@@ -73,4 +101,5 @@ void shadow_line_prepare(const struct tia_view *view, const struct shadow_source
     line->swell = num_bias(body->inverse, body->radius_bits);
     line->exponent = 2 * e_a - source->exponent - e_k;
     line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);
+    return true;
 }

@@ -11,8 +11,9 @@ struct shadow_source {
     int exponent, reach_exponent; /* e_d of |Q - P|^2 and e_p of |P|^2 */
 };
 
-/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on. */
-void shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on.
+ * False when it shades none of them. */
+bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line);
 
 #endif
