@@ -45,9 +45,8 @@ static void light(double x, double y, double z, double radius, double bright)
         (struct tia_light){TIA_VEC3(x, y, z), TIA_Q16(radius), TIA_RGB(bright, bright, bright)};
 }
 
-/* At most `wrong` pixels of the picture may differ, none by more than a level unless it is a flip.
- * Pixels on an outline, where the oracle is undecided, do not count. */
-static void compare(const struct tia_core *core, unsigned width, unsigned height, unsigned wrong)
+/* Every pixel must be the oracle's, but for those on an outline, where the oracle is undecided. */
+static void compare(const struct tia_core *core, unsigned width, unsigned height)
 {
     struct against a;
     const struct tally *t = &a.tally;
@@ -55,18 +54,16 @@ static void compare(const struct tia_core *core, unsigned width, unsigned height
     CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
     CHECK_EQ(against_oracle(core, &scene, width, height, false, &threads_workers, pool, &a), TIA_OK);
     against_list(core->name, &a);
-    wrong += (unsigned)a.undecided;
-    CHECK_MSG(t->pixels - t->identical <= wrong, "%s: %ju pixels differ", core->name,
+    CHECK_MSG(t->pixels - t->identical <= a.undecided, "%s: %ju pixels differ", core->name,
               (uintmax_t)(t->pixels - t->identical));
-    CHECK_MSG(t->flips <= wrong, "%s: %ju flips", core->name, (uintmax_t)t->flips);
-    CHECK_MSG(t->stray == 0, "%s: %ju stray", core->name, (uintmax_t)t->stray);
+    CHECK_MSG(t->flips == a.undecided, "%s: %ju flips", core->name, (uintmax_t)t->flips);
 }
 
-static void compare_both(unsigned width, unsigned height, unsigned wrong)
+static void compare_both(unsigned width, unsigned height)
 {
-    compare(&tia_core_q16, width, height, wrong);
+    compare(&tia_core_q16, width, height);
 #ifdef TIA_HAVE_F64
-    compare(&tia_core_f64, width, height, 0);
+    compare(&tia_core_f64, width, height);
 #endif
 }
 
@@ -77,7 +74,7 @@ TEST(eye_inside_a_ball)
     ball(0, 0.5, -3, 1, 2);
     light(-1, 1, 1, 0, 1);
     light(20, 10, 5, 1, 1);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 /* Its centre is behind some of the rays: those pass through its wall, as step 2 of the algorithm has it. */
@@ -87,7 +84,7 @@ TEST(eye_inside_a_ball_whose_centre_is_behind)
     ball(1, 0.5, 2, 5, 0);
     ball(0, 0, -10, 4, 2);
     light(5, 5, 0, 0, 1);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 TEST(eye_inside_two_overlapping_balls)
@@ -98,7 +95,7 @@ TEST(eye_inside_two_overlapping_balls)
     ball(0, 1, -1.5, 4, 3);
     light(1, 6, -3, 0, 1);
     light(-9, 0, 2, 0, 1);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 TEST(light_inside_a_ball)
@@ -109,7 +106,7 @@ TEST(light_inside_a_ball)
     ball(4, 0, -22, 3, 0);
     light(0.5, 1, -19, 1, 1);
     light(2.5, 0, -20.5, 0.25, 1);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 TEST(light_below_the_ground_and_behind_the_eye)
@@ -119,7 +116,7 @@ TEST(light_below_the_ground_and_behind_the_eye)
     ball(0, 0, -20, 3, 3);
     light(0, -10, -20, 3, 1);
     light(1, 1, 30, 3, 1);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 TEST(eye_inside_a_light)
@@ -127,7 +124,7 @@ TEST(eye_inside_a_light)
     start(60);
     ball(0, 0, -3, 2, 0);
     light(0, 0.5, -1, 3, 0.5);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 /* 2^-10, the smallest radius, with its shadow and one pixel in sight. */
@@ -138,7 +135,7 @@ TEST(smallest_balls)
     ball(0.001953125, 0, -0.01171875, 0.0009765625, 0);
     ball(1, 1, -3, 0.0009765625, 2);
     light(0.0625, 0.03125, 0, 0.0009765625, 1);
-    compare_both(160, 120, 1);
+    compare_both(160, 120);
 }
 
 TEST(farthest_things)
@@ -149,7 +146,7 @@ TEST(farthest_things)
     ball(0, -10000, -9000, 9990, 1);
     light(-8000, 9000, -20000, 1000, 1);
     light(0, 0, 32000, 0, 1);
-    compare_both(160, 120, 1);
+    compare_both(160, 120);
 }
 
 /* A light like the sun: from there a ball is so small that its outline is the last bits of an angle. */
@@ -159,11 +156,11 @@ TEST(distant_light)
     ball(0, -10004, -20, 10000, 0);
     ball(0, -1, -20, 3, 2);
     light(-600, 700, -300, 0, 1);
-    compare_both(320, 240, 0);
+    compare_both(320, 240);
     lights[0].centre = (struct tia_vec3)TIA_VEC3(-2400, 2800, -1200);
-    compare_both(320, 240, 2);
+    compare_both(320, 240);
     lights[0].centre = (struct tia_vec3)TIA_VEC3(-12000, 14000, -6000);
-    compare_both(320, 240, 12);
+    compare_both(320, 240);
 }
 
 TEST(narrowest_and_widest_view)
@@ -172,9 +169,9 @@ TEST(narrowest_and_widest_view)
     ball(0, -10004, -20, 10000, 0);
     ball(0, 0, -200, 1, 2);
     light(10, 10, -180, 3, 1);
-    compare_both(160, 120, 1);
+    compare_both(160, 120);
     scene.camera.fov = TIA_FOV_MAX;
-    compare_both(160, 120, 1);
+    compare_both(160, 120);
 }
 
 /* The same ball three times, two balls with one centre, a light in a ball's place. */
@@ -188,7 +185,7 @@ TEST(equal_balls)
     ball(3, 0, -20, 3, 1);
     light(3, 0, -20, 3, 1);
     light(0, 5, -10, 0, 0.5);
-    compare_both(160, 120, 0);
+    compare_both(160, 120);
 }
 
 /* Two lights that cover each other and one the other's twin: the nearer, then the lower index. */
@@ -201,7 +198,7 @@ TEST(lights_in_sight)
     light(1, 1, -18, 1, 0.5);
     light(2, 1.5, -17, 1, 0.75);
     light(-2, 1.5, -21, 2, 1);
-    compare_both(160, 120, 2);
+    compare_both(160, 120);
 }
 
 /* More lights than the bits of `reached`, brighter than white together. */
@@ -213,7 +210,7 @@ TEST(forty_lights)
     ball(4, -2, -16, 1, 1);
     for (int i = 0; i < LIGHTS; i++)
         light(i * 2 - 39, 10 + i % 5, -10 - i % 7, 0, i % 3 == 0 ? 0.01 : 0.06);
-    compare_both(160, 120, 4);
+    compare_both(160, 120);
 }
 
 /* 4 x 4 x 4 balls, each touching its neighbours. */
@@ -225,7 +222,7 @@ TEST(lattice_of_touching_balls)
         ball((i & 3) * 2 - 3, (i >> 2 & 3) * 2 - 3, (i >> 4) * 2 - 12, 1, (uint32_t)i % 4);
     light(-6, 9, 2, 1, 1);
     light(0, 0, -9, 0, 0.5);
-    compare_both(160, 120, 2);
+    compare_both(160, 120);
 }
 
 TEST(odd_sizes)
@@ -237,7 +234,7 @@ TEST(odd_sizes)
     ball(0, -1, -20, 3, 2);
     light(-20, 20, -20, 3, 1);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
-        compare_both(sizes[i][0], sizes[i][1], 1);
+        compare_both(sizes[i][0], sizes[i][1]);
 }
 
 static uint64_t random_state;
@@ -308,11 +305,11 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     CHECK_EQ(t->stray, 0);
 }
 
-/* Where a ball seen from 0.001 away is lit from 3000 away, the products with its points keep few bits
- * beside those with the light, and its shadows are off by pixels. No colour is, but for these. */
+/* Balls not much larger than the bias, 2^-13, lit from thousands of units away: their shadows on each
+ * other are off by pixels. With radii of 0.25 and more 2 pixels in a million differ. */
 TEST(wild_scenes_in_q16)
 {
-    compare_wild(&tia_core_q16, 1100, 1100);
+    compare_wild(&tia_core_q16, 130, 130);
 }
 
 #ifdef TIA_HAVE_F64
