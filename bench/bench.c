@@ -1,0 +1,99 @@
+/* bench.c - milliseconds a frame on one core: a whole frame, a frame of which only the light moved,
+ * and the textbook's loop in float. The three take turns, so that a machine whose speed drifts
+ * treats them alike; the median of each and of their ratios is printed. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <tia/tia.h>
+#include <time.h>
+
+#include "plain.h"
+
+#define ROUNDS 15
+
+struct frame {
+    struct tia_scene scene;
+    struct tia_tile area;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    struct tia_surface surface;
+};
+
+static double milliseconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static void *memory(size_t size)
+{
+    void *p = malloc(size);
+    if (!p) {
+        (void)fprintf(stderr, "bench: out of memory\n");
+        exit(1);
+    }
+    return p;
+}
+
+/* The thesis scene with its first light, above left. */
+static void prepare(struct frame *f, uint16_t width, uint16_t height)
+{
+    size_t view_size, hits_size;
+
+    f->scene = tia_thesis_scene;
+    f->scene.lights = &tia_thesis_scene.bindings[0].state;
+    f->scene.light_count = 1;
+    f->area = (struct tia_tile){0, 0, width, height};
+    view_size = tia_view_size(&f->scene, 1);
+    hits_size = tia_hits_size(f->area);
+    if (tia_view_init(&f->view, memory(view_size), view_size, &f->scene, 1, width, height) ||
+        tia_hits_init(&f->hits, memory(hits_size), hits_size, f->area))
+        exit(1);
+    f->surface = (struct tia_surface){memory((size_t)width * height * 2), 2, 2 * width};
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double values[ROUNDS])
+{
+    qsort(values, ROUNDS, sizeof *values, by_value);
+    return values[ROUNDS / 2];
+}
+
+static void measure(uint16_t width, uint16_t height)
+{
+    double full[ROUNDS], relit[ROUNDS], plain[ROUNDS], ratio[ROUNDS], saved[ROUNDS];
+    struct frame f;
+
+    prepare(&f, width, height);
+    for (int i = 0; i < ROUNDS; i++) {
+        double start = milliseconds();
+        if (tia_render(f.view, f.hits, f.area, &f.surface, NULL))
+            exit(1);
+        double drawn = milliseconds();
+        if (tia_light_tile(f.view, f.hits, f.area, &f.surface, NULL))
+            exit(1);
+        double lit = milliseconds();
+        plain_render(&f.scene, width, height, f.surface.pixels);
+        plain[i] = milliseconds() - lit;
+        full[i] = drawn - start;
+        relit[i] = lit - drawn;
+        ratio[i] = plain[i] / full[i];
+        saved[i] = plain[i] / relit[i];
+    }
+    printf("| %ux%u | %.1f | %.1f | %.1f | %.2f | %.2f |\n", width, height, median(full), median(relit), median(plain),
+           median(ratio), median(saved));
+}
+
+int main(void)
+{
+    printf("| size | full, ms | relit, ms | plain float, ms | float/full | float/relit |\n");
+    printf("|---|---|---|---|---|---|\n");
+    measure(640, 480);
+    measure(1920, 1080);
+    return 0;
+}
