@@ -79,19 +79,29 @@ void keyboard_close(struct keyboard *keyboard)
     keyboard->fd = -1;
 }
 
-/* Writes events for those keys of `set` that are modifiers, or for all of them. A device that
- * refuses has gone: the next read tells. */
-static void write_keys(const struct keyboard *keyboard, const struct key_set *set, bool modifiers_only, int value)
-{
-    struct input_event e = {.type = EV_KEY, .value = value}, end = {.type = EV_SYN, .code = SYN_REPORT};
-    bool any = false;
+/* Whether a key of a set is to change hands: any of it, only a modifier, or only another one. */
+enum which { ALL, MODIFIERS, OTHERS };
 
-    for (unsigned code = 0; code < KEY_CNT; code++)
-        if (key_set_has(set, code) && (!modifiers_only || key_is_modifier(code))) {
-            e.code = (uint16_t)code;
-            any = write(keyboard->fd, &e, sizeof e) == (ssize_t)sizeof e || any;
+static bool is_meant(enum which which, unsigned code)
+{
+    return which == ALL || key_is_modifier(code) == (which == MODIFIERS);
+}
+
+/* Writes the events of a set's keys, from the first value to the last one, in a single call: the
+ * less time it takes, the less can a key really move in between. A device that refuses has gone:
+ * the next read tells. */
+static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
+                       int last)
+{
+    struct input_event events[KEYBOARD_EVENTS];
+    size_t count = 0;
+
+    for (unsigned code = 0; code < KEY_CNT && count + 4 <= KEYBOARD_EVENTS; code++)
+        for (int value = first; key_set_has(set, code) && is_meant(which, code) && value <= last; value++) {
+            events[count++] = (struct input_event){.type = EV_KEY, .code = (uint16_t)code, .value = value};
+            events[count++] = (struct input_event){.type = EV_SYN, .code = SYN_REPORT};
         }
-    if (any && write(keyboard->fd, &end, sizeof end) < 0)
+    if (count > 0 && write(keyboard->fd, events, count * sizeof events[0]) < 0)
         return;
 }
 
@@ -121,11 +131,11 @@ static bool try_grab(struct keyboard *keyboard)
 
     if (!get_pressed(keyboard, &before))
         return true;
-    write_keys(keyboard, &before, false, 0);
+    write_keys(keyboard, &before, ALL, 0, 0);
     keyboard->grabbed = ioctl(keyboard->fd, EVIOCGRAB, 1) == 0;
     if (!keyboard->grabbed)
         return true;
-    write_keys(keyboard, &before, false, 1);
+    write_keys(keyboard, &before, ALL, 1, 1);
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
 
@@ -148,9 +158,10 @@ void keyboard_release(struct keyboard *keyboard)
     if (keyboard->unplugged)
         return;
     if (keyboard->grabbed && get_pressed(keyboard, &down)) {
-        write_keys(keyboard, &down, false, 0);
+        write_keys(keyboard, &down, OTHERS, 0, 0);
         (void)ioctl(keyboard->fd, EVIOCGRAB, 0);
-        write_keys(keyboard, &down, true, 1);
+        (void)get_pressed(keyboard, &down);
+        write_keys(keyboard, &down, MODIFIERS, 0, 1);
     }
     keyboard->grabbed = false;
     begin(keyboard);
@@ -163,7 +174,7 @@ bool keyboard_is_pressed(const struct keyboard *keyboard)
     if (keyboard->unplugged || !get_pressed(keyboard, &down))
         return false;
     for (unsigned code = 0; code < KEY_CNT; code++)
-        if (key_set_has(&down, code) && key_at(code) != 0)
+        if (key_set_has(&down, code) && (key_at(code) != 0 || key_is_modifier(code)))
             return true;
     return false;
 }
@@ -197,8 +208,9 @@ uint64_t keyboard_next_us(const struct keyboard *keyboard)
     return (uint64_t)e->input_event_sec * 1000000u + (uint64_t)e->input_event_usec;
 }
 
-/* SYN_DROPPED (Documentation/input/event-codes.rst): what was read before SYN_REPORT is to be
- * thrown away, and the state asked for. */
+/* SYN_DROPPED (Documentation/input/event-codes.rst): what comes before SYN_REPORT is to be thrown
+ * away, and the state asked for. What was read after that still counts: a key that is down already
+ * by the state, or up, does not move again. */
 static void synchronise(struct keyboard *keyboard, const struct input_event *e)
 {
     struct key_set down;
@@ -207,7 +219,6 @@ static void synchronise(struct keyboard *keyboard, const struct input_event *e)
         keyboard->dropped = true;
     } else if (e->code == SYN_REPORT && keyboard->dropped) {
         keyboard->dropped = false;
-        keyboard->next = keyboard->count = 0;
         if (get_pressed(keyboard, &down))
             key_state_lost(&keyboard->state, &down);
     }

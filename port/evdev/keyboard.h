@@ -35,7 +35,7 @@ void keyboard_close(struct keyboard *keyboard);
 void keyboard_grab(struct keyboard *keyboard);
 void keyboard_release(struct keyboard *keyboard);
 
-/* Is a key down that types? */
+/* Is a key down that types, or a modifier? */
 bool keyboard_is_pressed(const struct keyboard *keyboard);
 
 /* Reads what is there. An unplugged keyboard has all keys up. */
