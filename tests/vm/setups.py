@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import cases_console as console
 import cases_display as display
+import cases_hands as hands
 import cases_keys as keys
 import image
 import picture
@@ -16,6 +17,7 @@ GROUPS = {
     'latency': [display.latency],
     'pages, pacing': [display.panning, display.pacing],
     'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable, keys.none],
+    'changing hands': hands.ALL,
     'quitting': [console.keys_that_quit, console.terminal_keys],
     'signals': [console.signals, console.exhausted],
     'serial line': [console.serial],
@@ -88,7 +90,7 @@ SETUPS = [
     drm('keyboards', [*BOCHS, '-device', 'qemu-xhci,id=usb'],
         ['bochs', 'uinput', 'virtio_pci', 'virtio_input', 'xhci-pci', 'usbhid', 'hid-generic'], (640, 480),
         title='PS/2, USB, virtio, uinput keyboards',
-        cases=[keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable]),
+        cases=[keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable, *hands.ALL]),
     drm('no-keyboard', BOCHS, ['bochs'], (640, 480), title='no keyboard', machine='pc,i8042=off', keyboard=False,
         cases=[keys.none]),
     # What takes long, in guests of their own, so that they share the processors.
