@@ -153,7 +153,7 @@ static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
 static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
 {
     NUM_CHECK(b >= 0 && c > 0);
-    if (a > 0 ? d <= 0 : d >= 0)
+    if (a > 0 ? d < 0 : d >= 0)
         return a > 0;
     if (a > 0)
         return tia_cmp_products((uint64_t)a, (uint64_t)b, (uint64_t)c, (uint64_t)d) > 0;

@@ -1,0 +1,226 @@
+/* The operations of q16's number layer, each against what its header states: exact ones at their
+ * boundaries, rounded ones by the size, the sign and the mean of their errors. */
+#include "check.h"
+#include "num.h"
+
+#include <math.h>
+
+#define ROUNDS 200000
+
+__extension__ typedef __int128 wide128;
+
+static uint64_t random_state = 1;
+
+/* SplitMix64 */
+static uint64_t next(void)
+{
+    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
+
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    return z ^ z >> 31;
+}
+
+/* A number below 2^bits of any length. */
+static uint64_t any(unsigned bits)
+{
+    return next() >> (64 - bits) >> next() % bits;
+}
+
+/* result 2^s is `exact` to nearest, ties up. */
+static bool nearest(wide128 result, wide128 exact, unsigned s)
+{
+    wide128 half = (wide128)1 << s >> 1, error = (result << s) - exact;
+
+    return error <= half && error > (s > 0 ? -half : -1);
+}
+
+TEST(products_are_rounded_to_nearest)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_u a = (num_u)any(32), b = (num_u)any(32), c = (num_u)any(31), d = (num_u)any(31);
+        num_u cosine = (num_u)(next() % ((uint64_t)NUM_ONE + 1));
+        CHECK(nearest(num_mul_top(a, b), (wide128)a * b, 32));
+        CHECK(nearest(num_colour_product(c, d), (wide128)c * d, 30));
+        CHECK(nearest(num_lambert(cosine, UINT32_C(1) << 31), (wide128)cosine << 31, 31));
+        CHECK(nearest(num_lambert(c, d >> 1), (wide128)c * (d >> 1), 31));
+        int s = 1 + (int)(next() % 62);
+        CHECK(nearest(num_bias_product(c, d, s), (wide128)c * d, (unsigned)s));
+    }
+    CHECK_EQ(num_colour_product(NUM_ONE, NUM_ONE), NUM_ONE);
+    CHECK_EQ(num_colour_product(1 << 29, 1), 1); /* halves go up */
+    CHECK_EQ(num_colour_product((1 << 29) - 1, 1), 0);
+}
+
+TEST(shifts_are_rounded_to_nearest)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide x = (num_wide)any(62);
+        unsigned s = (unsigned)(next() % 63);
+        x = next() & 1 ? -x : x;
+        CHECK(nearest(num_shift(x, -(int)s), x, s));
+    }
+    CHECK_EQ(num_shift(-3, 5), -96);
+    CHECK_EQ(num_shift(3, -1), 2);
+    CHECK_EQ(num_shift(-3, -1), -1);
+    CHECK_EQ(num_shift(INT64_C(1) << 61, -64), 0);
+    CHECK_EQ(num_top(-1), -1); /* rounded down */
+    CHECK_EQ(num_top_u((INT64_C(5) << 32) + UINT32_MAX), 5);
+    CHECK_EQ(num_top(NUM_HALF), 0);
+    CHECK_EQ(num_top(2 * NUM_HALF), 1);
+}
+
+TEST(lengths_in_bits)
+{
+    CHECK_EQ(num_bits(0), 0);
+    CHECK_EQ(num_bits(1), 1);
+    CHECK_EQ(num_bits(-1), 1);
+    CHECK_EQ(num_bits(255), 8);
+    CHECK_EQ(num_bits(-256), 9);
+    CHECK_EQ(num_bits(INT64_MAX), 63);
+}
+
+/* The least channel that gives level n is the least c with levels c + 1/2 >= n. */
+TEST(levels_begin_where_they_should)
+{
+    static const unsigned most[] = {31, 63};
+
+    for (size_t i = 0; i < 2; i++) {
+        for (unsigned n = 1; n <= most[i]; n++) {
+            uint64_t least = (((uint64_t)(2 * n - 1) << 29) + most[i] - 1) / most[i];
+            CHECK_EQ(num_quantise((num_u)least, most[i], NUM_ROUND), n);
+            CHECK_EQ(num_quantise((num_u)least - 1, most[i], NUM_ROUND), n - 1);
+        }
+        CHECK_EQ(num_quantise(0, most[i], NUM_ROUND), 0);
+        CHECK_EQ(num_quantise(NUM_ONE, most[i], NUM_ROUND), most[i]);
+        CHECK_EQ(num_quantise(NUM_ONE, most[i], num_threshold(63)), most[i]);
+    }
+    CHECK_EQ(num_threshold(0), (1 << 30) / 128);
+    CHECK_EQ(num_threshold(63), 127 * ((1 << 30) / 128));
+}
+
+/* a/b 2^(63 - s) below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error
+ * tells rounding from truncation. */
+TEST(quotients)
+{
+    double sum = 0;
+
+    for (int i = 0; i < ROUNDS; i++) {
+        num_u b = (num_u)any(31) + 1, a = (num_u)any(31);
+        int bits = num_bits(a) - num_bits(b), s = 63 + bits - 30 + (int)(next() % 10);
+        long double exact = ldexpl((long double)a / b, 63 - s);
+        long double error = num_quotient(a, b, s) - exact;
+        CHECK_MSG(fabsl(error) <= 1.5L, "%u/%u, %d: off by %Lg", (unsigned)a, (unsigned)b, s, error);
+        sum += (double)error;
+    }
+    CHECK_MSG(fabs(sum / ROUNDS) < 0.03, "the mean error is %g", sum / ROUNDS);
+}
+
+TEST(normals)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide x = (num_wide)any(63) | 1;
+        struct num_normal n = num_normal(x);
+        CHECK(n.mantissa == (num_uwide)x << 2 * n.half && n.mantissa >> 62 != 0);
+        long double exact = ldexpl(1 / sqrtl((long double)n.mantissa), 63);
+        CHECK_MSG(fabsl(n.inverse - exact) <= 2, "%jd: off by %Lg", (intmax_t)x, n.inverse - exact);
+        CHECK_EQ(num_normal_top(n), n.mantissa >> 32);
+        num_uwide root = num_sqrt(n.mantissa);
+        CHECK(root * root <= n.mantissa && ((wide128)root + 1) * ((wide128)root + 1) > n.mantissa);
+    }
+}
+
+TEST(a_cone_has_its_edge)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide m = (num_wide)any(30) + 2, n = (num_wide)any(30) + 2;
+        CHECK(num_inside_cone(m * n, m * m, n * n));
+        CHECK(!num_inside_cone(m * n - 1, m * m, n * n));
+        CHECK(!num_inside_cone(m * n, m * m + 1, n * n));
+        CHECK(!num_inside_cone(-m * n, m * m, n * n));
+        CHECK(num_inside_cone(0, -m, n) && !num_inside_cone(-1, -m, n));
+    }
+}
+
+TEST(products_are_compared_exactly)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide a = (num_wide)any(62), b = (num_wide)any(62), c = (num_wide)any(62) + 1, d = (num_wide)any(62);
+        a = next() & 1 ? -a : a;
+        d = next() & 1 ? -d : d;
+        CHECK_EQ(num_product_above(a, b, c, d), (wide128)a * b > (wide128)c * d);
+        CHECK(!num_product_above(a, c, c, a));
+        CHECK(num_product_above(a + 1, c, c, a));
+    }
+}
+
+TEST(the_nearer_of_two_scales)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_u t = (num_u)any(31), u = (num_u)any(31);
+        int e = (int)(next() % 60), f = e + (int)(next() % 67) - 33;
+        CHECK_EQ(num_nearer(t, e, u, f), ldexp(t, -e) < ldexp(u, -f));
+        CHECK(!num_nearer(t, e, t, e));
+    }
+    CHECK(!num_nearer(2, 1, 1, 0) && !num_nearer(1, 0, 2, 1)); /* equal */
+}
+
+/* a^2 against d k (1 + swell): right when they differ by 2^-26 of themselves, and when they do not,
+ * an unbiased guess. */
+TEST(what_covers)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide d = (num_wide)any(60) + (1 << 20), k = (num_wide)any(60) + (1 << 20);
+        num_u swell = (num_u)any(20);
+        struct num_normal n = num_normal(d);
+        long double root = sqrtl((long double)d * (long double)k * (1 + ldexpl(swell, -32)));
+        int e = 2 * (int)(next() % 3);
+        root = ldexpl(root, e / 2);
+        if (root < (1 << 30) || root > 4e18L)
+            continue;
+        num_wide above = (num_wide)(root * (1 + 0x1p-27L)), below = (num_wide)(root * (1 - 0x1p-27L));
+        CHECK_MSG(num_covers(above, num_normal_top(n), n.half, k, swell, e), "%jd above", (intmax_t)above);
+        CHECK_MSG(!num_covers(below, num_normal_top(n), n.half, k, swell, e), "%jd below", (intmax_t)below);
+    }
+}
+
+/* For a radius R = 2^16 r: bias/r = 2^-13 2^16 / R = 8/R. */
+TEST(the_bias)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide r = (num_wide)any(31) + 64;
+        num_u inverse = num_inverse(r);
+        int bits = num_bits(r);
+        CHECK(fabs(num_bias(inverse, bits) - ldexp(8.0 / (double)r, 32)) <= 1);
+        num_wide x = (num_wide)any(50);
+        x = next() & 1 ? -x : x;
+        double exact = (double)x * 8.0 / (double)r; /* exponent 30 */
+        CHECK_MSG(fabs((double)num_bias_of(x, inverse, bits, 30) - exact) <= 0.51 + fabs(exact) * 0x1p-28,
+                  "%jd over %jd", (intmax_t)x, (intmax_t)r);
+    }
+}
+
+TEST(sums_of_squares)
+{
+    CHECK_EQ(num_sum_of_squares30(1, 1, 1), 0);
+    CHECK_EQ(num_sum_of_squares30(-2, 0, 0), 1);
+    CHECK_EQ(num_sum_of_squares30(3, -4, 12), 42); /* 169/4 */
+    CHECK_EQ(num_sum_of_squares30(INT64_C(1) << 31, 0, 0), INT64_C(1) << 60);
+}
+
+int main(void)
+{
+    RUN(products_are_rounded_to_nearest);
+    RUN(shifts_are_rounded_to_nearest);
+    RUN(lengths_in_bits);
+    RUN(levels_begin_where_they_should);
+    RUN(quotients);
+    RUN(normals);
+    RUN(a_cone_has_its_edge);
+    RUN(products_are_compared_exactly);
+    RUN(the_nearer_of_two_scales);
+    RUN(what_covers);
+    RUN(the_bias);
+    RUN(sums_of_squares);
+    return check_status();
+}
