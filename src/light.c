@@ -217,6 +217,11 @@ static void flat_run(struct chunk *chunk, int first, int count, const struct tia
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
     kernel_pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, 8, pixels);
+    if (threshold[0] == threshold[1]) { /* not dithered: all eight are the same */
+        for (int i = 0; i < count; i++)
+            chunk->pixels[first + i] = pixels[0];
+        return;
+    }
     for (int i = 0; i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
 }
