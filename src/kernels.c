@@ -24,7 +24,7 @@ void kernel_sphere_inside(const struct sphere_line *line, num_u *t)
     for (int i = 0; i < line->count; i++) {
         num_u top = num_top_u(b), square = num_top_u(v.start);
         num_u root = num_sqrt(num_mul_u(top, top) + num_mul_u(line->c_disc, square));
-        t[i] = num_quotient(top + root, square, line->t_shift);
+        t[i] = num_quotient(top + root, square > 0 ? square : NUM_LEAST, line->t_shift);
         b += line->b_step;
         v.start += v.step;
         v.step += v.twice;
@@ -36,7 +36,7 @@ static void light_pixel(const struct light_line *line, num_wide facing, num_wide
     num_wide positive = square > 0 ? square : NUM_LEAST;
     struct num_normal n = num_normal(positive);
 
-    lit->facing[i] = num_scale(facing, line->scale + n.half);
+    lit->facing[i] = num_scale_within(facing, line->scale + n.half);
     lit->square[i] = positive;
     lit->near[i] = num_normal_top(n);
     lit->inverse[i] = n.inverse;

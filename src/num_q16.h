@@ -167,6 +167,13 @@ static inline num_u num_scale(num_wide x, int s)
     return (num_u)num_shift(x, s);
 }
 
+/* x * 2^s as a mantissa, or the largest there is. */
+static inline num_u num_scale_within(num_wide x, int s)
+{
+    NUM_CHECK(x >= 0);
+    return num_bits(x) + s > 32 ? UINT32_MAX : (num_u)num_shift(x, s);
+}
+
 /* The upper half of a product of mantissas, rounded to nearest. */
 static inline num_u num_mul_top(num_u a, num_u b)
 {
@@ -198,8 +205,8 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
 /* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
-    NUM_CHECK(num_mul_u(scaled, inverse) >> 31 <= NUM_ONE + (NUM_ONE >> 16));
-    return (num_u)((num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31);
+    num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;
+    return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
 }
 
 /* With R = 2^16 r and inverse = num_inverse(r), which is 2^(31 + num_bits(R)) / R, bias/r is

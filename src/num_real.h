@@ -146,6 +146,12 @@ static inline num_u num_scale(num_wide x, int s)
     return x;
 }
 
+static inline num_u num_scale_within(num_wide x, int s)
+{
+    (void)s;
+    return x;
+}
+
 static inline num_u num_mul_top(num_u a, num_u b)
 {
     return a * b;

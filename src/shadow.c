@@ -20,13 +20,17 @@ static struct row_form product_form(const struct tia_view *view, const struct bo
     return view_row_form(view, a, x, y, e - body->t_exponent - view->exponent + 16);
 }
 
-/* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a. */
+/* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w,
+ * below 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16,
+ * num_bias_product has something to shift away. */
 static int prepare_product(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
                            int x, int y, struct shadow_line *line)
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
     num_wide toward = num_dot(caster->centre, source->light);
     int e = limit_product(limit(source->reach_exponent, num_bits(toward)), view, source->body, sum);
+
+    e = e < 57 ? e : 57;
     struct row_form form = product_form(view, source->body, sum, x, y, e);
 
     line->a = form.start;

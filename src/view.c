@@ -47,11 +47,12 @@ bool view_tile_inside(struct tia_tile tile, unsigned x, unsigned y, unsigned wid
            tile.y - y + tile.height <= height;
 }
 
-/* The lattice's exponent makes |v| < 2^30 in every pixel, and one beyond. */
+/* The lattice's exponent makes |v| < 2^30 in every pixel, and beyond the last one as far as row_square
+ * looks: its step there, 4 X + 4 for X = width + 1 and less, is below (width + 3)^2. */
 static void prepare_lattice(struct tia_view *view)
 {
     uint64_t cotangent = tia_cotangent(view->scene->camera.fov);
-    uint64_t w = (uint64_t)view->width + 1, h = (uint64_t)view->height + 1;
+    uint64_t w = (uint64_t)view->width + 3, h = (uint64_t)view->height + 1;
     uint64_t d = (h * ((cotangent >> 40) + 1) >> 16) + 1;
     int bits = 64 - (int)tia_clz64(w * w + h * h + d * d);
 
