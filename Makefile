@@ -142,13 +142,18 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) 
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove
+.PHONY: check-exhaustive prove check-arch fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 check-exhaustive: $(BUILD)/tests/exhaustive
 	tests/run $<
 prove:
 	@tests/slow/prove
+check-arch:
+	@tests/run tests/slow/arch
+SECONDS ?= 600
+fuzz:
+	@FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
 
 deps:
 	@echo "deps: all there"

@@ -1,0 +1,27 @@
+/* keys.c - what a terminal sends, byte by byte with pauses: keys come out that tia/port.h knows, and
+ * silence ends every sequence but a paste. */
+#include <stdio.h>
+
+#include "bytes.h"
+#include "terminal/decode.h"
+
+static void must_be_key(uint16_t key)
+{
+    MUST(key <= TIA_KEY_OTHER && (key < 128 || key >= TIA_KEY_LEFT));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct decoder decoder = {0};
+
+    for (size_t i = 0; i < size; i++) {
+        must_be_key(decode_byte(&decoder, data[i]));
+        if (decode_pending(&decoder) && data[i] % 16 == 5)
+            must_be_key(decode_silence(&decoder));
+    }
+    if (decode_pending(&decoder)) {
+        must_be_key(decode_silence(&decoder));
+        MUST(!decode_pending(&decoder));
+    }
+    return 0;
+}
