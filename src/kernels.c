@@ -55,9 +55,10 @@ bool kernel_light(const struct light_line *line, const num_u *distance, struct l
 
         lit->facing[i] = 0;
         if (facing > 0) {
-            num reach = num_signed(num_scale(num_mul(t, num_top(v.start)), line->reach_scale));
+            num reach = num_signed((num_u)num_down(num_mul(t, num_top(v.start)), line->reach_down));
             lit->reach[i] = num_mul(t, reach);
-            num_wide square = line->distance - 2 * num_mul(t, num_top(q)) + num_shift(lit->reach[i], line->to_distance);
+            num_wide square =
+                line->distance - 2 * num_mul(t, num_top(q)) + num_down(lit->reach[i], line->distance_down);
             light_pixel(line, facing, square, lit, i);
             any = true;
         }
@@ -78,15 +79,14 @@ void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
 /* Whether the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
 static bool meets(const struct shadow_line *line, num_wide product, num_wide turn, const struct lit *lit, int i)
 {
-    num_wide a = line->toward - product + num_shift(lit->reach[i], line->to_product);
+    num_wide a = line->toward - product + num_down(lit->reach[i], line->a_down);
 
     if (a <= 0)
         return false;
     a -= num_bias_product(lit->facing[i], line->inverse, line->bias_shift + lit->half[i]);
-    if (a <= 0 ||
-        (!line->enclosed && num_shift(lit->square[i], line->square_scale) <= num_shift(a, line->product_scale)))
+    if (a <= 0 || (!line->enclosed && num_down(lit->square[i], line->square_down) <= num_down(a, line->product_down)))
         return false;
-    num_wide k = line->power - 2 * turn + num_shift(lit->reach[i], line->to_power);
+    num_wide k = line->power - 2 * turn + num_down(lit->reach[i], line->power_down);
     if (k <= 0)
         return !line->enclosed;
     return num_covers(a, lit->near[i], lit->half[i], k, line->swell, line->exponent);

@@ -35,8 +35,8 @@ struct light_line {
     struct row_square square; /* accumulator of v.v */
     num_wide facing;          /* c - L.Q, with the exponent of t G.v */
     num_wide distance;        /* Q.Q, with the exponent of t Q.v, e_d */
-    int reach_scale;          /* t v.v * 2^reach_scale is a mantissa whose product with t has e_p */
-    int to_distance;          /* from e_p to e_d */
+    int reach_down;           /* t v.v / 2^reach_down is a mantissa whose product with t has e_p */
+    int distance_down;        /* e_p - e_d */
     int scale;                /* facing * 2^(scale + half) is a mantissa */
     int count;
 };
@@ -72,17 +72,17 @@ void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
  * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. From
  * inside it meets it unless the light is inside too. */
 struct shadow_line {
-    num_wide a, a_step;              /* accumulator of (C + Q).v */
-    num_wide c, c_step;              /* accumulator of C.v */
-    num_wide toward;                 /* C.Q, with the exponent e_a of A.w */
-    num_wide power;                  /* C.C - R^2 and what the bias adds, with the exponent e_k */
-    int to_product, to_power;        /* from e_p, that of |P|^2, to e_a and to e_k */
-    int square_scale, product_scale; /* from e_d and e_a to the smaller of them */
-    num_u inverse;                   /* num_inverse(r) */
-    int bias_shift;                  /* what num_bias_product is given, less half */
-    num_u swell;                     /* bias/r */
-    int exponent;                    /* 2 e_a - e_d - e_k */
-    bool enclosed;                   /* the light is inside */
+    num_wide a, a_step;            /* accumulator of (C + Q).v */
+    num_wide c, c_step;            /* accumulator of C.v */
+    num_wide toward;               /* C.Q, with the exponent e_a of A.w */
+    num_wide power;                /* C.C - R^2 and what the bias adds, with the exponent e_k */
+    int a_down, power_down;        /* e_p - e_a and e_p - e_k, where e_p is the exponent of |P|^2 */
+    int square_down, product_down; /* from e_d and e_a to the smaller of them */
+    num_u inverse;                 /* num_inverse(r) */
+    int bias_shift;                /* what num_bias_product is given, less half */
+    num_u swell;                   /* bias/r */
+    int exponent;                  /* 2 e_a - e_d - e_k */
+    bool enclosed;                 /* the light is inside */
     int count;
 };
 

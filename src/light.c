@@ -72,8 +72,9 @@ static void prepare_light(const struct tia_view *view, struct shadow_source *sou
     line->square = view_row_square(view, x, y);
     line->facing = num_shift(facing, e_s - 32);
     line->distance = num_shift(square, source->exponent - 32);
-    line->to_distance = source->exponent - source->reach_exponent;
-    line->reach_scale = source->reach_exponent - 2 * body->t_exponent - (2 * view->exponent + view->square_shift - 32);
+    line->distance_down = num_count(source->reach_exponent - source->exponent);
+    line->reach_down =
+        num_count(2 * body->t_exponent + 2 * view->exponent + view->square_shift - 32 - source->reach_exponent);
     line->scale = 15 - body->radius_bits - e_s + (source->exponent >> 1);
 }
 

@@ -20,6 +20,7 @@
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
  *   num_shift(x, s)        x * 2^s, rounded to nearest, ties up, when s < 0
+ *   num_down(x, s)         the same with -s, s in 0..63, for the kernels
  *   num_top, num_top_u     the upper half of an accumulator, that is x * 2^-32, rounded down;
  *                          accumulators start with NUM_HALF so that this rounds to nearest
  *   num_sqrt(x)            the square root, rounded down
@@ -73,6 +74,12 @@ static inline num_wide num_dot(struct num_vec a, struct num_vec b)
 static inline num_wide num_square30(struct num_vec v)
 {
     return num_sum_of_squares30(v.x, v.y, v.z);
+}
+
+/* A shift count as num_down takes it: what is shifted farther is 0 all the same. */
+static inline int num_count(int s)
+{
+    return s < 63 ? s : 63;
 }
 
 static inline num_wide num_abs(num_wide x)

@@ -84,6 +84,13 @@ static inline num_wide num_shift(num_wide x, int s)
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
+/* x * 2^-s, rounded to nearest, ties up; s in 0..63. */
+static inline num_wide num_down(num_wide x, int s)
+{
+    NUM_CHECK(s >= 0 && s <= 63);
+    return tia_round_shift(x, (unsigned)s);
+}
+
 static inline num num_top(num_wide x)
 {
     return (num)(x >> 32);

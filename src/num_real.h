@@ -70,6 +70,12 @@ static inline num_wide num_shift(num_wide x, int s)
     return x;
 }
 
+static inline num_wide num_down(num_wide x, int s)
+{
+    (void)s;
+    return x;
+}
+
 static inline num num_top(num_wide x)
 {
     return x;

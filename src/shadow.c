@@ -36,7 +36,7 @@ static int prepare_product(const struct tia_view *view, const struct shadow_sour
     line->a = form.start;
     line->a_step = form.step;
     line->toward = num_shift(toward, e - 32);
-    line->to_product = e - source->reach_exponent;
+    line->a_down = num_count(source->reach_exponent - e);
     return e;
 }
 
@@ -56,7 +56,7 @@ static int prepare_power(const struct tia_view *view, const struct shadow_source
     line->c = form.start;
     line->c_step = form.step;
     line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
-    line->to_power = e - source->reach_exponent;
+    line->power_down = num_count(source->reach_exponent - e);
     return e;
 }
 
@@ -100,8 +100,8 @@ bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source
      * 2^(-28 - bits) inverse. */
     line->inverse = body->inverse;
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
-    line->square_scale = e_a < source->exponent ? e_a - source->exponent : 0;
-    line->product_scale = e_a < source->exponent ? 0 : source->exponent - e_a;
+    line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;
+    line->product_down = e_a < source->exponent ? 0 : num_count(e_a - source->exponent);
     line->swell = num_bias(body->inverse, body->radius_bits);
     line->exponent = 2 * e_a - source->exponent - e_k;
     line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);
