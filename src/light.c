@@ -187,8 +187,12 @@ static void shade_run(struct chunk *chunk, int first, int count, const num_u thr
 {
     const struct tia_view *view = chunk->view;
     const struct tia_scene *scene = view->scene;
-    struct shading s = {.chunk = chunk, .object = chunk->object[first], .first = first, .count = count};
+    struct shading s; /* not zeroed: the sums are large */
 
+    s.chunk = chunk;
+    s.object = chunk->object[first];
+    s.first = first;
+    s.count = count;
     s.material = &scene->materials[scene->spheres[s.object].material];
     s.grey = view->grey && rgb565_is_grey(&s.material->colour) && rgb565_is_grey(&s.material->emission);
     for (int i = 0; i < count; i++) {
