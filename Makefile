@@ -216,7 +216,7 @@ SMALL_BOARDS := mps2-an385 microbit rv32
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
-microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_MUL64='"arm/mul64.h"'
 rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32
 BARE := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BARE_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
@@ -265,6 +265,7 @@ $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
+$(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
@@ -277,7 +278,7 @@ $(BUILD)/boards/insn.so: tests/boards/insn.c
 
 .PHONY: boards check-boards size-boards count
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(BUILD)/boards/example \
-        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf)
+        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
 check: boards
 check-boards: all boards
 	@tests/run tests/slow/boards

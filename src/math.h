@@ -13,6 +13,11 @@
 #include <stdint.h>
 #include <tia/vec.h>
 
+#ifndef TIA_MUL64
+#define TIA_MUL64 "mul64.h"
+#endif
+#include TIA_MUL64
+
 /* Signed right shifts keep the sign, as every compiler in use has it. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
@@ -59,6 +64,28 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
+/* The same, s >= 1, in words of 32 bits and without a sum that carries: the bit below the last one
+ * is added. For machines that have no wider shift (TIA_SHIFTS_WORDS). */
+#define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
+static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
+{
+    uint32_t low = (uint32_t)x;
+    int32_t high = (int32_t)(x >> 32);
+    if (s >= 32)
+        return (high >> (s - 32)) + (int64_t)(s == 32 ? low >> 31 : (uint32_t)(high >> (s - 33)) & 1);
+    uint64_t floor = (uint64_t)(uint32_t)(high >> s) << 32 | (low >> s | (uint32_t)high << (32 - s));
+    return (int64_t)(floor + (low >> (s - 1) & 1));
+}
+
+/* The lower 32 bits of it, x without a sign. */
+static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
+{
+    uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
+    if (s >= 32)
+        return (high >> (s - 32)) + (s == 32 ? low >> 31 : high >> (s - 33) & 1);
+    return (low >> s) + (high << (32 - s)) + (low >> (s - 1) & 1);
+}
+
 /* The line of a table's entry at f / 2^16: Q1.31 in [2^31, 2^32). */
 static inline uint32_t tia_seed(uint32_t line, uint32_t f)
 {
@@ -88,10 +115,10 @@ static inline uint32_t tia_rsqrt(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
     uint32_t y = tia_rsqrt_seed(a);
-    uint32_t q = (uint32_t)(((uint64_t)y * y) >> 32);
-    uint64_t product = (uint64_t)a * q + (((uint64_t)a + q) >> 1);
+    uint32_t q = (uint32_t)(tia_mul_u32(y, y) >> 32);
+    uint64_t product = tia_mul_u32(a, q) + ((a & q) + ((a ^ q) >> 1));
     int64_t e = (int64_t)((UINT64_C(1) << 62) + (UINT64_C(1) << 30) - product);
-    return y + (uint32_t)(((int64_t)(int32_t)(y >> 1) * (int32_t)(e >> 16)) >> 46);
+    return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
 }
 
 /* 2^63 / d, at most 2^32 - 1; errs by -1.02 to +0.25 ulp. d >= 2^31.
@@ -102,8 +129,8 @@ static inline uint32_t tia_rsqrt(uint64_t n)
 static inline uint32_t tia_reciprocal(uint32_t d)
 {
     uint32_t y = tia_reciprocal_seed(d);
-    int64_t e = (int64_t)((UINT64_C(1) << 63) + (UINT64_C(1) << 29) - (uint64_t)d * y);
-    return y + (uint32_t)(((int64_t)(int32_t)(y >> 1) * (int32_t)(e >> 16)) >> 46);
+    int64_t e = (int64_t)((UINT64_C(1) << 63) + (UINT64_C(1) << 29) - tia_mul_u32(d, y));
+    return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
 }
 
 /* The square root of n >= 2^62, rounded down, exact.
@@ -116,10 +143,10 @@ static inline uint32_t tia_sqrt_normalised(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
     uint32_t y = tia_rsqrt_seed(a);
-    uint64_t r = (((uint64_t)a * y) >> 32) << 1;
-    int32_t rest = (int32_t)((int64_t)(n - r * r) >> 16) - (1 << 12);
-    r += (uint64_t)(((int64_t)rest * (int32_t)(y >> 1)) >> 47);
-    return (uint32_t)(r + (n - r * r > 2 * r));
+    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* r0 = 2 half may need a bit more than 32 */
+    int32_t rest = (int32_t)((int64_t)(n - (tia_mul_u32(half, half) << 2)) >> 16) - (1 << 12);
+    uint32_t r = (half << 1) + (uint32_t)(tia_mul_s32(rest, (int32_t)(y >> 1)) >> 47);
+    return r + (n - tia_mul_u32(r, r) > 2 * (uint64_t)r);
 }
 
 /* The square root of x, rounded down, exact. */

@@ -50,7 +50,7 @@ static inline num_u num_colour(tia_q30 c)
 static inline num_u num_colour_product(num_u a, num_u b)
 {
     NUM_CHECK(a <= (num_u)1 << 31 && b <= (num_u)1 << 31);
-    return (num_u)(((uint64_t)a * b + ((uint64_t)1 << 29)) >> 30);
+    return (num_u)((tia_mul_u32(a, b) + ((uint64_t)1 << 29)) >> 30);
 }
 
 /* A mantissa below 2^31 as a signed one. */
@@ -62,12 +62,12 @@ static inline num num_signed(num_u t)
 
 static inline num_wide num_mul(num a, num b)
 {
-    return (num_wide)a * b;
+    return tia_mul_s32(a, b);
 }
 
 static inline num_uwide num_mul_u(num_u a, num_u b)
 {
-    return (num_uwide)a * b;
+    return tia_mul_u32(a, b);
 }
 
 static inline int num_bits(num_wide x)
@@ -80,8 +80,10 @@ static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
-        return (num_wide)((uint64_t)x << s);
-    return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
+        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* 0 is often what exponents differ by */
+    if (s < -63)
+        return 0;
+    return TIA_SHIFTS_WORDS ? tia_round_shift_words(x, (unsigned)-s) : tia_round_shift(x, (unsigned)-s);
 }
 
 /* x * 2^-s, rounded to nearest, ties up; s in 0..63. */
@@ -171,7 +173,8 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
 static inline num_u num_scale(num_wide x, int s)
 {
     NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
-    return (num_u)num_shift(x, s);
+    return TIA_SHIFTS_WORDS && s < 0 && s >= -63 ? tia_round_shift_low((num_uwide)x, (unsigned)-s)
+                                                 : (num_u)num_shift(x, s);
 }
 
 /* x * 2^s as a mantissa, or the largest there is. */
@@ -200,13 +203,16 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
 {
     NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
     int a_zeros = (int)tia_clz64((uint64_t)a), k_zeros = (int)tia_clz64((uint64_t)k);
+    int shift = 1 - 2 * half - k_zeros + 2 * a_zeros + e;
+
+    if (shift > 3) /* left < 2^64, right >= 2^60 */
+        return false;
     num_u top = (num_u)((uint64_t)a << a_zeros >> 32), power = (num_u)((uint64_t)k << k_zeros >> 33);
     num_uwide left = num_mul_u(top, top), right = num_mul_u(near, power + num_mul_top(power, swell));
-    int shift = 1 - 2 * half - k_zeros + 2 * a_zeros + e;
 
     if (shift < 0)
         return left >= (shift < -63 ? 0 : right >> -shift);
-    return (shift > 63 ? 0 : left >> shift) >= right;
+    return left >> shift >= right;
 }
 
 /* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */

@@ -33,6 +33,9 @@ TEST(round_shift_to_nearest_ties_up)
         whole -= rest < 0;
         rest += rest < 0 ? unit : 0;
         CHECK_EQ(tia_round_shift(x, s), whole + (rest >= unit / 2));
+        CHECK_EQ(tia_round_shift_words(x, s), tia_round_shift(x, s));
+        x = x < 0 ? -x : x;
+        CHECK_EQ(tia_round_shift_low((uint64_t)x, s), (uint32_t)tia_round_shift(x, s));
     }
 }
 
