@@ -5,10 +5,8 @@
 #include "common/corpus.h"
 #include "common/threads.h"
 
-#define WIDTH 640
-#define HEIGHT 480
-
 static struct threads *pool;
+static unsigned width = 640, height = 480; /* or the two arguments */
 
 static bool is_grey(struct tia_rgb c, tia_q30 level)
 {
@@ -48,7 +46,7 @@ static void check_light(const char *key, int x, int y, int z)
 {
     struct corpus_scene c;
 
-    CHECK_EQ(corpus_thesis(&c, key, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(corpus_thesis(&c, key, width, height), TIA_OK);
     CHECK_EQ(c.scene.light_count, 1);
     CHECK_MSG(is_at(c.lights[0].centre, x, y, z), "%s", key);
     CHECK_EQ(c.lights[0].radius, 3 * TIA_Q16_ONE);
@@ -63,68 +61,76 @@ TEST(its_keys)
     check_light("w", 0, 20, -32);
 }
 
-static void compare(const struct tia_core *core, const char *keys, unsigned wrong, unsigned flips)
+/* At 640x480 at most `wrong` pixels may differ and none be a flip. At other sizes q16 may have one wrong
+ * in 100,000 and two flips in a million, f64 none. */
+static void compare(const struct tia_core *core, const char *keys, unsigned wrong)
 {
     struct corpus_scene c;
     struct against a;
     const struct tally *t = &a.tally;
+    bool other_size = (width != 640 || height != 480) && core == &tia_core_q16;
 
-    CHECK_EQ(corpus_thesis(&c, keys, WIDTH, HEIGHT), TIA_OK);
-    CHECK_EQ(against_oracle(core, &c.scene, WIDTH, HEIGHT, false, &threads_workers, pool, &a), TIA_OK);
+    CHECK_EQ(corpus_thesis(&c, keys, width, height), TIA_OK);
+    CHECK_EQ(against_oracle(core, &c.scene, width, height, false, &threads_workers, pool, &a), TIA_OK);
     against_list(core->name, &a);
-    CHECK_EQ(t->pixels, WIDTH * HEIGHT);
-    CHECK_MSG(t->pixels - t->identical <= wrong, "%ju pixels differ", (uintmax_t)(t->pixels - t->identical));
-    CHECK_MSG(t->flips <= flips, "%ju flips", (uintmax_t)t->flips);
+    CHECK_EQ(t->pixels, width * height);
+    CHECK_MSG(t->pixels - t->identical <= (other_size ? t->pixels / 100000 : wrong), "%ju pixels differ",
+              (uintmax_t)(t->pixels - t->identical));
+    CHECK_MSG(t->flips <= (other_size ? t->pixels / 500000 : 0), "%ju flips", (uintmax_t)t->flips);
     CHECK_EQ(t->stray, 0);
 }
 
 TEST(q16_without_light)
 {
-    compare(&tia_core_q16, "", 0, 0);
+    compare(&tia_core_q16, "", 0);
 }
 TEST(q16_light_above_left)
 {
-    compare(&tia_core_q16, "a", 0, 0);
+    compare(&tia_core_q16, "a", 0);
 }
 TEST(q16_light_above_right)
 {
-    compare(&tia_core_q16, "d", 0, 0);
+    compare(&tia_core_q16, "d", 0);
 }
 TEST(q16_light_near_the_eye)
 {
-    compare(&tia_core_q16, "s", 0, 0);
+    compare(&tia_core_q16, "s", 0);
 }
 /* Two pixels, one the other's mirror image, lie 1.6e-7 of a level beside a boundary. */
 TEST(q16_light_far_from_the_eye)
 {
-    compare(&tia_core_q16, "w", 2, 0);
+    compare(&tia_core_q16, "w", 2);
 }
 
 #ifdef TIA_HAVE_F64
 TEST(f64_without_light)
 {
-    compare(&tia_core_f64, "", 0, 0);
+    compare(&tia_core_f64, "", 0);
 }
 TEST(f64_light_above_left)
 {
-    compare(&tia_core_f64, "a", 0, 0);
+    compare(&tia_core_f64, "a", 0);
 }
 TEST(f64_light_above_right)
 {
-    compare(&tia_core_f64, "d", 0, 0);
+    compare(&tia_core_f64, "d", 0);
 }
 TEST(f64_light_near_the_eye)
 {
-    compare(&tia_core_f64, "s", 0, 0);
+    compare(&tia_core_f64, "s", 0);
 }
 TEST(f64_light_far_from_the_eye)
 {
-    compare(&tia_core_f64, "w", 0, 0);
+    compare(&tia_core_f64, "w", 0);
 }
 #endif
 
-int main(void)
+int main(int argc, char **argv)
 {
+    if (argc > 2) {
+        width = (unsigned)strtoul(argv[1], NULL, 10);
+        height = (unsigned)strtoul(argv[2], NULL, 10);
+    }
     pool = threads_create(threads_processors());
     RUN(the_scene);
     RUN(its_keys);
