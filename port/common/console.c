@@ -221,3 +221,11 @@ const char *console_name(char text[PORT_WHY])
     (void)snprintf(text, PORT_WHY, "%s", vt.name);
     return text;
 }
+
+void console_list(port_line *line, void *arg)
+{
+    char text[PORT_WHY + 16], name[PORT_WHY];
+
+    (void)snprintf(text, sizeof text, "console: %s", console_name(name));
+    line(arg, text);
+}

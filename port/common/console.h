@@ -62,5 +62,7 @@ void console_close(void);
 /* "tty1, the controlling terminal", "tty1, the console in front" or "none: WHY"; of the console
  * taken, or of the one that would be taken now. */
 const char *console_name(char text[PORT_WHY]);
+/* The same as a line of a display's list. */
+void console_list(port_line *line, void *arg);
 
 #endif

@@ -47,6 +47,23 @@ int node_open(const char *path, int flags, char why[PORT_WHY])
     return -1;
 }
 
+int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg)
+{
+    char path[64];
+    struct stat s;
+    int visited = 0;
+
+    for (int i = 0; i < limit; i++) {
+        (void)snprintf(path, sizeof path, "%.50s%d", prefix, i);
+        if (stat(path, &s) != 0)
+            continue;
+        visited++;
+        if (visit(arg, path))
+            break;
+    }
+    return visited;
+}
+
 /* Does the process hold the device open? */
 static bool holds(long pid, dev_t device)
 {

@@ -7,6 +7,10 @@
 /* A descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group 'video')". */
 int node_open(const char *path, int flags, char why[PORT_WHY]);
 
+/* Visits PREFIX0, PREFIX1, ... below PREFIX<limit>, those that there are, until a visit is true.
+ * Returns how many were visited. */
+int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg);
+
 /* strerror with a small first letter, as errors here are written: "no such device". */
 const char *node_error(int error, char text[PORT_WHY]);
 

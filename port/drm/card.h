@@ -5,6 +5,7 @@
 #include "common/expand.h"
 #include "drm/pick.h"
 
+#define CARD "/dev/dri/card"
 #define CARDS 64                    /* of the kernel: minors 0..63 */
 
 struct card {

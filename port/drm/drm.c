@@ -3,7 +3,6 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/stat.h>
 #include <xf86drm.h>
 
 #include "common/canvas.h"
@@ -15,9 +14,9 @@ struct drm {
     struct port_wish wish;
     struct card card;
     struct scanout scanout;
-    char connector[PICK_NAME];
-    bool direct;          /* the buffers are drawn into */
-    struct canvas canvas; /* else this is, and expanded */
+    const drmModeConnector *connector; /* of the card's */
+    bool direct;                       /* the buffers are drawn into */
+    struct canvas canvas;              /* else this is, and expanded */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
@@ -59,40 +58,46 @@ static void drm_close(void *ctx)
 }
 
 /* A card that can be ours and has a screen. */
-static const drmModeConnector *try_card(struct drm *d, const char *path, char why[PORT_WHY])
+static bool take_card(struct drm *d, const char *path, char why[PORT_WHY])
 {
-    const drmModeConnector *connector;
+    const struct drm_parts *parts = &d->card.parts;
     char reason[PORT_WHY];
 
     if (card_open(&d->card, path, why) != TIA_OK)
-        return NULL;
-    connector = pick_connector(&d->card.parts, d->wish.connector, reason);
-    if (connector == NULL)
+        return false;
+    d->connector = pick_connector(parts, d->wish.connector, reason);
+    if (d->connector == NULL)
         (void)snprintf(why, PORT_WHY, "%s: %.180s", path, reason);
-    else if (pick_crtc(&d->card.parts, connector) == 0)
-        (void)snprintf(why, PORT_WHY, "%s: connector %s: no CRTC is free for it", path, pick_name(connector, reason));
+    else if (pick_crtc(parts, d->connector) == 0)
+        (void)snprintf(why, PORT_WHY, "%s: connector %s: no CRTC is free for it", path,
+                       pick_name(d->connector, reason));
     else if (card_become_master(&d->card, why) == TIA_OK)
-        return connector;
+        return true;
     card_close(&d->card);
-    return NULL;
+    return false;
 }
 
-/* The first card that works. The reason told is that of the first one that does not. */
-static const drmModeConnector *find_card(struct drm *d)
+/* The reason that is kept is that of the first card that does not work. */
+static bool try_card(void *arg, const char *path)
 {
-    const drmModeConnector *connector = NULL;
-    char path[32], why[PORT_WHY];
-    struct stat s;
+    struct drm *d = arg;
+    char why[PORT_WHY];
 
+    if (take_card(d, path, why))
+        return true;
+    if (d->wish.why[0] == '\0')
+        (void)snprintf(d->wish.why, PORT_WHY, "%s", why);
+    return false;
+}
+
+static int find_card(struct drm *d)
+{
+    d->wish.why[0] = '\0';
     if (d->wish.device != NULL)
-        return try_card(d, d->wish.device, d->wish.why);
-    (void)snprintf(d->wish.why, PORT_WHY, "/dev/dri/card0: no such device (this kernel has no DRM driver loaded)");
-    for (int i = 0, found = 0; connector == NULL && i < CARDS; i++) {
-        (void)snprintf(path, sizeof path, "/dev/dri/card%d", i);
-        if (stat(path, &s) == 0)
-            connector = try_card(d, path, found++ == 0 ? d->wish.why : why);
-    }
-    return connector;
+        (void)try_card(d, d->wish.device);
+    else if (node_each(CARD, CARDS, try_card, d) == 0)
+        (void)snprintf(d->wish.why, PORT_WHY, CARD "0: no such device (this kernel has no DRM driver loaded)");
+    return d->card.fd >= 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
 /* The letters of a DRM format mean little-endian pixels, on every processor. */
@@ -125,21 +130,21 @@ static void describe(const struct drm *d, struct tia_mode *mode)
 static int drm_open(void *ctx, struct tia_mode *mode)
 {
     struct drm *d = ctx;
-    const drmModeConnector *connector = find_card(d);
-    int status;
+    int status = find_card(d);
 
-    if (connector == NULL)
-        return TIA_ERR_DEVICE;
-    status = console_open(d->wish.why);
     if (status == TIA_OK)
-        status = scanout_light(&d->scanout, &d->card, connector, d->wish.mode, d->wish.why);
+        status = console_open(d->wish.why);
+    if (status != TIA_OK) {
+        card_close(&d->card);
+        return status;
+    }
+    status = scanout_light(&d->scanout, &d->card, d->connector, d->wish.mode, d->wish.why);
     if (status == TIA_OK)
         status = prepare_drawing(d);
     if (status != TIA_OK) {
         drm_close(d);
         return status;
     }
-    (void)pick_name(connector, d->connector);
     d->lost = false;
     console_listen(&d->listener);
     describe(d, mode);
@@ -153,9 +158,11 @@ static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);
     bool there = c != NULL && c->connection != DRM_MODE_DISCONNECTED;
+    char name[PICK_NAME];
 
     if (!there)
-        (void)snprintf(d->wish.why, PORT_WHY, "%s: connector %s: its screen was unplugged", d->card.path, d->connector);
+        (void)snprintf(d->wish.why, PORT_WHY, "%s: connector %s: its screen was unplugged", d->card.path,
+                       pick_name(d->connector, name));
     if (c == NULL && errno == ENODEV)
         (void)card_failed(&d->card, "the device is gone", d->wish.why);
     drmModeFreeConnector(c);

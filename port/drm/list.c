@@ -1,10 +1,10 @@
 /* list.c - every card, connector, mode and format, for people. */
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <xf86drm.h>
 
 #include "common/console.h"
+#include "common/node.h"
 #include "drm/card.h"
 #include "drm/drm.h"
 
@@ -84,46 +84,40 @@ static void list_connector(const struct card *card, const drmModeConnector *c, p
     list_formats(card, crtc, line, arg);
 }
 
-static void list_card(const char *path, port_line *line, void *arg)
+struct list {
+    port_line *line;
+    void *arg;
+};
+
+static bool list_card(void *arg, const char *path)
 {
+    const struct list *l = arg;
     struct card card;
     drmVersion *version;
-    char text[PORT_WHY], why[PORT_WHY];
+    char text[PORT_WHY];
 
-    if (card_open(&card, path, why) != TIA_OK) {
-        line(arg, why);
-        return;
+    if (card_open(&card, path, text) != TIA_OK) {
+        l->line(l->arg, text);
+        return false;
     }
     version = drmGetVersion(card.fd);
-    if (card_become_master(&card, why) != TIA_OK)
-        (void)snprintf(text, sizeof text, "%s", why);
-    else
+    if (card_become_master(&card, text) == TIA_OK)
         (void)snprintf(text, sizeof text, "%s: driver %.40s", path, version != NULL ? version->name : "unknown");
     drmFreeVersion(version);
-    line(arg, text);
+    l->line(l->arg, text);
     for (int i = 0; i < card.parts.resources->count_connectors; i++)
         if (card.parts.connectors[i] != NULL)
-            list_connector(&card, card.parts.connectors[i], line, arg);
+            list_connector(&card, card.parts.connectors[i], l->line, l->arg);
     card_close(&card);
+    return false;
 }
 
 void port_drm_list(port_line *line, void *arg)
 {
-    char path[32], text[PORT_WHY + 64], name[PORT_WHY];
-    struct stat s;
-    int found = 0;
+    struct list list = {line, arg};
 
-    for (int i = 0; i < CARDS; i++) {
-        (void)snprintf(path, sizeof path, "/dev/dri/card%d", i);
-        if (stat(path, &s) != 0)
-            continue;
-        list_card(path, line, arg);
-        found++;
-    }
-    if (found == 0) {
-        line(arg, "no /dev/dri/card*: this kernel has no DRM device (load a driver)");
-        return;
-    }
-    (void)snprintf(text, sizeof text, "console: %s", console_name(name));
-    line(arg, text);
+    if (node_each(CARD, CARDS, list_card, &list) == 0)
+        line(arg, "no " CARD "*: this kernel has no DRM device (load a driver)");
+    else
+        console_list(line, arg);
 }

@@ -87,34 +87,44 @@ static int refused(const struct scanout *s, const char *mode_wish, const char *w
     return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
 }
 
+/* One mode with each format: 0; 1 when none is taken; or an error after which nothing will help. Of
+ * several refusals the first one is told. */
+static int try_mode(struct scanout *s, const char *mode_wish, int *status, char why[PORT_WHY])
+{
+    const char *what;
+
+    for (int n = 0; card_format(s->card, s->crtc, n, false, &s->format); n++) {
+        if (try(s, &what) == 0)
+            return 0;
+        int error = errno;
+        if (*status == TIA_OK || hopeless(error))
+            *status = refused(s, mode_wish, what, why);
+        if (hopeless(error))
+            return *status;
+    }
+    return 1;
+}
+
 int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
                   const char *mode_wish, char why[PORT_WHY])
 {
     const drmModeModeInfo *mode;
-    const char *what;
-    int status = TIA_OK;
+    int status = TIA_OK, answer = 1;
 
     *scanout = (struct scanout){
         .card = card, .connector = connector->connector_id, .crtc = pick_crtc(&card->parts, connector), .flips = true};
     remember(scanout);
-    for (int m = 0; (mode = pick_mode(connector, mode_wish, m)) != NULL; m++) {
+    for (int n = 0; answer > 0 && (mode = pick_mode(connector, mode_wish, n)) != NULL; n++) {
         scanout->mode = *mode;
-        for (int f = 0; card_format(card, scanout->crtc, f, false, &scanout->format); f++) {
-            if (try(scanout, &what) == 0)
-                return TIA_OK;
-            bool last = hopeless(errno);
-            if (status == TIA_OK || last)
-                status = refused(scanout, mode_wish, what, why);
-            if (last)
-                goto out;
-        }
+        answer = try_mode(scanout, mode_wish, &status, why);
     }
+    if (answer == 0)
+        return TIA_OK;
     if (status == TIA_OK) {
         (void)snprintf(why, PORT_WHY, "%s: mode %.40s: its screen has no such mode (see --mode help)", card->path,
                        mode_wish != NULL ? mode_wish : "preferred");
         status = TIA_ERR_UNSUPPORTED;
     }
-out:
     scanout_end(scanout);
     return status;
 }

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
 
 #include "common/canvas.h"
 #include "common/console.h"
 #include "common/node.h"
 #include "fbdev/screen.h"
 
+#define DEVICE "/dev/fb"
 #define DEVICES 32 /* FB_MAX of the kernel */
 
 struct fbdev {
@@ -64,20 +64,25 @@ static void fbdev_close(void *ctx)
     canvas_free(&f->frame);
 }
 
+/* The reason that is kept is that of the first device that does not work. */
+static bool probe(void *arg, const char *path)
+{
+    struct fbdev *f = arg;
+    char why[PORT_WHY];
+
+    if (fb_probe(&f->screen, path, why) == TIA_OK)
+        return true;
+    if (f->why[0] == '\0')
+        (void)snprintf(f->why, PORT_WHY, "%s", why);
+    return false;
+}
+
 static int probe_first(struct fbdev *f)
 {
-    char path[32], why[PORT_WHY];
-    struct stat s;
-
-    (void)snprintf(f->why, PORT_WHY, "/dev/fb0: no such device (this kernel has no framebuffer driver loaded)");
-    for (int i = 0, found = 0; i < DEVICES; i++) {
-        (void)snprintf(path, sizeof path, "/dev/fb%d", i);
-        if (stat(path, &s) != 0)
-            continue;
-        if (fb_probe(&f->screen, path, found++ == 0 ? f->why : why) == TIA_OK)
-            return TIA_OK;
-    }
-    return TIA_ERR_DEVICE;
+    f->why[0] = '\0';
+    if (node_each(DEVICE, DEVICES, probe, f) == 0)
+        (void)snprintf(f->why, PORT_WHY, DEVICE "0: no such device (this kernel has no framebuffer driver loaded)");
+    return f->screen.fd >= 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
 static void describe(const struct fbdev *f, struct tia_mode *mode)
@@ -215,38 +220,34 @@ void port_fbdev_destroy(void *ctx)
     free(ctx);
 }
 
-static void list_one(const char *path, port_line *line, void *arg)
+struct list {
+    port_line *line;
+    void *arg;
+};
+
+static bool list_one(void *arg, const char *path)
 {
+    const struct list *l = arg;
     struct fb_screen s;
-    char text[PORT_WHY + 64], why[PORT_WHY], name[PIXEL_NAME];
+    char text[PORT_WHY], why[PORT_WHY], name[PIXEL_NAME];
 
     if (fb_probe(&s, path, why) != TIA_OK) {
-        line(arg, why);
-        return;
+        l->line(l->arg, why);
+        return false;
     }
-    (void)snprintf(text, sizeof text, "%s: %.16s, %ux%u, %s%s", path, s.fix.id, s.var.xres, s.var.yres,
+    (void)snprintf(text, sizeof text, "%.64s: %.16s, %ux%u, %s%s", path, s.fix.id, s.var.xres, s.var.yres,
                    pixel_name(&s.format, name), fb_can_pan(&s.var, &s.fix) ? ", room for two pages" : "");
-    line(arg, text);
+    l->line(l->arg, text);
     fb_close(&s, false);
+    return false;
 }
 
 void port_fbdev_list(port_line *line, void *arg)
 {
-    char path[32], text[PORT_WHY + 64], name[PORT_WHY];
-    struct stat s;
-    int found = 0;
+    struct list list = {line, arg};
 
-    for (int i = 0; i < DEVICES; i++) {
-        (void)snprintf(path, sizeof path, "/dev/fb%d", i);
-        if (stat(path, &s) != 0)
-            continue;
-        list_one(path, line, arg);
-        found++;
-    }
-    if (found == 0) {
-        line(arg, "no /dev/fb*: this kernel has no framebuffer device (load a driver)");
-        return;
-    }
-    (void)snprintf(text, sizeof text, "console: %s", console_name(name));
-    line(arg, text);
+    if (node_each(DEVICE, DEVICES, list_one, &list) == 0)
+        line(arg, "no " DEVICE "*: this kernel has no framebuffer device (load a driver)");
+    else
+        console_list(line, arg);
 }
