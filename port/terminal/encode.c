@@ -165,8 +165,7 @@ static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, 
     else
         put(pen->text, "\xe2\x96\x80", 3);
     pen->row = row;
-    /* After the window's last column terminals differ in where the cursor is: as good as unknown. */
-    pen->column = column + 1 < grid->columns ? column + 1 : UNKNOWN;
+    pen->column = column + 1; /* where terminals differ after a last column, no other cell of the row follows */
 }
 
 static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)
