@@ -23,7 +23,7 @@ static struct row_form product_form(const struct tia_view *view, const struct bo
 /* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w,
  * below 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16,
  * num_bias_product has something to shift away. */
-static int prepare_product(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+static int prepare_product(const struct tia_view *view, const struct light_source *source, const struct body *caster,
                            int x, int y, struct shadow_line *line)
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
@@ -42,7 +42,7 @@ static int prepare_product(const struct tia_view *view, const struct shadow_sour
 
 /* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); twice
  * t C.v and each other term stay below 2^60. Returns e_k. */
-static int prepare_power(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+static int prepare_power(const struct tia_view *view, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
     const struct body *body = source->body;
@@ -77,7 +77,7 @@ static struct num_vec quarter(struct num_vec a)
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
  * In quarters the products fit; the last term makes up for their rounding. */
-static bool is_behind(const struct shadow_source *source, const struct body *caster)
+static bool is_behind(const struct light_source *source, const struct body *caster)
 {
     struct num_vec d = quarter(num_vec_sub(caster->centre, source->body->centre));
     struct num_vec g = quarter(num_vec_sub(source->light, source->body->centre));
@@ -86,7 +86,7 @@ static bool is_behind(const struct shadow_source *source, const struct body *cas
     return num_dot(d, g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
 }
 
-bool shadow_line_prepare(const struct tia_view *view, const struct shadow_source *source, const struct body *caster,
+bool shadow_line_prepare(const struct tia_view *view, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
     if (is_behind(source, caster))
