@@ -141,11 +141,15 @@ class Terminal:
             return False        # hung up
         return True
 
-    def until(self, condition, what):
+    def until(self, condition, what, after_the_end=False):
+        """Waits for a condition, which only a living command can bring about unless `after_the_end`."""
         end = time.monotonic() + LIMIT_S
         while not condition():
             check(time.monotonic() < end, f"{what} did not come")
-            if not self.pump(0.01) and self.process.poll() is not None and not self.pump(0) and not condition():
+            silent = not self.pump(0.01)
+            if after_the_end or not silent or self.process.poll() is None:
+                continue
+            if not self.pump(0) and not condition():
                 check(False, f"{what} did not come: status {self.process.returncode}, {self.said()!r}")
 
     def is_raw(self):
