@@ -216,8 +216,8 @@ SMALL_BOARDS := mps2-an385 microbit rv32
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
-microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_MUL64='"arm/mul64.h"'
-rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"arm/mul64.h"'
+rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
 BARE := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BARE_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
 

@@ -25,19 +25,27 @@ _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 extern const uint32_t tia_rsqrt_lines[384];
 extern const uint32_t tia_reciprocal_lines[128];
 
+extern const uint8_t tia_clz_places[32];
+
+/* Leading zero bits, x not 0, for machines without an instruction for it: with all bits below the
+ * first one set, x = 2^n - 1, and the product's upper five bits differ for every n. */
+static inline unsigned tia_clz32_table(uint32_t x)
+{
+    x |= x >> 1;
+    x |= x >> 2;
+    x |= x >> 4;
+    x |= x >> 8;
+    x |= x >> 16;
+    return tia_clz_places[x * UINT32_C(0x07c4acdd) >> 27];
+}
+
 /* Leading zero bits. x must not be 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(TIA_NO_CLZ)
     return (unsigned)__builtin_clz((unsigned)x);
 #else
-    unsigned n = 0;
-    for (unsigned step = 16; step; step >>= 1)
-        if (!(x >> (32 - step))) {
-            n += step;
-            x <<= step;
-        }
-    return n;
+    return tia_clz32_table(x);
 #endif
 }
 

@@ -81,16 +81,16 @@ static inline num_wide num_shift(num_wide x, int s)
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
         return s == 0 ? x : (num_wide)((uint64_t)x << s); /* 0 is often what exponents differ by */
-    if (s < -63)
-        return 0;
-    return TIA_SHIFTS_WORDS ? tia_round_shift_words(x, (unsigned)-s) : tia_round_shift(x, (unsigned)-s);
+    return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
 /* x * 2^-s, rounded to nearest, ties up; s in 0..63. */
 static inline num_wide num_down(num_wide x, int s)
 {
     NUM_CHECK(s >= 0 && s <= 63);
-    return tia_round_shift(x, (unsigned)s);
+    if (!TIA_SHIFTS_WORDS)
+        return tia_round_shift(x, (unsigned)s);
+    return s > 0 ? tia_round_shift_words(x, (unsigned)s) : x;
 }
 
 static inline num num_top(num_wide x)
@@ -181,7 +181,9 @@ static inline num_u num_scale(num_wide x, int s)
 static inline num_u num_scale_within(num_wide x, int s)
 {
     NUM_CHECK(x >= 0);
-    return num_bits(x) + s > 32 ? UINT32_MAX : (num_u)num_shift(x, s);
+    if (!TIA_SHIFTS_WORDS || s >= 0 || s < -63)
+        return num_bits(x) + s > 32 ? UINT32_MAX : (num_u)num_shift(x, s);
+    return s > -32 && (num_u)(x >> 32) >> -s ? UINT32_MAX : tia_round_shift_low((num_uwide)x, (unsigned)-s);
 }
 
 /* The upper half of a product of mantissas, rounded to nearest. */

@@ -12,6 +12,8 @@ TEST(leading_zeros)
     for (unsigned i = 0; i < 32; i++) {
         CHECK_EQ(tia_clz32(UINT32_C(1) << i), 31 - i);
         CHECK_EQ(tia_clz32(UINT32_MAX >> i), i);
+        CHECK_EQ(tia_clz32_table(UINT32_C(1) << i), 31 - i);
+        CHECK_EQ(tia_clz32_table(UINT32_MAX >> i), i);
     }
     CHECK_EQ(sweep_clz32(1, THIN), 0);
 }

@@ -58,6 +58,15 @@ def show(name, words):
     print("};")
 
 
+def leading_zeros():
+    """For tia_clz32_table: 2^n - 1 has 32 - n leading zeros."""
+    places = [None] * 32
+    for n in range(1, 33):
+        places[(((1 << n) - 1) * 0x07c4acdd & 0xffffffff) >> 27] = 32 - n
+    assert None not in places
+    return places
+
+
 def main():
     rsqrt, rsqrt_worst = table(384, 128, 512, lambda a: a ** -0.5, tangent_rsqrt)
     recip, recip_worst = table(128, 128, 256, lambda d: 1 / d, lambda lo, hi: math.sqrt(lo * hi))
@@ -69,6 +78,10 @@ def main():
     show("tia_rsqrt_lines", rsqrt)
     print()
     show("tia_reciprocal_lines", recip)
+    print("\nconst uint8_t tia_clz_places[32] = {")
+    for row in (leading_zeros()[:16], leading_zeros()[16:]):
+        print("    " + " ".join(f"{z}," for z in row))
+    print("};")
 
 
 main()
