@@ -25,6 +25,24 @@ def keys_that_quit(s):
         s.ends(0)
 
 
+def held_through(s):
+    """Keys that are down when tia begins or ends type nothing into the console: neither the return
+    that started it nor the one that ends it."""
+    s.console.forget()
+    s.guest.sh('rm -rf /tmp/session')
+    s.line = 'session tia ' + ' '.join(s.display)
+    s.guest.type(s.line)
+    s.guest.press('ret')
+    s.frame('')
+    s.guest.release('ret')
+    s.guest.tap('d')
+    s.frame('d')
+    s.guest.press('q')
+    s.guest.sh('sleep 0.5')
+    s.guest.release('q')
+    s.ends(0)
+
+
 def serial(s):
     """Without a VT of its own, tia takes the console in front."""
     s.start(serial=True)
@@ -108,8 +126,8 @@ def ends_away(s):
 def second(s):
     """A second tia on the same screen is refused and does not disturb the first."""
     s.start()
-    answer = s.guest.sh('tia -d %s -i none -n 1 </dev/null 2>&1; echo $?' % s.setup.display).splitlines()
-    if answer[-1] != '3' or len(answer) != 2 or not answer[0].startswith('tia: '):
+    answer = s.guest.sh('tia %s -i none -n 1 </dev/null 2>&1; echo $?' % ' '.join(s.display)).splitlines()
+    if answer[-1] != '3' or len(answer) != 2 or 'in use by tia' not in answer[0]:
         raise Failure('a second tia: %r' % answer)
     s.guest.tap('d')
     s.frame('d')
@@ -121,18 +139,18 @@ def master(s):
     """A display that another program is master of is refused by name."""
     s.guest.sh('probe master /dev/dri/card0 >/tmp/master & echo $! >/tmp/master.pid')
     s.guest.wait(lambda: s.guest.sh('cat /tmp/master') == 'master', 'another master')
-    s.run('-d', s.setup.display)
-    s.refused(3, '/dev/dri/card0')
+    s.run(*s.display)
+    s.refused(3, '/dev/dri/card0', 'probe')
     s.guest.sh('kill $(cat /tmp/master.pid)')
 
 
 def exhausted(s):
     """No room on the disk, no memory to start with, and the kernel's out-of-memory killer."""
-    s.run(command='sh -c "exec tia -d %s --checksum >/dev/full"' % s.setup.display)
+    s.run(command='sh -c "exec tia %s --checksum >/dev/full"' % ' '.join(s.display))
     s.refused(1)
     ends = set()
     for kilobytes in range(9000, 2000, -1000):
-        s.run(command='sh -c "ulimit -v %d; exec tia -d %s"' % (kilobytes, s.setup.display))
+        s.run(command='sh -c "ulimit -v %d; exec tia %s"' % (kilobytes, ' '.join(s.display)))
         if s.shown_or_ended('') == 'shown':
             s.guest.tap('esc')
         s.ends(0, 1, 3, 127)    # 127 from the loader, below what the libraries need
@@ -150,7 +168,7 @@ def kills(s, times=100):
     """SIGKILL at random moments, from before the first instruction to long after the first frame."""
     moments = random.Random(1)
     for _ in range(times):
-        s.run('-d', s.setup.display)
+        s.run(*s.display)
         s.pid()
         time.sleep(moments.choice((0.02, 0.1, 0.5)) * moments.random())
         s.kill('KILL')

@@ -95,7 +95,7 @@ def pacing(s):
     """No two flips fall into one vertical blank, though frames wait for nothing else."""
     trace = '/sys/kernel/tracing'
     s.guest.sh('echo 1 >%s/events/drm/drm_vblank_event_delivered/enable' % trace)
-    s.run('-d', s.setup.display, '-i', 'none', '-n', '40', '--stats')
+    s.run(*s.display, '-i', 'none', '-n', '40', '--stats')
     s.ends(0)
     lines = s.guest.sh('cat %s/trace; echo 0 >%s/events/drm/enable; echo >%s/trace' % (trace, trace, trace))
     blanks = [int(line.split('seq=')[1].split(',')[0].rstrip(')')) for line in lines.splitlines() if 'seq=' in line]
@@ -157,23 +157,34 @@ def modes(s):
     s.guest.tap('esc')
     s.ends(0)
     for options in (('--mode', '641x480'), ('--connector', 'Nowhere-1')):
-        s.run('-d', s.setup.display, *options)
+        s.run(*s.display, *options)
         s.refused(3, options[1])
 
 
 # ---- screens that go away ----
 
-def vanishes(s):
-    """The device goes away: at the next frame tia says so and ends; when the device comes back
-    the console is there."""
+def ends_without(s, thing, take_away, bring_back):
+    """Something goes away under a running tia, which at the next frame says so and ends; when it
+    comes back the console is there."""
     s.start()
-    driver = s.guest.sh('readlink -f /sys/class/drm/card0/device/driver')
-    device = s.guest.sh('cd %s; ls -d 0*' % driver).split()[0]
-    s.guest.sh('echo %s >%s/unbind' % (device, driver))
+    s.guest.sh(take_away)
     s.guest.tap('a')
-    status = s.status()
-    error = s.file('err')
-    s.guest.sh('echo %s >%s/bind' % (device, driver))
-    if status != 1 or len(error.splitlines()) != 1 or not error.startswith('tia: '):
+    status, error = s.status(), s.file('err')
+    s.guest.sh(bring_back)
+    if status != 1 or len(error.splitlines()) != 1 or not error.startswith('tia: ') or thing not in error:
         raise Failure('tia ended with status %d: %r' % (status, error))
     s.console.alive(s.line)
+
+
+def device_gone(s):
+    """The driver lets go of the device."""
+    driver = s.guest.sh('readlink -f /sys/class/drm/card0/device/driver')
+    device = s.guest.sh('cd %s; ls -d 0*' % driver).split()[0]
+    ends_without(s, '/dev/dri/card0', 'echo %s >%s/unbind' % (device, driver), 'echo %s >%s/bind' % (device, driver))
+
+
+def screen_gone(s):
+    """The screen is pulled out of its connector."""
+    connector = s.guest.sh('cd /sys/class/drm; ls -d card0-*').split()[0]
+    status = '/sys/class/drm/%s/status' % connector
+    ends_without(s, connector[len('card0-'):], 'echo off >%s' % status, 'echo detect >%s' % status)

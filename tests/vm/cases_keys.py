@@ -87,18 +87,18 @@ def two(s):
 def unreadable(s):
     """Without the right to read the keyboard the screen is not taken; the message says why."""
     s.guest.sh('chmod 666 /dev/dri/* /dev/fb0; chown 1000 /dev/tty1; chgrp 104 /dev/input/event*')
-    s.run('-d', s.setup.display, wrap='probe as 1000 ')
+    s.run(*s.display, wrap='probe as 1000 ')
     s.refused(4, '/dev/input/event', 'ermission denied', 'input')
     s.guest.sh('chown 0 /dev/tty1')
 
 
 def none(s):
     """Without any keyboard the screen is taken only where no input is asked for."""
-    s.run('-d', s.setup.display)
+    s.run(*s.display)
     s.refused(4, 'keyboard')
-    s.run('-d', s.setup.display, '-i', 'none')
+    s.run(*s.display, '-i', 'none')
     s.refused(4)
-    s.run('-d', s.setup.display, '-i', 'none', '-n', '3', '--checksum')
+    s.run(*s.display, '-i', 'none', '-n', '3', '--checksum')
     s.ends(0)
     if s.frames_drawn() != 3:
         raise Failure('%d frames, not 3' % s.frames_drawn())

@@ -17,7 +17,7 @@ class Picture:
         self.width, self.height, self.rgb = width, height, rgb
 
     def __eq__(self, other):
-        return isinstance(other, Picture) and (self.width, self.height, self.rgb) == (other.width, other.height, other.rgb)
+        return isinstance(other, Picture) and vars(self) == vars(other)
 
     def differs(self, other):
         """What distinguishes two pictures, in words; '' when nothing does."""

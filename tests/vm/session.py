@@ -57,7 +57,7 @@ class Console:
         self.state, self.text = self._state(), self.steady()
 
     def _state(self):
-        return self.guest.sh('probe vt 1; stty -a -F /dev/tty1; pidof tia; probe grabbed', check=False)
+        return self.guest.sh('probe vt 1; stty -g -F /dev/tty1; pidof tia; probe grabbed', check=False)
 
     def steady(self, unlike=None):
         """What is seen once it has stopped changing: drivers draw text some time later."""
@@ -104,6 +104,7 @@ class Session:
     def __init__(self, guest, setup):
         self.guest, self.setup, self.eye = guest, setup, setup.eye
         self.console = Console(guest, self.eye, setup.keyboard)
+        self.display = ['-d', setup.display, *setup.options]
         self.compose = self.whole
         self.line = None            # what was typed on the console to start tia
 
@@ -124,7 +125,7 @@ class Session:
     def start(self, *options, first='', compose=None, **where):
         """Runs tia on the display and waits for its first picture."""
         self.compose = compose or self.whole
-        self.run('-d', self.setup.display, *options, **where)
+        self.run(*self.display, *options, **where)
         self.frame(first)
 
     def note(self, text):
@@ -190,8 +191,10 @@ class Session:
     def shown_or_ended(self, keys):
         """Waits until this frame is shown or tia has ended; says which."""
         want = self.expected(keys)
-        return self.guest.wait(lambda: (self.file('status') and 'ended') or (self.eye.sees(self.guest) == want and 'shown'),
-                               'a frame or the end')
+
+        def found():
+            return 'ended' if self.file('status') else 'shown' if self.eye.sees(self.guest) == want else ''
+        return self.guest.wait(found, 'a frame or the end')
 
     def steps(self, before, key, at_least=1):
         """The number of times that `key` has acted after the keys `before`, by what is on the
