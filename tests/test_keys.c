@@ -1,0 +1,182 @@
+/* tia_press: what each key does to the lights, by the table of the thesis scene and at the limits. */
+#include <tia/viewer.h>
+
+#include "check.h"
+
+#define ONE TIA_Q16_ONE
+#define EDGE (INT32_MAX - INT32_MAX % ONE) /* 32767.0 */
+
+static struct tia_light lights[4];
+static uint32_t count;
+
+static int press(uint32_t capacity, uint16_t key)
+{
+    return tia_press(&tia_thesis_scene, lights, &count, capacity, key);
+}
+
+static struct tia_light light_at(tia_q16 x, tia_q16 y, tia_q16 z, tia_q16 radius)
+{
+    return (struct tia_light){{x, y, z}, radius, {1, 2, 3}};
+}
+
+static bool is_at(const struct tia_light *light, tia_q16 x, tia_q16 y, tia_q16 z)
+{
+    return light->centre.x == x && light->centre.y == y && light->centre.z == z;
+}
+
+static void check_put(uint16_t key, int x, int y, int z)
+{
+    const struct tia_light *l = &lights[0];
+
+    for (count = 0; count < 2; count++) { /* as the first light, and over one that was there */
+        lights[0] = light_at(7, 7, 7, 7777);
+        CHECK_EQ(press(1, key), 1);
+        CHECK_MSG(count == 1 && is_at(l, x * ONE, y * ONE, z * ONE), "%c", key);
+        CHECK_EQ(l->radius, 3 * ONE);
+        CHECK(l->emission.r == TIA_Q30_ONE && l->emission.g == TIA_Q30_ONE && l->emission.b == TIA_Q30_ONE);
+    }
+}
+
+TEST(keys_that_put_the_light)
+{
+    check_put('a', -20, 20, -20);
+    check_put('d', 20, 20, -20);
+    check_put('s', 0, 20, -8);
+    check_put('w', 0, 20, -32);
+}
+
+static const struct {
+    uint16_t key;
+    int x, y, z;
+} moves[] = {
+    {TIA_KEY_LEFT, -1, 0, 0}, {TIA_KEY_RIGHT, 1, 0, 0},   {TIA_KEY_UP, 0, 0, -1},
+    {TIA_KEY_DOWN, 0, 0, 1},  {TIA_KEY_PAGE_UP, 0, 1, 0}, {TIA_KEY_PAGE_DOWN, 0, -1, 0},
+};
+#define MOVES (sizeof moves / sizeof *moves)
+
+TEST(keys_that_move_the_light)
+{
+    for (size_t i = 0; i < MOVES; i++) {
+        lights[0] = lights[1] = light_at(100, -200, 300, 3 * ONE);
+        count = 2;
+        CHECK_EQ(press(2, moves[i].key), 1);
+        CHECK_MSG(is_at(&lights[0], 100 + moves[i].x * ONE, -200 + moves[i].y * ONE, 300 + moves[i].z * ONE), "key %zu",
+                  i);
+        CHECK_EQ(lights[0].radius, 3 * ONE);
+        CHECK_EQ(lights[0].emission.b, 3);
+        CHECK(is_at(&lights[1], 100, -200, 300));
+        CHECK_EQ(count, 2);
+    }
+}
+
+TEST(without_a_light_there_is_nothing_to_move)
+{
+    for (size_t i = 0; i < MOVES; i++) {
+        lights[0] = light_at(1, 2, 3, 0);
+        count = 0;
+        CHECK_EQ(press(4, moves[i].key), 0);
+        CHECK(count == 0 && is_at(&lights[0], 1, 2, 3));
+    }
+}
+
+TEST(every_other_key_quits)
+{
+    for (unsigned key = 0; key <= UINT16_MAX; key++) {
+        bool known = key == 'a' || key == 'd' || key == 's' || key == 'w';
+        for (size_t i = 0; i < MOVES; i++)
+            known = known || key == moves[i].key;
+        count = 0;
+        CHECK_MSG((press(1, (uint16_t)key) == TIA_ERR_ARGUMENT) == !known, "key %u", key);
+    }
+}
+
+TEST(no_room_for_a_light)
+{
+    lights[0] = light_at(1, 2, 3, 0);
+    count = 0;
+    CHECK_EQ(press(0, 'a'), 0);
+    CHECK_EQ(press(0, TIA_KEY_LEFT), 0);
+    CHECK_EQ(press(0, 'q'), TIA_ERR_ARGUMENT);
+    CHECK(count == 0 && is_at(&lights[0], 1, 2, 3));
+}
+
+/* The farthest point stays nearer than 32768: 32767 with no radius is accepted, one more is not; with
+ * radius 3 it is 32764.99..., so 32764 is the last whole number. */
+static void check_limit(tia_q16 radius, tia_q16 last)
+{
+    for (size_t i = 0; i < MOVES; i++) {
+        tia_q16 x = moves[i].x * last, y = moves[i].y * last, z = moves[i].z * last;
+        lights[0] = light_at(x - moves[i].x * ONE, y - moves[i].y * ONE, z - moves[i].z * ONE, radius);
+        count = 1;
+        CHECK_EQ(press(1, moves[i].key), 1);
+        CHECK(is_at(&lights[0], x, y, z));
+        CHECK_EQ(press(1, moves[i].key), 0);
+        CHECK(is_at(&lights[0], x, y, z));
+    }
+}
+
+TEST(no_move_beyond_the_range)
+{
+    check_limit(0, EDGE);
+    check_limit(3 * ONE, EDGE - 3 * ONE);
+}
+
+/* Seen from an eye far to the right the range ends where Q16.16 does. */
+TEST(no_move_beyond_the_numbers)
+{
+    struct tia_scene scene = {.camera = {{INT32_MAX - 9 * ONE, 0, 0}, TIA_Q16(25)}};
+
+    lights[0] = light_at(EDGE, 0, 0, 0);
+    count = 1;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
+    CHECK_EQ(lights[0].centre.x, EDGE);
+    scene.camera.eye.x = -scene.camera.eye.x;
+    lights[0].centre.x = -EDGE - ONE;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 0);
+    CHECK_EQ(lights[0].centre.x, INT32_MIN);
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 1);
+    CHECK_EQ(lights[0].centre.x, INT32_MIN + ONE);
+}
+
+static const struct tia_binding bindings[] = {
+    {'0', 0, {{10, 0, 0}, 0, {0, 0, 0}}},
+    {'2', 2, {{12, 0, 0}, 0, {0, 0, 0}}},
+    {'3', 3, {{13, 0, 0}, 0, {0, 0, 0}}},
+    {TIA_KEY_LEFT, 1, {{11, 0, 0}, 0, {0, 0, 0}}},
+};
+
+/* A light beyond those in use is added at the end; where all are in use nothing changes. */
+TEST(several_lights)
+{
+    struct tia_scene scene = {.bindings = bindings, .binding_count = 4, .camera = {{0, 0, 0}, TIA_Q16(25)}};
+
+    count = 0;
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, '2'), 1);
+    CHECK(count == 1 && lights[0].centre.x == 12);
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, '0'), 1);
+    CHECK(count == 1 && lights[0].centre.x == 10);
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, TIA_KEY_LEFT), 1); /* a binding comes before a move */
+    CHECK(count == 2 && lights[0].centre.x == 10 && lights[1].centre.x == 11);
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, '3'), 1);
+    CHECK(count == 3 && lights[2].centre.x == 13);
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, '2'), 1);
+    CHECK(count == 3 && lights[2].centre.x == 12);
+    CHECK_EQ(tia_press(&scene, lights, &count, 3, '3'), 0);
+    CHECK(count == 3 && lights[2].centre.x == 12);
+    CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_RIGHT), 1);
+    CHECK(lights[0].centre.x == 10 + ONE && lights[1].centre.x == 11);
+    CHECK_EQ(tia_press(&scene, lights, &count, 4, 'a'), TIA_ERR_ARGUMENT);
+}
+
+int main(void)
+{
+    RUN(keys_that_put_the_light);
+    RUN(keys_that_move_the_light);
+    RUN(without_a_light_there_is_nothing_to_move);
+    RUN(every_other_key_quits);
+    RUN(no_room_for_a_light);
+    RUN(no_move_beyond_the_range);
+    RUN(no_move_beyond_the_numbers);
+    RUN(several_lights);
+    return check_status();
+}
