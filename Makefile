@@ -142,7 +142,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) 
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-arch fuzz
+.PHONY: check-exhaustive prove check-arch check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -152,6 +152,8 @@ prove:
 check-arch:
 	@tests/run tests/slow/arch
 SECONDS ?= 600
+check-mutants:
+	tests/mutate
 fuzz:
 	@FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
 

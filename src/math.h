@@ -211,6 +211,15 @@ struct tia_wide {
     uint64_t high, low;
 };
 
+/* a b, exact, by halves: for compilers without 128-bit integers. */
+static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
+{
+    uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+    uint64_t low = tia_mul_u32(a0, b0), middle = tia_mul_u32(a1, b0) + (low >> 32);
+    uint64_t cross = tia_mul_u32(a0, b1) + (uint32_t)middle;
+    return (struct tia_wide){tia_mul_u32(a1, b1) + (middle >> 32) + (cross >> 32), cross << 32 | (uint32_t)low};
+}
+
 /* a b, exact. */
 static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 {
@@ -219,10 +228,7 @@ static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
     wide p = (wide)a * b;
     return (struct tia_wide){(uint64_t)(p >> 64), (uint64_t)p};
 #else
-    uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b, b1 = b >> 32;
-    uint64_t low = a0 * b0, middle = a1 * b0 + (low >> 32);
-    uint64_t cross = a0 * b1 + (uint32_t)middle;
-    return (struct tia_wide){a1 * b1 + (middle >> 32) + (cross >> 32), cross << 32 | (uint32_t)low};
+    return tia_wide_product_by_halves(a, b);
 #endif
 }
 

@@ -153,9 +153,10 @@ TEST(wide_products)
     for (size_t i = 0; i < 100000; i++) {
         uint64_t a = i < count * count ? edges[i / count] : sweep_random(&state) >> (state & 63);
         uint64_t b = i < count * count ? edges[i % count] : sweep_random(&state) >> (state & 63);
-        struct tia_wide p = tia_wide_product(a, b);
+        struct tia_wide p = tia_wide_product(a, b), halves = tia_wide_product_by_halves(a, b);
         paper_product(a, b, &high, &low);
         CHECK(p.high == high && p.low == low);
+        CHECK(halves.high == high && halves.low == low);
     }
 }
 
