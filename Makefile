@@ -179,7 +179,7 @@ check: all tests
 $(BUILD)/vm/probe: tests/vm/probe.c
 	@mkdir -p $(@D)
 	$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
-check-vm: all $(BUILD)/vm/probe
+check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@tests/run tests/slow/vm; status=$$?; tests/vm/table; exit $$status
 
 $(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)

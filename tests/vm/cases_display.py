@@ -8,6 +8,14 @@ MOVES = ['<left>', '<right>', '<up>', '<down>', '<pgup>', '<pgdn>']
 QEMU_KEY = {'<left>': 'left', '<right>': 'right', '<up>': 'up', '<down>': 'down', '<pgup>': 'pgup', '<pgdn>': 'pgdn'}
 
 
+def conforms(s):
+    """The suite that every display passes, by itself."""
+    said = s.guest.sh('test_ports %s 2>&1' % s.setup.display, check=False)
+    if said != 'ok ' + s.setup.display:
+        raise Failure('test_ports: ' + said)
+    s.console.alive()
+
+
 def frames(s):
     """Each light key and each arrow, tapped, and a key that quits."""
     s.start('--stats', '--checksum')

@@ -211,7 +211,7 @@ def pack():
     for name in ('console', 'session'):
         archive.file('/bin/' + name, os.path.join(HERE, name))
     archive.tree(os.path.join(KERNEL, 'root'))
-    for name in ('tia', 'vm/probe'):
+    for name in ('tia', 'vm/probe', 'tests/test_ports'):
         archive.program(os.path.join(BUILD, name))
     archive.write(IMAGE)
 

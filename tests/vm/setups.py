@@ -12,6 +12,7 @@ from session import Memory, Scanout, VkmsChecksum
 
 # The columns of the table.
 GROUPS = {
+    'conformance': [display.conforms],
     'pictures': [display.frames, display.automatic],
     'held keys': [display.held],
     'latency': [display.latency],
@@ -31,7 +32,7 @@ GROUPS = {
 }
 # What every driver has to show, what a DRM driver has to show too, and what is shown at one driver
 # of each kind, because it is not the driver that does it.
-BASIC = [display.frames, display.held, console.signals, console.switch, console.second]
+BASIC = [display.conforms, display.frames, display.held, console.signals, console.switch, console.second]
 DRM = [*BASIC, console.master, display.screen_gone]
 THOROUGH = [display.automatic, display.latency, display.rotated, display.centred, console.keys_that_quit,
             console.terminal_keys, console.held_through, console.serial, console.ends_away,
