@@ -61,6 +61,9 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
 
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
  * copy of the objects, with the lights among them. */
+#if defined(__GNUC__)
+__attribute__((noinline)) /* its arrays are off the stack again when the chunk is shaded */
+#endif
 static void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;

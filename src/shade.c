@@ -91,7 +91,7 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
-    num_u lambert[CHUNK];
+    num_u *lambert = lit.facing; /* takes its place: stack is scarce */
 
     light_line_prepare(view, &source, run->x, run->y, &line);
     line.count = run->count;
