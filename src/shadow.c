@@ -40,8 +40,8 @@ static int prepare_product(const struct tia_view *view, const struct light_sourc
     return e;
 }
 
-/* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); twice
- * t C.v and each other term stay below 2^60. Returns e_k. */
+/* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each
+ * term stays below 2^60, twice t C.v below 2^61. Returns e_k. */
 static int prepare_power(const struct tia_view *view, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
@@ -51,7 +51,7 @@ static int prepare_power(const struct tia_view *view, const struct light_source 
                      num_shift(r * biased + caster->radius * caster->radius, -2);
     int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
-    e = limit_product(e, view, body, caster->centre) - 1;
+    e = limit_product(e, view, body, caster->centre);
     struct row_form form = product_form(view, body, caster->centre, x, y, e);
     line->c = form.start;
     line->c_step = form.step;
