@@ -199,14 +199,17 @@ lint:
 INSTALL := install -D -m
 install: all
 	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
+	$(if $(LIBF64),$(INSTALL) 755 $(BUILD)/tia-compare $(DESTDIR)$(PREFIX)/bin/tia-compare)
 	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
 	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
 	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
+	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
 	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
 uninstall:
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1)
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare lib/libtia.a lib/pkgconfig/tia.pc \
+	    share/man/man1/tia.1 share/man/man1/tia-compare.1)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
 
