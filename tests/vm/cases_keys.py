@@ -7,18 +7,23 @@ from guest import Failure
 UINPUT = {'<left>': 105, '<right>': 106, '<up>': 103, '<down>': 108}
 
 
+def nodes(s):
+    """The event devices. Not by ls, which fails when one goes while it looks."""
+    return s.guest.sh('echo /dev/input/event*')
+
+
 def plug(s, kind):
     """Plugs a keyboard of this kind in; what is typed now comes from it."""
-    before = s.guest.sh('ls /dev/input')
+    before = nodes(s)
     device = {'usb-kbd': {'bus': 'usb.0'}, 'virtio-keyboard-pci': {}}[kind]
     s.guest.qmp('device_add', driver=kind, id='plugged', **device)
-    s.guest.wait(lambda: s.guest.sh('ls /dev/input') != before, kind)
+    s.guest.wait(lambda: nodes(s) != before, kind)
 
 
 def unplug(s):
-    before = s.guest.sh('ls /dev/input')
+    before = nodes(s)
     s.guest.qmp('device_del', id='plugged')
-    s.guest.wait(lambda: s.guest.sh('ls /dev/input') != before, 'the keyboard to go')
+    s.guest.wait(lambda: nodes(s) != before, 'the keyboard to go')
 
 
 def plugged_before(s, kind):
@@ -68,6 +73,7 @@ def virtio_hotplug(s):
 
 def two(s):
     """Two keyboards at once, keys down on both."""
+    before = nodes(s)
     s.guest.sh('mkfifo /tmp/keys; probe keyboard Second </tmp/keys >/dev/null 2>&1 & echo $! >/tmp/keys.pid')
     s.guest.sh('sleep 1000 >/tmp/keys & echo $! >/tmp/keys.open')
     s.start()
@@ -82,6 +88,7 @@ def two(s):
     s.guest.tap('esc')
     s.ends(0)
     s.guest.sh('kill $(cat /tmp/keys.open /tmp/keys.pid); rm /tmp/keys*')
+    s.guest.wait(lambda: nodes(s) == before, 'the keyboard to go')
 
 
 def unreadable(s):
