@@ -1,0 +1,324 @@
+/* tia_viewer_run: keys, time and frames, in a world where time stands still but for the script. */
+#include "viewer_world.h"
+
+#define START 1000000 /* the clock when a world begins */
+#define ONE TIA_Q16_ONE
+
+static const uint16_t key_a[] = {'a'};
+
+/* A world with the light of key a, at (-20, 20, -20). */
+static struct world *lit_world(void)
+{
+    struct world *w = world_new();
+
+    w->viewer.keys = key_a;
+    w->viewer.key_count = 1;
+    return w;
+}
+
+static void quit_at(struct world *w, uint64_t at_us)
+{
+    world_event(w, at_us, TIA_EVENT_TAP, 'q');
+}
+
+static void check_light(const struct world *w, int x, int y, int z)
+{
+    const struct tia_vec3 *c = &w->lights[0].centre;
+
+    CHECK_MSG(c->x == x * ONE && c->y == y * ONE && c->z == z * ONE, "the light is at (%d, %d, %d) / 65536", c->x, c->y,
+              c->z);
+}
+
+TEST(keys_before_the_first_frame)
+{
+    static const uint16_t keys[] = {TIA_KEY_LEFT, 'd', TIA_KEY_LEFT, TIA_KEY_UP, TIA_KEY_UP, TIA_KEY_PAGE_DOWN};
+    struct world *w = world_new();
+
+    w->viewer.keys = keys;
+    w->viewer.key_count = 6;
+    quit_at(w, START + 1);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    check_light(w, 19, 19, -22);
+    CHECK_EQ(w->lights[1].radius, 0);
+}
+
+TEST(the_scene_brings_its_lights)
+{
+    static const struct tia_light lights[] = {{TIA_VEC3(9, 8, 7), TIA_Q16(2), TIA_RGB(1, 0, 1)},
+                                              {TIA_VEC3(-9, 8, 7), TIA_Q16(1), TIA_RGB(0, 1, 0)}};
+    struct tia_scene scene = tia_thesis_scene;
+    struct world *w = world_new();
+
+    scene.lights = lights;
+    scene.light_count = 2;
+    w->viewer.scene = &scene;
+    quit_at(w, START + 1);
+    CHECK_EQ(world_play(w), TIA_OK);
+    check_light(w, 9, 8, 7);
+    CHECK(!memcmp(&w->lights[1], &lights[1], sizeof lights[1]));
+    w = world_new();
+    w->viewer.scene = &scene;
+    w->viewer.light_capacity = 1;
+    CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
+}
+
+/* 60 taps that wait are one frame, and are told by the oldest. */
+TEST(all_waiting_keys_before_a_frame)
+{
+    struct world *w = lit_world();
+
+    w->present_us = 5000;
+    for (unsigned i = 0; i < 60; i++)
+        world_event(w, START - 600 + i, TIA_EVENT_TAP, i % 3 ? TIA_KEY_RIGHT : TIA_KEY_DOWN);
+    quit_at(w, START + 50000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    check_light(w, 20, 20, 0);
+    CHECK_EQ(w->frames[0].told.key_us, 5600);
+}
+
+/* Nothing is drawn for a key that changes nothing, nor after one that quits. */
+TEST(frames_only_for_changes)
+{
+    struct world *w = world_new();
+
+    world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_LEFT); /* there is no light yet */
+    world_event(w, START + 2000, TIA_EVENT_TAP, 's');
+    world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    quit_at(w, START + 3000);
+    world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 2);
+    CHECK_EQ(w->next_event, 4);
+    check_light(w, -1, 20, -8);
+    CHECK_EQ(w->frames[1].light.x, 0);
+}
+
+TEST(a_tap_moves_once)
+{
+    struct world *w = lit_world();
+
+    world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_PAGE_UP);
+    quit_at(w, START + 5000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    check_light(w, -20, 21, -20);
+    CHECK_EQ(w->frame_count, 2);
+}
+
+/* How often a key has moved the light that was pressed and is held since `held` microseconds. */
+static int steps(uint64_t held)
+{
+    return held < TIA_HOLD_DELAY_US ? 1 : 2 + (int)((held - TIA_HOLD_DELAY_US) / TIA_HOLD_STEP_US);
+}
+
+/* Frames while a key is held show it moved by what the time says since it was taken, after the frame
+ * that was being drawn; and it ends where it was released. */
+static void check_held(uint64_t tile_us, uint64_t present_us)
+{
+    const uint64_t frame_us = 3 * tile_us + present_us;
+    const uint64_t pressed = START + (frame_us > 10000 ? frame_us : 10000), released = pressed + 1234567;
+    struct world *w = lit_world();
+
+    w->tile_us = tile_us;
+    w->present_us = present_us;
+    world_event(w, START + 10000, TIA_EVENT_PRESS, TIA_KEY_RIGHT);
+    world_event(w, released, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
+    quit_at(w, released + 3000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    for (unsigned i = 1; i < w->frame_count; i++) {
+        uint64_t drawn = w->frames[i].drawn_us;
+        if (drawn < released)
+            CHECK_EQ(w->frames[i].light.x, (steps(drawn - pressed) - 20) * ONE);
+    }
+    CHECK_EQ(w->frames[w->frame_count - 1].light.x, w->lights[0].centre.x);
+    CHECK(w->lights[0].centre.x <= (steps(released - pressed) - 20) * ONE);
+    CHECK(w->frames[w->frame_count - 1].drawn_us <= released + frame_us);
+    if (!tile_us && !present_us) {
+        CHECK_EQ(w->frame_count, 1 + steps(released - pressed));
+        check_light(w, steps(released - pressed) - 20, 20, -20);
+    }
+}
+
+TEST(a_held_key_moves_by_the_clock)
+{
+    check_held(0, 0);
+}
+
+TEST(slow_frames_do_not_slow_the_light)
+{
+    check_held(1000, 20000);
+    check_held(40000, 50000);
+}
+
+/* Longer than a second is not caught up with. */
+TEST(a_long_pause_is_no_jump)
+{
+    struct world *w = lit_world();
+
+    w->present_us = 3000000;
+    world_event(w, START, TIA_EVENT_PRESS, TIA_KEY_RIGHT);
+    world_event(w, START + 3000001, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->lights[0].centre.x <= -18 * ONE);
+}
+
+TEST(released_at_once)
+{
+    struct world *w = lit_world();
+
+    world_event(w, START + 1, TIA_EVENT_PRESS, TIA_KEY_UP);
+    world_event(w, START + TIA_HOLD_DELAY_US, TIA_EVENT_RELEASE, TIA_KEY_UP);
+    quit_at(w, START + 2000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    check_light(w, -20, 20, -21);
+}
+
+TEST(two_keys_held)
+{
+    const uint64_t right = START + 7000, up = right + 400000, end = START + 1500000;
+    struct world *w = lit_world();
+
+    world_event(w, right, TIA_EVENT_PRESS, TIA_KEY_RIGHT);
+    world_event(w, up, TIA_EVENT_PRESS, TIA_KEY_UP);
+    world_event(w, up + 500000, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
+    quit_at(w, end);
+    CHECK_EQ(world_play(w), TIA_OK);
+    check_light(w, steps(up + 500000 - right) - 20, 20, -20 - steps(end - up));
+}
+
+TEST(without_a_clock_nothing_repeats)
+{
+    struct world *w = lit_world();
+
+    w->viewer.clock = NULL;
+    world_event(w, START + 1, TIA_EVENT_PRESS, TIA_KEY_UP);
+    quit_at(w, START + 5000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    check_light(w, -20, 20, -21);
+    CHECK_EQ(w->frames[1].told.key_us, 0);
+}
+
+TEST(keys_that_quit)
+{
+    static const uint16_t keys[] = {TIA_KEY_INTERRUPT, TIA_KEY_ESCAPE, TIA_KEY_OTHER, 'q', 'A', ' ', '1'};
+
+    for (size_t i = 0; i < 2 * sizeof keys / sizeof *keys; i++) {
+        struct world *w = world_new();
+        world_event(w, START + 1, TIA_EVENT_RELEASE, keys[i / 2]); /* pressed before we were there */
+        world_event(w, START + 500, i % 2 ? TIA_EVENT_PRESS : TIA_EVENT_TAP, keys[i / 2]);
+        world_event(w, START + 900, TIA_EVENT_TAP, 'a');
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK(w->next_event == 2 && w->now_us == START + 500 && w->frame_count == 1);
+        w = world_new();
+        w->viewer.keys = &keys[i / 2];
+        w->viewer.key_count = 1;
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frame_count, 0);
+    }
+}
+
+/* Frame after frame, and each is told what it took: 3 tiles of 16 rows and a wait for the display. */
+TEST(as_many_frames_as_asked_for)
+{
+    for (int with_input = 0; with_input < 2; with_input++) {
+        struct world *w = world_new();
+        w->viewer.input = with_input ? &world_input : NULL;
+        w->viewer.frame_limit = 5;
+        w->tile_us = 300;
+        w->present_us = 7000;
+        if (with_input)
+            world_event(w, START - 40, TIA_EVENT_TAP, 'w');
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frame_count, 5);
+        for (unsigned i = 0; i < 5; i++) {
+            CHECK_EQ(w->frames[i].told.relit, i > 0);
+            CHECK_EQ(w->frames[i].told.draw_us, 900);
+            CHECK_EQ(w->frames[i].told.key_us, with_input && i == 0 ? 7940 : 0);
+        }
+    }
+}
+
+TEST(frame_done_may_end_it)
+{
+    struct world *w = world_new();
+
+    w->done_status = 77;
+    CHECK_EQ(world_play(w), 77);
+    CHECK_EQ(w->frame_count, 1);
+    w = world_new();
+    w->viewer.frame_done = NULL;
+    quit_at(w, START + 1);
+    CHECK_EQ(world_play(w), TIA_OK);
+}
+
+TEST(the_stop_flag)
+{
+    struct world *w = world_new();
+
+    w->stop_after = 3;
+    w->viewer.frame_limit = 100;
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 3);
+    w = world_new();
+    w->stop = 1;
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 0);
+}
+
+/* Lights may be moved behind a hidden screen; when it is back it is drawn, moved or not. */
+TEST(hidden)
+{
+    for (int moved = 0; moved < 2; moved++) {
+        struct world *w = lit_world();
+        w->hidden_from_us = START + 100000;
+        w->hidden_until_us = START + 900000;
+        if (moved)
+            world_event(w, START + 300000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+        quit_at(w, START + 1000000);
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frame_count, 2);
+        CHECK_EQ(w->frames[1].drawn_us, START + 900000);
+        CHECK_EQ(w->frames[1].light.x, (-20 - moved) * ONE);
+    }
+}
+
+TEST(hidden_from_the_start)
+{
+    struct world *w = world_new();
+
+    w->hidden_from_us = 0;
+    w->hidden_until_us = START + 500;
+    quit_at(w, START + 1000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->frame_count == 1 && w->frames[0].drawn_us == START + 500);
+    w = world_new();
+    w->hidden_until_us = UINT64_MAX;
+    w->viewer.input = NULL; /* nobody could say when it is back */
+    w->viewer.frame_limit = 1;
+    CHECK_EQ(world_play(w), TIA_HIDDEN);
+    CHECK_EQ(w->frame_count, 0);
+}
+
+int main(void)
+{
+    RUN(keys_before_the_first_frame);
+    RUN(the_scene_brings_its_lights);
+    RUN(all_waiting_keys_before_a_frame);
+    RUN(frames_only_for_changes);
+    RUN(a_tap_moves_once);
+    RUN(a_held_key_moves_by_the_clock);
+    RUN(slow_frames_do_not_slow_the_light);
+    RUN(a_long_pause_is_no_jump);
+    RUN(released_at_once);
+    RUN(two_keys_held);
+    RUN(without_a_clock_nothing_repeats);
+    RUN(keys_that_quit);
+    RUN(as_many_frames_as_asked_for);
+    RUN(frame_done_may_end_it);
+    RUN(the_stop_flag);
+    RUN(hidden);
+    RUN(hidden_from_the_start);
+    return check_status();
+}

@@ -1,0 +1,271 @@
+/* viewer_world.h - a world for tia_viewer_run: a display, an input, a clock and memory that follow a
+ * script and check what is asked of them. Time passes only while the viewer waits, draws or shows;
+ * every frame is compared with a full render when it is presented. */
+#ifndef TESTS_VIEWER_WORLD_H
+#define TESTS_VIEWER_WORLD_H
+
+#include <tia/viewer.h>
+
+#include "check.h"
+
+enum { WORLD_WIDTH = 64, WORLD_HEIGHT = 48, WORLD_EVENTS = 200, WORLD_FRAMES = 400, WORLD_LIGHTS = 3 };
+
+enum world_call { CALL_NONE, CALL_MODE, CALL_ACQUIRE, CALL_SUBMIT, CALL_PRESENT, CALL_POLL, CALL_WAIT };
+
+struct world_event {
+    uint64_t at_us;
+    struct tia_event event;
+};
+
+struct world_frame {
+    uint64_t drawn_us;     /* when its first tile was begun */
+    struct tia_vec3 light; /* the first light's place */
+    struct tia_frame told;
+};
+
+struct world {
+    struct tia_viewer viewer;
+    struct tia_light lights[WORLD_LIGHTS];
+    uint64_t now_us;
+
+    /* The script. */
+    struct world_event events[WORLD_EVENTS]; /* by time */
+    unsigned event_count;
+    struct tia_mode mode, later_mode; /* the later one after change_after frames, if not 0 */
+    unsigned change_after;
+    uint64_t hidden_from_us, hidden_until_us;
+    uint64_t tile_us, present_us; /* what drawing a tile and presenting take */
+    enum world_call fail;         /* what fails, after fail_after frames */
+    unsigned fail_after, stop_after;
+    int done_status; /* what frame_done says */
+    size_t memory_limit;
+
+    /* What happened. */
+    unsigned next_event, tiles, acquired, memory_calls, runs, frame_count;
+    size_t memory_size;
+    volatile int stop;
+    struct world_frame frames[WORLD_FRAMES];
+    tia_rgb565 pixels[WORLD_WIDTH * WORLD_HEIGHT];
+};
+
+static uint64_t world_memory[16384], world_reference[16384];
+
+static inline int world_result(const struct world *w, enum world_call call)
+{
+    return w->fail == call && w->frame_count >= w->fail_after ? TIA_ERR_DEVICE : TIA_OK;
+}
+
+static inline bool world_hidden(const struct world *w)
+{
+    return w->now_us >= w->hidden_from_us && w->now_us < w->hidden_until_us;
+}
+
+static inline bool world_event_waits(const struct world *w)
+{
+    return w->next_event < w->event_count && w->events[w->next_event].at_us <= w->now_us;
+}
+
+static inline uint64_t world_now(void *ctx)
+{
+    return ((struct world *)ctx)->now_us;
+}
+
+/* ---- the display ---- */
+
+static inline const struct tia_mode *world_mode_now(const struct world *w)
+{
+    return w->change_after && w->frame_count >= w->change_after ? &w->later_mode : &w->mode;
+}
+
+static inline int world_mode(void *ctx, struct tia_mode *mode)
+{
+    struct world *w = ctx;
+
+    *mode = *world_mode_now(w);
+    return world_hidden(w) ? TIA_HIDDEN : world_result(w, CALL_MODE);
+}
+
+static inline int world_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    struct world *w = ctx;
+    const struct tia_mode *mode = world_mode_now(w);
+
+    CHECK(!world_hidden(w) && w->acquired == 0);
+    CHECK(w->tiles > 0 || !world_event_waits(w)); /* all keys are taken before a frame is begun */
+    CHECK(!mode->tile_width || tile.width <= mode->tile_width);
+    CHECK(!mode->tile_height || tile.height <= mode->tile_height);
+    if (world_result(w, CALL_ACQUIRE))
+        return TIA_ERR_DEVICE;
+    if (!w->tiles++ && w->frame_count < WORLD_FRAMES)
+        w->frames[w->frame_count].drawn_us = w->now_us;
+    w->acquired++;
+    w->now_us += w->tile_us;
+    *surface = (struct tia_surface){w->pixels + tile.y * WORLD_WIDTH + tile.x, 2, 2 * WORLD_WIDTH};
+    return TIA_OK;
+}
+
+static inline int world_submit(void *ctx, struct tia_tile tile)
+{
+    struct world *w = ctx;
+
+    (void)tile;
+    CHECK_EQ(w->acquired, 1);
+    w->acquired--;
+    return world_result(w, CALL_SUBMIT);
+}
+
+/* The picture as it must be: traced as a whole, with the lights as they are now. */
+static inline void world_compare(const struct world *w)
+{
+    static tia_rgb565 want[WORLD_WIDTH * WORLD_HEIGHT];
+    const struct tia_mode *mode = world_mode_now(w);
+    struct tia_tile all = {0, 0, mode->width, mode->height};
+    struct tia_surface surface = {want, 2, 2 * WORLD_WIDTH};
+    size_t half = sizeof world_reference / 2;
+    struct tia_view *view = NULL;
+    struct tia_hits *hits = NULL;
+    uint32_t lights = 0;
+
+    while (lights < WORLD_LIGHTS && w->lights[lights].radius)
+        lights++;
+    CHECK_EQ(tia_view_init(&view, world_reference, half, w->viewer.scene, WORLD_LIGHTS, all.width, all.height), TIA_OK);
+    CHECK_EQ(tia_view_set_lights(view, w->lights, lights), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, all), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
+    for (unsigned y = 0; y < all.height; y++)
+        CHECK_MSG(!memcmp(w->pixels + y * WORLD_WIDTH, want + y * WORLD_WIDTH, 2u * all.width), "frame %u, row %u",
+                  w->frame_count, y);
+}
+
+static inline int world_present(void *ctx)
+{
+    struct world *w = ctx;
+
+    CHECK(!world_hidden(w) && w->acquired == 0);
+    world_compare(w);
+    memset(w->pixels, 0x5a, sizeof w->pixels);
+    w->tiles = 0;
+    w->now_us += w->present_us;
+    return world_result(w, CALL_PRESENT);
+}
+
+static const struct tia_display world_display = {
+    .mode = world_mode, .acquire = world_acquire, .submit = world_submit, .present = world_present};
+
+/* ---- the input ---- */
+
+static inline int world_poll(void *ctx, struct tia_event *event)
+{
+    struct world *w = ctx;
+
+    if (world_result(w, CALL_POLL) || !world_event_waits(w))
+        return world_result(w, CALL_POLL);
+    *event = w->events[w->next_event++].event;
+    return 1;
+}
+
+/* Sleeps until the next thing of the script; a sleep that nothing would end is an error. */
+static inline int world_wait(void *ctx, int timeout_ms)
+{
+    struct world *w = ctx;
+    uint64_t until = timeout_ms < 0 ? UINT64_MAX : w->now_us + (uint64_t)timeout_ms * 1000;
+
+    if (w->next_event < w->event_count && w->events[w->next_event].at_us < until)
+        until = w->events[w->next_event].at_us;
+    if (w->hidden_until_us > w->now_us) {
+        uint64_t switched = world_hidden(w) ? w->hidden_until_us : w->hidden_from_us;
+        until = switched < until ? switched : until;
+    }
+    CHECK_MSG(until != UINT64_MAX, "it would sleep forever");
+    if (until == UINT64_MAX)
+        return TIA_ERR_UNSUPPORTED;
+    w->now_us = until > w->now_us ? until : w->now_us;
+    return world_result(w, CALL_WAIT);
+}
+
+static const struct tia_input world_input = {.poll = world_poll, .wait = world_wait};
+
+static inline void world_event(struct world *w, uint64_t at_us, enum tia_event_kind kind, uint16_t key)
+{
+    w->events[w->event_count++] = (struct world_event){at_us, {kind, key, at_us}};
+}
+
+/* ---- the rest ---- */
+
+static const struct tia_clock world_clock = {.now_us = world_now};
+
+static inline void *world_take_memory(void *ctx, size_t size)
+{
+    struct world *w = ctx;
+
+    w->memory_calls++;
+    if (size > w->memory_limit || size > sizeof world_memory)
+        return NULL;
+    w->memory_size = size;
+    memset(world_memory, 0xa5, sizeof world_memory);
+    return world_memory;
+}
+
+/* Backwards: the order must not matter. */
+static inline void world_run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+{
+    ((struct world *)ctx)->runs++;
+    while (count-- > 0)
+        job(arg, count);
+}
+
+static const struct tia_workers world_workers = {.run = world_run};
+
+static inline int world_frame_done(void *ctx, const struct tia_frame *frame)
+{
+    struct world *w = ctx;
+
+    CHECK_EQ(frame->number, w->frame_count);
+    if (w->frame_count < WORLD_FRAMES) {
+        w->frames[w->frame_count].light = w->lights[0].centre;
+        w->frames[w->frame_count].told = *frame;
+    }
+    w->frame_count++;
+    w->stop = w->stop_after && w->frame_count >= w->stop_after;
+    return w->done_status;
+}
+
+/* The thesis scene on a display of 64x48, everything there, nothing happening. */
+static inline struct world *world_new(void)
+{
+    static struct world w;
+
+    w = (struct world){.now_us = 1000000, .memory_limit = SIZE_MAX};
+    w.mode = (struct tia_mode){.width = WORLD_WIDTH, .height = WORLD_HEIGHT, .format = "RGB565"};
+    w.viewer = (struct tia_viewer){
+        .scene = &tia_thesis_scene,
+        .lights = w.lights,
+        .light_capacity = WORLD_LIGHTS,
+        .display = &world_display,
+        .input = &world_input,
+        .clock = &world_clock,
+        .display_ctx = &w,
+        .input_ctx = &w,
+        .clock_ctx = &w,
+        .workers_ctx = &w,
+        .memory = world_take_memory,
+        .memory_ctx = &w,
+        .frame_done = world_frame_done,
+        .frame_ctx = &w,
+        .stop = &w.stop,
+    };
+    return &w;
+}
+
+/* Runs it and checks that nothing was written beyond the memory that was asked for. */
+static inline int world_play(struct world *w)
+{
+    int status = tia_viewer_run(&w->viewer);
+    const unsigned char *end = (const unsigned char *)world_memory + sizeof world_memory;
+
+    for (const unsigned char *p = (const unsigned char *)world_memory + w->memory_size; w->memory_size && p < end; p++)
+        CHECK_EQ(*p, 0xa5);
+    return status;
+}
+
+#endif
