@@ -267,6 +267,7 @@ $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
 BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
@@ -274,7 +275,7 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
-IMAGES := $(BOARDS_PANEL:%=$(BUILD)/boards/%/viewer.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
+IMAGES := $(BOARDS_PANEL:%=$(BUILD)/boards/%/viewer.elf) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
 COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
 
 $(BUILD)/boards/insn.so: tests/boards/insn.c

@@ -1,0 +1,35 @@
+/* pattern.c - every RGB565 value on a board's panel: the viewer's grey scene would not show red and blue
+ * exchanged. Ends when a key is pressed. */
+#include "boards/panel_board.h"
+
+static int show(const char **why)
+{
+    struct tia_mode mode = {0};
+    struct tia_surface surface;
+    int status = panel_display.open(why, &mode);
+    const struct tia_tile all = {0, 0, mode.width, mode.height};
+    if (status == TIA_OK)
+        status = panel_display.acquire(why, all, &surface);
+    for (uint32_t i = 0; status == TIA_OK && i < (uint32_t)PANEL_WIDTH * PANEL_HEIGHT; i++)
+        surface.pixels[i] = (tia_rgb565)i;
+    if (status == TIA_OK)
+        status = panel_display.submit(why, all);
+    if (status == TIA_OK)
+        status = panel_display.present(why);
+    return status;
+}
+
+int main(void)
+{
+    const char *why = "";
+    struct tia_event event;
+    int status = panel_keyboard.open(&why);
+    if (status == TIA_OK)
+        status = show(&why);
+    board_print(status == TIA_OK ? "ready\n" : why);
+    while (status == TIA_OK && panel_keyboard.poll(&why, &event) == 0)
+        (void)panel_keyboard.wait(&why, -1);
+    panel_display.close(&why);
+    panel_keyboard.close(&why);
+    return -status;
+}
