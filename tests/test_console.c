@@ -102,7 +102,6 @@ TEST(its_signals_are_its_own)
 
     if (!no_vt())
         return;
-    (void)sigaction(SIGUSR1, &before, NULL);
     (void)sigaction(SIGUSR2, &before, NULL);
     CHECK_EQ(console_open(why), TIA_OK);
     (void)raise(SIGUSR1);
@@ -110,11 +109,13 @@ TEST(its_signals_are_its_own)
     CHECK_EQ(console_wait(NULL, 0, -1), 0);
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_switch(2);
-    (void)raise(SIGUSR1); /* still pending at the end */
+    (void)raise(SIGUSR1); /* pending at the end, and deadly after it */
     console_close();
     (void)sigaction(SIGUSR1, NULL, &after);
-    (void)sigprocmask(SIG_SETMASK, NULL, &mask);
+    CHECK(after.sa_handler == SIG_DFL);
+    (void)sigaction(SIGUSR2, NULL, &after);
     CHECK(after.sa_handler == SIG_IGN);
+    (void)sigprocmask(SIG_SETMASK, NULL, &mask);
     CHECK(!sigismember(&mask, SIGUSR1) && !sigismember(&mask, SIGUSR2));
 }
 

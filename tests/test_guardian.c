@@ -80,6 +80,7 @@ static void keep_and_put_back(void)
 static void keep_and_kill_group(void)
 {
     (void)setpgid(0, 0);
+    (void)signal(SIGTERM, SIG_IGN);
     keep_and_make_raw();
     (void)kill(0, SIGTERM);
     (void)kill(0, SIGKILL);

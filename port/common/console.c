@@ -128,9 +128,6 @@ int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms)
     ready = ppoll(fds, count, timeout_ms < 0 ? NULL : &time, &none);
     if (ready < 0 && errno != EINTR)
         return TIA_ERR_DEVICE;
-    if (ready < 0)
-        for (nfds_t i = 0; i < count; i++)
-            fds[i].revents = 0;
     answer();
     return ready < 0 ? 0 : ready;
 }
