@@ -298,6 +298,6 @@ clean:
 	rm -rf $(BUILD)
 
 help:
-	@echo "all run check check-quick check-vm bench deps install uninstall size lint clean - see the top of the Makefile"
+	@echo "all run check check-quick check-vm boards check-boards count bench deps install uninstall size lint clean - see the top of the Makefile"
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
