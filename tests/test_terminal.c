@@ -176,6 +176,33 @@ TEST(a_broken_sequence_ends)
     TYPINGS(rows, false);
 }
 
+static unsigned next_random(void)
+{
+    static uint64_t state = 88172645463325252u;
+
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (unsigned)(state >> 33);
+}
+
+/* Bytes that sequences are made of, in any order: no key is made up, and Ctrl-C always counts. */
+TEST(any_bytes_at_all)
+{
+    static const char common[] = "\033\033\033[[OP]^_?;;0125~ABCD200\a\\\x80\xc3\xe2\xf0 az";
+    struct decoder d = {0};
+
+    for (unsigned i = 0; i < 1000000; i++) {
+        unsigned r = next_random();
+        uint16_t key = decode_byte(&d, (uint8_t)(r % 8 ? common[r / 8 % (sizeof common - 1)] : (int)(r / 8 % 256)));
+        CHECK_MSG(key <= TIA_KEY_OTHER && (key < 0x80 || key >= TIA_KEY_LEFT), "byte %u: key %u", i, key);
+        if (i % 100 == 0)
+            CHECK_EQ(decode_byte(&d, 3), TIA_KEY_INTERRUPT);
+        if (i % 1000 == 0) {
+            (void)decode_silence(&d);
+            CHECK(!decode_pending(&d));
+        }
+    }
+}
+
 /* ---- colours ---- */
 
 /* The nearest colour found by looking at all, in a palette that the test's terminal defines. */
@@ -293,14 +320,6 @@ static void check_shown(const struct picture *p)
                       model_pixel(&p->model, x, y), wanted(p, x, y));
 }
 
-static unsigned next_random(void)
-{
-    static uint64_t state = 88172645463325252u;
-
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(state >> 33);
-}
-
 /* Random changes of random pixels, some of them to what they are. */
 static void scribble(struct picture *p, unsigned count)
 {
@@ -388,6 +407,7 @@ int main(void)
     RUN(reports_and_strings_are_no_keys);
     RUN(a_bracketed_paste_is_no_typing);
     RUN(a_broken_sequence_ends);
+    RUN(any_bytes_at_all);
     RUN(colours_expand_by_bit_replication);
     RUN(the_nearest_colour_of_256);
     RUN(who_takes_24_bit_colours);

@@ -175,7 +175,7 @@ static uint16_t step(struct decoder *d, uint8_t byte)
         return after_string(d, byte);
     case LINUX_FUNCTION:
         d->state = GROUND;
-        return TIA_KEY_OTHER;
+        return byte >= 'A' && byte <= 'E' ? (uint16_t)TIA_KEY_OTHER : after_ground(d, byte);
     default:
         return after_ground(d, byte);
     }
