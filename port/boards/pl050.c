@@ -12,7 +12,7 @@ enum {
     STAT_RXFULL = 1 << 4,
     STAT_TXEMPTY = 1 << 6,
     CLOCK_DIVISOR = 24 / 8 - 1, /* from 24 MHz to the 8 MHz that the timing is made of */
-    ANSWER_LIMIT_US = 2000000
+    ANSWER_LIMIT_US = 10000000
 };
 
 static struct ps2 ps2;

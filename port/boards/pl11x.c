@@ -15,7 +15,7 @@ enum {
     TFT = 1 << 5,
     POWER = 1 << 11,
     POWER_DELAY_US = 20000, /* DDI 0161, 3.4: from ENABLE to POWER */
-    SYNC_LIMIT_US = 2000000
+    SYNC_LIMIT_US = 10000000
 };
 
 static uint16_t frames[2][PANEL_WIDTH * PANEL_HEIGHT] __attribute__((aligned(8)));
