@@ -5,7 +5,7 @@
 #include <tia/port.h>
 
 struct canvas {
-    tia_rgb565 *pixels;             /* row by row without gaps */
+    tia_rgb565 *pixels; /* row by row without gaps */
     uint16_t width, height;
 };
 
