@@ -136,7 +136,7 @@ def rotated(s):
 
 
 def centred(s):
-    """-s draws a smaller picture in the middle of a black screen."""
+    """-s draws a smaller picture in the middle of a black screen; a larger one is refused."""
     width, height = s.setup.size
     inner = (301, 200)
 
@@ -153,6 +153,8 @@ def centred(s):
     s.frame('a')
     s.guest.tap('esc')
     s.ends(0)
+    s.run(*s.display, '-s', '%dx1' % (width + 1))
+    s.refused(3, '%dx1' % (width + 1))
 
 
 def modes(s):

@@ -111,13 +111,13 @@ class Session:
     # ---- running ----
 
     def run(self, *arguments, serial=False, wrap='', command=''):
-        """Starts tia: typed on the console, or from the serial line, where there is no VT."""
+        """Starts tia: typed on the console, or from the first serial line, where there is no VT."""
         command = 'session ' + (command or wrap + shlex.join(['tia', *arguments]))
         self.console.forget()
         self.guest.sh('rm -rf /tmp/session')
         if serial:
             self.line = None
-            self.guest.sh('setsid %s </dev/null >/dev/null 2>&1 &' % command)
+            self.guest.sh('probe as 0 setsid -c %s </dev/ttyS0 >/dev/null 2>&1 &' % command)
         else:
             self.line = command
             self.guest.sh('probe push 1 %s' % shlex.quote(command))

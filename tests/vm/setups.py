@@ -107,6 +107,6 @@ SETUPS = [
     drm('no-keyboard', BOCHS, ['bochs'], title='no keyboard', machine='pc,i8042=off', keyboard=False,
         cases=[keys.none]),
     # What takes long, in guests of their own, so that they share the processors.
-    drm('switches', BOCHS, ['bochs'], title='DRM: bochs, again and again', cases=[console.switches]),
+    drm('switches', [*BOCHS, '-smp', '2'], ['bochs'], title='DRM: bochs, two processors', cases=[console.switches]),
     drm('thousand', BOCHS, ['bochs'], title='DRM: bochs, 1,000 keys', cases=[keys.thousand]),
 ]
