@@ -196,13 +196,17 @@ class Session:
             return 'ended' if self.file('status') else 'shown' if self.eye.sees(self.guest) == want else ''
         return self.guest.wait(found, 'a frame or the end')
 
-    def steps(self, before, key, at_least=1):
-        """The number of times that `key` has acted after the keys `before`, by what is on the
-        screen: found among the host's frames, `at_least` or more."""
+    def steps(self, before, key, after, most):
+        """The number of times, 1 to `most`, that `key` has acted between the keys `before` and the
+        key `after`, which moves otherwise. What tia says with --checksum leads to it, what is on
+        the screen proves it."""
         def found():
-            seen = self.eye.sees(self.guest)
-            return next((n for n in range(at_least, 100) if self.expected(before + n * key) == seen), None)
-        return self.guest.wait(found, 'a frame after "%s" and some %s' % (before, key))
+            told = int(self.file('out').split()[-1], 16)
+            size = self.setup.size
+            return next((n for n in range(1, most + 1) if picture.checksum(*size, before + n * key + after) == told), 0)
+        n = self.guest.wait(found, 'a frame after "%s", some %s and %s' % (before, key, after))
+        self.frame(before + n * key + after)
+        return n
 
     def frames_drawn(self):
         """How many frames tia has told of with --checksum."""
