@@ -161,6 +161,8 @@ deps:
 	@echo "deps: all there"
 
 # ---- running, testing, measuring ----
+python = if command -v python3 >/dev/null; then $(1); else echo "$@: python3 not found (make deps installs it)"; fi
+
 run: all
 	$(BUILD)/tia
 
@@ -180,7 +182,7 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 	@mkdir -p $(@D)
 	$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
-	@tests/run tests/slow/vm; status=$$?; tests/vm/table; exit $$status
+	@tests/run tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
 $(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
@@ -193,7 +195,8 @@ size: $(LIBTIA)
 LINTED := $(sort $(wildcard include/tia/*.h src/*.[ch] src/*/*.[ch] port/*.[ch] port/*/*.[ch] tools/*.c tools/*/*.[ch] \
             bench/*.[ch] tests/*.[ch] tests/*/*.[ch]))
 lint:
-	@command -v clang-format >/dev/null && clang-format --dry-run -Werror $(LINTED) || echo "no clang-format: skipped"
+	@if command -v clang-format >/dev/null; then clang-format --dry-run -Werror $(LINTED); \
+	else echo "lint: no clang-format (make deps installs it)"; fi
 
 # ---- installing ----
 INSTALL := install -D -m
@@ -290,14 +293,24 @@ check-boards: all boards
 	@tests/run tests/slow/boards
 size: size-boards
 size-boards: boards
-	@tests/boards/size.py $(BUILD)
+	@$(call python,tests/boards/size.py $(BUILD))
 count: $(COUNTED) $(BUILD)/boards/insn.so
-	tests/boards/count.py $(BUILD)
+	@$(call python,tests/boards/count.py $(BUILD))
 
 clean:
 	rm -rf $(BUILD)
 
 help:
-	@echo "all run check check-quick check-vm boards check-boards count bench deps install uninstall size lint clean - see the top of the Makefile"
+	@echo "all (default)      the command, the library and tia-compare, in build/"
+	@echo "run                shows the picture"
+	@echo "deps               installs what the build and the tests use (Debian 12)"
+	@echo "check-quick        the tests that take seconds; check: all of them"
+	@echo "check-arch check-boards check-vm fuzz prove    parts of check"
+	@echo "check-exhaustive check-mutants                 longer than check"
+	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
+	@echo "boards             programs for boards without an operating system"
+	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
+	@echo "lint clean help"
+	@echo "The top of the Makefile tells of CC, CROSS, CFLAGS, BUILD and of leaving parts out."
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
