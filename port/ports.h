@@ -13,11 +13,11 @@
 
 /* What the user asked of a display or an input; zero means the device's own choice. */
 struct port_wish {
-    const char *device;             /* a node, or NULL: the first that works */
+    const char *device; /* a node, or NULL: the first that works */
     uint16_t width, height;
-    const char *connector;          /* DRM: a connector's name, or NULL */
-    const char *mode;               /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    char *why;                      /* [PORT_WHY] */
+    const char *connector; /* DRM: a connector's name, or NULL */
+    const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
+    char *why;             /* [PORT_WHY] */
 };
 
 /* One line of text about a device, for --list-displays. */
@@ -25,11 +25,11 @@ typedef void port_line(void *arg, const char *text);
 
 struct port_display {
     const char *name, *summary;
-    bool takes_screen;              /* covers the console: must not be opened without an input */
+    bool takes_screen; /* covers the console: must not be opened without an input */
     const struct tia_display *ops;
-    void *(*create)(const struct port_wish *wish);  /* NULL: *why says what failed */
-    void (*destroy)(void *ctx);                     /* after close */
-    void (*list)(port_line *line, void *arg);       /* each device found, modes, formats, or why it cannot be opened */
+    void *(*create)(const struct port_wish *wish); /* NULL: *why says what failed */
+    void (*destroy)(void *ctx);                    /* after close */
+    void (*list)(port_line *line, void *arg);      /* each device found, modes, formats, or why it cannot be opened */
 };
 
 struct port_input {

@@ -64,7 +64,8 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
 #if defined(__GNUC__)
 __attribute__((noinline)) /* its arrays are off the stack again when the chunk is shaded */
 #endif
-static void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
+static void
+see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
     num_u nearest[CHUNK];

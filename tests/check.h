@@ -16,7 +16,10 @@
 /* With -fsanitize=address: OSMesa itself loses about 100 bytes with every context. */
 #if defined __SANITIZE_ADDRESS__ || defined __clang__
 __attribute__((weak)) const char *__lsan_default_suppressions(void);
-__attribute__((weak)) const char *__lsan_default_suppressions(void) { return "leak:libOSMesa.so\n"; }
+__attribute__((weak)) const char *__lsan_default_suppressions(void)
+{
+    return "leak:libOSMesa.so\n";
+}
 #endif
 
 static int check_failed, check_failures;
@@ -24,19 +27,19 @@ static char check_why[400];
 
 #define TEST(name) static void name(void)
 #define SKIP(...) ((void)snprintf(check_why, sizeof check_why, __VA_ARGS__), check_failed = -1)
-#define CHECK_MSG(condition, ...)                                                                             \
-    do {                                                                                                      \
-        if (!(condition) && check_failed <= 0) {                                                              \
-            int check_n = snprintf(check_why, sizeof check_why, "%s:%d: ", __FILE__, __LINE__);               \
-            (void)snprintf(check_why + check_n, sizeof check_why - (size_t)check_n, __VA_ARGS__);             \
-            check_failed = 1;                                                                                 \
-        }                                                                                                     \
+#define CHECK_MSG(condition, ...)                                                                                      \
+    do {                                                                                                               \
+        if (!(condition) && check_failed <= 0) {                                                                       \
+            int check_n = snprintf(check_why, sizeof check_why, "%s:%d: ", __FILE__, __LINE__);                        \
+            (void)snprintf(check_why + check_n, sizeof check_why - (size_t)check_n, __VA_ARGS__);                      \
+            check_failed = 1;                                                                                          \
+        }                                                                                                              \
     } while (0)
 #define CHECK(condition) CHECK_MSG(condition, "%s", #condition)
-#define CHECK_EQ(got, want)                                                                                   \
-    do {                                                                                                      \
-        intmax_t check_got = (intmax_t)(got), check_want = (intmax_t)(want);                                  \
-        CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                \
+#define CHECK_EQ(got, want)                                                                                            \
+    do {                                                                                                               \
+        intmax_t check_got = (intmax_t)(got), check_want = (intmax_t)(want);                                           \
+        CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                         \
     } while (0)
 
 static inline void check_run(const char *name, void (*test)(void))
@@ -56,6 +59,9 @@ static inline void check_run(const char *name, void (*test)(void))
 
 #define RUN(name) check_run(#name, name)
 
-static inline int check_status(void) { return check_failures != 0; }
+static inline int check_status(void)
+{
+    return check_failures != 0;
+}
 
 #endif

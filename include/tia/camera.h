@@ -13,12 +13,12 @@
 
 #include <tia/vec.h>
 
-#define TIA_FOV_MIN TIA_Q16(1)      /* degrees */
+#define TIA_FOV_MIN TIA_Q16(1) /* degrees */
 #define TIA_FOV_MAX TIA_Q16(170)
 
 struct tia_camera {
     struct tia_vec3 eye;
-    tia_q16 fov;                    /* vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX */
+    tia_q16 fov; /* vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX */
 };
 
 #endif

@@ -22,18 +22,18 @@ typedef uint16_t tia_rgb565;
 #define TIA_Q30_ONE 1073741824
 
 /* A literal as Q16.16 or Q2.30, to nearest, halves away from zero: TIA_Q16(-1.5) is -98304. */
-#define TIA_Q16(x) ((tia_q16)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
-#define TIA_Q30(x) ((tia_q30)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TIA_Q16(x) ((tia_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define TIA_Q30(x) ((tia_q30)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 
 /* What every function of the library that can fail returns: 0 is fine, errors are negative. */
 enum tia_status {
     TIA_OK = 0,
-    TIA_HIDDEN = 1,            /* not an error: the display is there, but not ours just now */
-    TIA_ERR_ARGUMENT = -1,     /* a size, a tile or a pointer outside what the function states */
-    TIA_ERR_RANGE = -2,        /* a scene value outside its range; tia_scene_check names it */
-    TIA_ERR_MEMORY = -3,       /* the caller's memory is too small */
-    TIA_ERR_DEVICE = -4,       /* a port's device failed; the port says why */
-    TIA_ERR_UNSUPPORTED = -5   /* the device cannot do what is asked */
+    TIA_HIDDEN = 1,          /* not an error: the display is there, but not ours just now */
+    TIA_ERR_ARGUMENT = -1,   /* a size, a tile or a pointer outside what the function states */
+    TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */
+    TIA_ERR_MEMORY = -3,     /* the caller's memory is too small */
+    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port says why */
+    TIA_ERR_UNSUPPORTED = -5 /* the device cannot do what is asked */
 };
 
 #endif

@@ -10,7 +10,7 @@
 
 /* Keys by position on a US keyboard: letters and digits are their lower-case ASCII codes. */
 enum tia_key {
-    TIA_KEY_INTERRUPT = 3,          /* Ctrl-C */
+    TIA_KEY_INTERRUPT = 3, /* Ctrl-C */
     TIA_KEY_ESCAPE = 27,
     TIA_KEY_LEFT = 0x100,
     TIA_KEY_RIGHT,
@@ -18,27 +18,27 @@ enum tia_key {
     TIA_KEY_DOWN,
     TIA_KEY_PAGE_UP,
     TIA_KEY_PAGE_DOWN,
-    TIA_KEY_OTHER                   /* any other typing key; modifiers and locks are no events */
+    TIA_KEY_OTHER /* any other typing key; modifiers and locks are no events */
 };
 
 enum tia_event_kind {
-    TIA_EVENT_PRESS,                /* a key went down; its release will be told */
+    TIA_EVENT_PRESS, /* a key went down; its release will be told */
     TIA_EVENT_RELEASE,
-    TIA_EVENT_TAP                   /* a key was typed on a device that tells no releases */
+    TIA_EVENT_TAP /* a key was typed on a device that tells no releases */
 };
 
 struct tia_event {
     enum tia_event_kind kind;
-    uint16_t key;                   /* enum tia_key or ASCII */
-    uint64_t time_us;               /* when, on the clock below; 0 when the device does not say */
+    uint16_t key;     /* enum tia_key or ASCII */
+    uint64_t time_us; /* when, on the clock below; 0 when the device does not say */
 };
 
 /* A display's size and needs. */
 struct tia_mode {
     uint16_t width, height;
-    uint16_t tile_width, tile_height;   /* the largest tile it takes; 0: no limit */
-    bool concurrent;                    /* acquire and submit may run on several threads at once */
-    const char *format;                 /* for people: "RGB565", "XRGB8888", ... */
+    uint16_t tile_width, tile_height; /* the largest tile it takes; 0: no limit */
+    bool concurrent;                  /* acquire and submit may run on several threads at once */
+    const char *format;               /* for people: "RGB565", "XRGB8888", ... */
 };
 
 struct tia_display {
@@ -69,7 +69,7 @@ struct tia_input {
 };
 
 struct tia_clock {
-    uint64_t (*now_us)(void *ctx);  /* microseconds, never backwards */
+    uint64_t (*now_us)(void *ctx); /* microseconds, never backwards */
 };
 
 /* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all

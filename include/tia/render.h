@@ -14,8 +14,8 @@
 
 #include <tia/scene.h>
 
-#define TIA_SIZE_MAX 8192           /* the largest width and height of an image */
-#define TIA_NO_OBJECT UINT32_MAX    /* a pixel that sees the background */
+#define TIA_SIZE_MAX 8192        /* the largest width and height of an image */
+#define TIA_NO_OBJECT UINT32_MAX /* a pixel that sees the background */
 
 /* A rectangle of an image, in pixels from its upper left corner. */
 struct tia_tile {
@@ -25,21 +25,21 @@ struct tia_tile {
 /* Where a tile's pixels go. Both strides are in bytes: `step` to the pixel on the right
  * (2 for plain RGB565), `pitch` to the pixel below. Rotated panels swap or negate them. */
 struct tia_surface {
-    tia_rgb565 *pixels;             /* the tile's upper left pixel */
-    ptrdiff_t step, pitch;          /* even */
+    tia_rgb565 *pixels;    /* the tile's upper left pixel */
+    ptrdiff_t step, pitch; /* even */
 };
 
 /* What tia_light may be asked besides the pixels; all zero is the plain exact picture. */
 struct tia_options {
-    bool dither;                    /* ordered dithering, Bayer 8x8, before quantising */
-    uint32_t *reached;              /* NULL, or for each pixel of the tile, row by row, which light
-                                       arrives: bit n (0..15) when light n does, and in bits 16..31 the
-                                       sum of (n + 1)(j + 1) over the spheres j that let it through;
-                                       where light n itself is seen, 0xffff0000 + n */
+    bool dither;       /* ordered dithering, Bayer 8x8, before quantising */
+    uint32_t *reached; /* NULL, or for each pixel of the tile, row by row, which light
+                          arrives: bit n (0..15) when light n does, and in bits 16..31 the
+                          sum of (n + 1)(j + 1) over the spheres j that let it through;
+                          where light n itself is seen, 0xffff0000 + n */
 };
 
-struct tia_view;                    /* a prepared scene, in the caller's memory */
-struct tia_hits;                    /* a hit buffer, in the caller's memory */
+struct tia_view; /* a prepared scene, in the caller's memory */
+struct tia_hits; /* a hit buffer, in the caller's memory */
 
 /* Bytes for a view of `scene` that may hold up to `light_capacity` lights. */
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
@@ -76,7 +76,7 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
 
 /* The same seven functions for each arithmetic that the program is linked with. */
 struct tia_core {
-    const char *name;               /* "q16", "f64", ... */
+    const char *name; /* "q16", "f64", ... */
     size_t (*view_size)(const struct tia_scene *, uint32_t);
     int (*view_init)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned);
     int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
@@ -88,10 +88,10 @@ struct tia_core {
                  const struct tia_options *);
 };
 
-extern const struct tia_core tia_core_q16;  /* integers: the functions above */
-extern const struct tia_core tia_core_f64;  /* double: the reference, libtia-f64.a */
-extern const struct tia_core tia_core_f32;  /* float: for comparison, libtia-f32.a */
-extern const struct tia_core tia_core_chk;  /* q16 that reports what leaves its range, libtia-chk.a */
+extern const struct tia_core tia_core_q16; /* integers: the functions above */
+extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
+extern const struct tia_core tia_core_f32; /* float: for comparison, libtia-f32.a */
+extern const struct tia_core tia_core_chk; /* q16 that reports what leaves its range, libtia-chk.a */
 
 /* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes; start with crc 0
  * and feed a frame row by row. */

@@ -19,7 +19,13 @@ struct tia_rgb {
     tia_q30 r, g, b;
 };
 
-#define TIA_VEC3(x, y, z) { TIA_Q16(x), TIA_Q16(y), TIA_Q16(z) }
-#define TIA_RGB(r, g, b) { TIA_Q30(r), TIA_Q30(g), TIA_Q30(b) }
+#define TIA_VEC3(x, y, z)                                                                                              \
+    {                                                                                                                  \
+        TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)                                                                             \
+    }
+#define TIA_RGB(r, g, b)                                                                                               \
+    {                                                                                                                  \
+        TIA_Q30(r), TIA_Q30(g), TIA_Q30(b)                                                                             \
+    }
 
 #endif

@@ -15,22 +15,22 @@
 
 /* One frame, told after it was presented. */
 struct tia_frame {
-    uint32_t number;                /* from 0 */
-    bool relit;                     /* the hits of the frame before were used */
-    uint64_t draw_us;               /* drawing, without waiting for the display */
-    uint64_t key_us;                /* from the oldest key shown by this frame to the end of present;
-                                       0 when no key led to it or the clock is not known */
+    uint32_t number;  /* from 0 */
+    bool relit;       /* the hits of the frame before were used */
+    uint64_t draw_us; /* drawing, without waiting for the display */
+    uint64_t key_us;  /* from the oldest key shown by this frame to the end of present;
+                         0 when no key led to it or the clock is not known */
 };
 
 struct tia_viewer {
     /* What to draw and with which arithmetic. */
-    const struct tia_core *core;    /* NULL: tia_core_q16 */
+    const struct tia_core *core; /* NULL: tia_core_q16 */
     const struct tia_scene *scene;
-    struct tia_light *lights;       /* room for light_capacity lights, the scene's among them */
+    struct tia_light *lights; /* room for light_capacity lights, the scene's among them */
     uint32_t light_capacity;
-    struct tia_options options;     /* `reached` must be NULL */
-    uint32_t frame_limit;           /* stop after so many frames; 0: no limit */
-    const uint16_t *keys;           /* pressed before the first frame; NULL: none */
+    struct tia_options options; /* `reached` must be NULL */
+    uint32_t frame_limit;       /* stop after so many frames; 0: no limit */
+    const uint16_t *keys;       /* pressed before the first frame; NULL: none */
     size_t key_count;
 
     /* Where to draw, what to listen to. input may be NULL with a frame_limit: then frames are
@@ -50,7 +50,7 @@ struct tia_viewer {
     /* NULL, or called after each frame. Not 0 ends the loop with that status. */
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
     void *frame_ctx;
-    const volatile int *stop;       /* NULL, or the loop ends when it is not 0 */
+    const volatile int *stop; /* NULL, or the loop ends when it is not 0 */
 };
 
 /* Runs until a quitting key, the frame limit or *stop; then TIA_OK. Display and input must be

@@ -19,19 +19,19 @@
 #include "ports.h"
 
 enum console_state {
-    CONSOLE_FREE,                   /* no display of this program has taken the screen: grab nothing */
-    CONSOLE_OURS,                   /* the screen is ours: draw, grab the keyboards */
-    CONSOLE_AWAY                    /* ours, but another console is in front: draw and grab nothing */
+    CONSOLE_FREE, /* no display of this program has taken the screen: grab nothing */
+    CONSOLE_OURS, /* the screen is ours: draw, grab the keyboards */
+    CONSOLE_AWAY  /* ours, but another console is in front: draw and grab nothing */
 };
 
 enum console_state console_state(void);
 
 /* Who wants to know when the screen comes and goes. Embedded in a port's context. */
 struct console_listener {
-    void (*enter)(void *arg);       /* it has become CONSOLE_OURS */
-    void (*leave)(void *arg);       /* it stops being ours when this returns: let go of everything */
+    void (*enter)(void *arg); /* it has become CONSOLE_OURS */
+    void (*leave)(void *arg); /* it stops being ours when this returns: let go of everything */
     void *arg;
-    struct console_listener *next;  /* console.c's */
+    struct console_listener *next; /* console.c's */
 };
 
 /* Neither calls back: look at console_state(). Listeners enter in the order in which they began to

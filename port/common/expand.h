@@ -9,15 +9,15 @@
 #include <tia/fixed.h>
 
 struct pixel_channel {
-    uint8_t offset, length;         /* bits; offset 0 is the pixel's lowest */
+    uint8_t offset, length; /* bits; offset 0 is the pixel's lowest */
 };
 
 /* A pixel of a screen: a number of bits / 8 bytes, rounded up. All zero is no format. */
 struct pixel_format {
-    uint8_t bits;                   /* 15, 16, 24 or 32 */
-    bool swapped;                   /* its bytes lie in the order that is not the processor's */
+    uint8_t bits; /* 15, 16, 24 or 32 */
+    bool swapped; /* its bytes lie in the order that is not the processor's */
     struct pixel_channel red, green, blue;
-    struct pixel_channel alpha;     /* filled with ones; length 0: none */
+    struct pixel_channel alpha; /* filled with ones; length 0: none */
 };
 
 extern const struct pixel_format pixel_rgb565, pixel_bgr565, pixel_xrgb8888, pixel_xbgr8888;
@@ -35,7 +35,7 @@ const char *pixel_name(const struct pixel_format *format, char text[PIXEL_NAME])
 /* A format made ready: what each value of each channel becomes. */
 struct expander {
     struct pixel_format format;
-    bool copy;                      /* nothing to expand */
+    bool copy; /* nothing to expand */
     uint32_t red[32], green[64], blue[32];
 };
 

@@ -7,12 +7,12 @@
 #include "ports.h"
 
 struct vt {
-    int fd;                         /* -1: there is none */
-    unsigned number;                /* /dev/ttyN */
-    unsigned back_to;               /* the one that was in front, when it was not this one; 0: it was */
+    int fd;           /* -1: there is none */
+    unsigned number;  /* /dev/ttyN */
+    unsigned back_to; /* the one that was in front, when it was not this one; 0: it was */
     char path[16];
-    char name[PORT_WHY];            /* for people; without a VT, why there is none */
-    int kd_mode;                    /* what vt_take changes */
+    char name[PORT_WHY]; /* for people; without a VT, why there is none */
+    int kd_mode;         /* what vt_take changes */
     struct vt_mode mode;
 };
 

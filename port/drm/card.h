@@ -6,10 +6,10 @@
 #include "drm/pick.h"
 
 #define CARD "/dev/dri/card"
-#define CARDS 64                    /* of the kernel: minors 0..63 */
+#define CARDS 64 /* of the kernel: minors 0..63 */
 
 struct card {
-    int fd;                         /* -1: not open */
+    int fd; /* -1: not open */
     char path[64];
     struct drm_parts parts;
 };
@@ -40,7 +40,7 @@ bool card_format_of(const uint32_t *plane, size_t count, int n, bool listed, str
 struct card_buffer {
     uint32_t handle, fb, pitch;
     uint64_t size;
-    uint8_t *map;                   /* NULL: not made */
+    uint8_t *map; /* NULL: not made */
 };
 
 /* 0, or -1 and errno; `what` then says which step. Nothing is left of a failed one. */

@@ -9,8 +9,8 @@
 /* A card's connectors and encoders; places may be NULL. */
 struct drm_parts {
     drmModeRes *resources;
-    drmModeConnector **connectors;  /* resources->count_connectors */
-    drmModeEncoder **encoders;      /* resources->count_encoders */
+    drmModeConnector **connectors; /* resources->count_connectors */
+    drmModeEncoder **encoders;     /* resources->count_encoders */
 };
 
 /* "HDMI-A-1", as the kernel names it too. */

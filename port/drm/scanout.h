@@ -4,18 +4,18 @@
 
 #include "drm/card.h"
 
-#define SCANOUT_CONNECTORS 8        /* that a CRTC lights at once */
+#define SCANOUT_CONNECTORS 8 /* that a CRTC lights at once */
 
 struct scanout {
-    const struct card *card;        /* NULL: not lit */
+    const struct card *card; /* NULL: not lit */
     uint32_t crtc, connector;
     drmModeModeInfo mode;
     struct card_format format;
     struct card_buffer buffers[2];
-    int shown;                      /* which of them */
-    bool flips;                     /* the driver flips pages and tells when */
-    unsigned pending;               /* flips whose event has not come */
-    drmModeCrtc *old;               /* as found, and what it lit */
+    int shown;        /* which of them */
+    bool flips;       /* the driver flips pages and tells when */
+    unsigned pending; /* flips whose event has not come */
+    drmModeCrtc *old; /* as found, and what it lit */
     uint32_t old_connectors[SCANOUT_CONNECTORS];
     int old_count;
 };

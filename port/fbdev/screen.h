@@ -8,18 +8,18 @@
 #include "ports.h"
 
 struct fb_screen {
-    int fd;                         /* -1: not open */
+    int fd; /* -1: not open */
     char path[64];
     struct fb_fix_screeninfo fix;
-    struct fb_var_screeninfo var, old;  /* now, and as found */
+    struct fb_var_screeninfo var, old; /* now, and as found */
     struct pixel_format format;
-    uint8_t *map;                   /* all of the device's memory */
+    uint8_t *map; /* all of the device's memory */
     size_t map_size;
-    uint8_t *memory;                /* its first pixel */
-    unsigned pages;                 /* 1, or 2: one is shown while the other is written */
-    bool vsync;                     /* FBIO_WAITFORVSYNC works */
-    uint16_t *palette;              /* direct colour: the colour map as found, 3 x 256 */
-    uint8_t *saved;                 /* what was on the screen */
+    uint8_t *memory;   /* its first pixel */
+    unsigned pages;    /* 1, or 2: one is shown while the other is written */
+    bool vsync;        /* FBIO_WAITFORVSYNC works */
+    uint16_t *palette; /* direct colour: the colour map as found, 3 x 256 */
+    uint8_t *saved;    /* what was on the screen */
 };
 
 /* What the device says its pixels are. TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
