@@ -1,0 +1,190 @@
+/* slice_run against brute force: the cone's inequality at every pixel, in 128 bits. */
+#include "check.h"
+#include "slice.h"
+
+#ifdef __SIZEOF_INT128__
+
+__extension__ typedef __int128 wide128;
+
+static uint64_t random_state = 1;
+
+/* SplitMix64 */
+static uint64_t next(void)
+{
+    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
+
+    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
+    return z ^ (z >> 31);
+}
+
+/* An integer in -most..most, of any magnitude. */
+static int64_t any(int64_t most)
+{
+    uint64_t size = next() % (uint64_t)(most + 1) >> next() % 40;
+
+    return next() & 1 ? (int64_t)size : -(int64_t)size;
+}
+
+/* L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
+static bool is_inside(const struct slice *s, int i)
+{
+    wide128 x = (wide128)(2 * i + 1 - s->count) << s->exponent;
+    wide128 b = s->slope * x + s->base, square = x * x + s->square;
+
+    return b >= 0 && b * b >= s->c * square;
+}
+
+static int widths, empties, partials; /* what the cases were like */
+
+static void check_slice(const struct slice *s)
+{
+    struct run want = {0, 0}, run;
+    int pixels = 0;
+
+    for (int i = 0; i < s->count; i++)
+        if (is_inside(s, i)) {
+            want.first = pixels++ ? want.first : i;
+            want.end = i + 1;
+        }
+    CHECK_EQ(want.end - want.first, pixels); /* a cone is convex */
+    widths += pixels == s->count;
+    empties += !pixels;
+    partials += pixels && pixels < s->count;
+    for (int k = 0; k < 12; k++) {
+        int near = (int)(next() % 5) - 2, first = (int)(next() % (unsigned)s->count);
+        struct run guess = {0, 0}; /* none; good; nearly good; bad; everything */
+        if (k > 0)
+            guess = k < 3   ? want
+                    : k < 6 ? (struct run){want.first + near, want.end + near}
+                            : (struct run){first, first + 1};
+        if (k > 8)
+            guess = k == 9 ? (struct run){0, s->count} : (struct run){first, s->count};
+        guess = run_within(guess, 0, s->count);
+        run = slice_run(s, guess);
+        CHECK_MSG(run.end - run.first == pixels && (!pixels || run.first == want.first),
+                  "%d..%d, not %d..%d of %d pixels, guess %d..%d", run.first, run.end, want.first, want.end, s->count,
+                  guess.first, guess.end);
+    }
+}
+
+/* A sphere at L with radius r, seen along the row Y of a picture of `count` pixels that is `depth`
+ * away; |v| < 2^30 as in the renderer. */
+static void check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int64_t r, int64_t row, int64_t depth)
+{
+    int bits = 64 - __builtin_clzll((uint64_t)(count * (int64_t)count + row * row + depth * depth));
+    struct slice s = {.count = count, .exponent = 30 - (bits + 1) / 2};
+    int64_t unit = INT64_C(1) << s.exponent, y = row * unit, z = depth * unit;
+
+    s.slope = lx;
+    s.base = ly * y - lz * z;
+    s.square = y * y + z * z;
+    s.c = lx * lx + ly * ly + lz * lz - r * r;
+    check_slice(&s);
+}
+
+#define FAR ((int64_t)18000 << 16) /* in each coordinate: |L| < 2^31 */
+
+static void check_random(int count, int cases)
+{
+    for (int i = 0; i < cases; i++) {
+        int64_t lx = any(FAR), ly = any(FAR), lz = -any(FAR), r = 64 + (int64_t)(next() % FAR >> next() % 24);
+        int64_t row = (int64_t)(next() % 8192) - 4096, depth = 1 + (int64_t)(next() % 60000 >> next() % 16);
+        check_sphere(count, lx, ly, lz, r, row, depth);
+    }
+}
+
+/* Spheres of some pixels, aimed at: the centre is seen near pixel (at, row). */
+static void check_aimed(int count, int cases)
+{
+    for (int i = 0; i < cases; i++) {
+        int64_t depth = 1 + (int64_t)(next() % 9000), row = (int64_t)(next() % 400) - 200;
+        int64_t at = (int64_t)(next() % (2 * (unsigned)count)) - count;
+        int64_t lz = 10 + (int64_t)(next() % (FAR / 8)), r = 64 + (int64_t)((uint64_t)lz >> next() % 14);
+        int64_t lx = lz * at / depth, ly = lz * row / depth + any(r);
+        if (lx < FAR && lx > -FAR && ly < FAR && ly > -FAR)
+            check_sphere(count, lx, ly, -lz, r, row, depth);
+    }
+}
+
+TEST(lines_of_few_pixels)
+{
+    check_random(1, 20000);
+    check_random(2, 20000);
+    check_random(3, 20000);
+    check_aimed(1, 5000);
+    check_aimed(2, 5000);
+}
+
+TEST(lines_of_many_pixels)
+{
+    check_random(65, 10000);
+    check_aimed(64, 10000);
+    check_aimed(641, 1500);
+    CHECK(widths > 100 && empties > 100 && partials > 1000);
+}
+
+TEST(the_longest_line)
+{
+    widths = empties = partials = 0;
+    check_random(8192, 150);
+    check_aimed(8192, 250);
+    CHECK(empties > 20 && partials > 100);
+}
+
+/* Where both sides of the inequality are equal the pixel is inside. L = (0, 0, -5), r = 3: c = 16, and
+ * with v = (X, 0, -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3 of the odd ones. */
+TEST(tangents)
+{
+    struct slice s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10};
+    struct run run = slice_run(&s, (struct run){0, 0});
+
+    CHECK(run.first == 3 && run.end == 7);
+    check_slice(&s);
+    s.c = 17; /* 400/17 - 16 = 7.5: X = -1..1 */
+    run = slice_run(&s, (struct run){3, 7});
+    CHECK(run.first == 4 && run.end == 6);
+    s.c = 400 / 16; /* the tangent in the middle lies between two pixels */
+    run = slice_run(&s, (struct run){0, 10});
+    CHECK_EQ(run.end, run.first);
+    s.count = 9; /* and here on one: X = 0 */
+    run = slice_run(&s, (struct run){0, 0});
+    CHECK(run.first == 4 && run.end == 5);
+}
+
+/* c < 0: from inside a sphere the half space L.v >= 0 is seen. */
+TEST(from_inside)
+{
+    struct slice s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10};
+
+    check_slice(&s); /* X >= -2 */
+    CHECK_EQ(slice_run(&s, (struct run){0, 0}).first, 4);
+    CHECK_EQ(slice_run(&s, (struct run){0, 0}).end, 10);
+    s.slope = -1;
+    CHECK_EQ(slice_run(&s, (struct run){0, 0}).end, 6);
+    for (int i = 0; i < 20000; i++) {
+        int64_t r = 64 + (int64_t)(next() % FAR);
+        check_sphere(1 + (int)(next() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
+                     1 + (int64_t)(next() % 999));
+    }
+}
+
+int main(void)
+{
+    RUN(lines_of_few_pixels);
+    RUN(lines_of_many_pixels);
+    RUN(the_longest_line);
+    RUN(tangents);
+    RUN(from_inside);
+    return check_status();
+}
+
+#else
+
+int main(void)
+{
+    printf("skip slice: no 128-bit integers on this machine\n");
+    return 0;
+}
+
+#endif
