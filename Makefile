@@ -109,9 +109,10 @@ $(BUILD)/f32/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CORE) -DTIA_NUM_F32 -fno-math-errno $(CFLAGS) -c -o $@ $<
 # The checking build: what num_chk.h does not see, sums and differences, the compiler checks.
+OVERFLOW := -fsanitize=signed-integer-overflow,shift -fno-sanitize-recover=all
 $(BUILD)/chk/%.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CORE) -DTIA_NUM_CHK -fsanitize=signed-integer-overflow,shift $(CFLAGS) -c -o $@ $<
+	$(CC) $(CORE) -DTIA_NUM_CHK $(OVERFLOW) $(CFLAGS) -c -o $@ $<
 $(BUILD)/host/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(HOSTED) $(CFLAGS) -c -o $@ $<
@@ -138,6 +139,8 @@ $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,
 
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
+$(BUILD)/tests/test_ranges: $(BUILD)/libtia-chk.a
+$(BUILD)/tests/test_ranges: LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
