@@ -29,7 +29,7 @@ static int64_t any(int64_t most)
 /* L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
 static bool is_inside(const struct slice *s, int i)
 {
-    wide128 x = (wide128)(2 * i + 1 - s->count) << s->exponent;
+    wide128 x = (wide128)(2 * i + 1 - s->count) * ((wide128)1 << s->exponent);
     wide128 b = s->slope * x + s->base, square = x * x + s->square;
 
     return b >= 0 && b * b >= s->c * square;
