@@ -62,6 +62,7 @@ class Line:
 
 
 class Guest:
+    running = []        # those that a signal has to end
     PATIENCE = 120      # seconds for anything to happen: a limit for hung guests, no measure of speed
 
     def __init__(self, qemu=(), append='', modules=(), memory='256M', machine='pc'):
@@ -79,6 +80,7 @@ class Guest:
             command += ['-vga', 'none']
         self.note('$ ' + ' '.join(command))
         self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=self.log, stderr=self.log)
+        self.running.append(self)
         try:
             self._connect()
         except BaseException:
@@ -111,6 +113,7 @@ class Guest:
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
+        self.running.remove(self)
         self.log.close()
         shutil.rmtree(self.directory, ignore_errors=True)
 
