@@ -4,7 +4,9 @@
 
 size_t tia_hits_size(struct tia_tile area)
 {
-    return HEADER + (size_t)area.width * area.height * (sizeof(num_u) + sizeof(uint32_t));
+    uint64_t size = HEADER + (uint64_t)((uint32_t)area.width * area.height) * (sizeof(num_u) + sizeof(uint32_t));
+
+    return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
 
 int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area)

@@ -87,11 +87,11 @@ static void prepare_spheres(struct tia_view *view)
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
-    size_t bodies = (size_t)scene->sphere_count + light_capacity;
+    uint64_t bodies = (uint64_t)scene->sphere_count + light_capacity;
 
     if (bodies > (SIZE_MAX - sizeof(struct tia_view)) / (2 * sizeof(struct body)))
         return SIZE_MAX;
-    return ALIGN(sizeof(struct tia_view)) + ALIGN(bodies * sizeof(struct body)) +
+    return ALIGN(sizeof(struct tia_view)) + ALIGN((size_t)bodies * sizeof(struct body)) +
            ALIGN(light_capacity * sizeof(struct tia_light));
 }
 

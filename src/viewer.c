@@ -125,10 +125,14 @@ static void lay_tiles(struct loop *loop, unsigned height)
 static bool take_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
-    size_t view = ALIGN(loop->core->view_size(v->scene, v->light_capacity)), status = ALIGN(loop->tiles);
+    size_t view = loop->core->view_size(v->scene, v->light_capacity), status = ALIGN(loop->tiles);
     size_t size = loop->core->hits_size(hits);
-    char *memory = view < SIZE_MAX / 4 && size < SIZE_MAX / 4 ? v->memory(v->memory_ctx, view + status + size) : NULL;
+    char *memory = NULL;
 
+    if (view < SIZE_MAX / 4 && size < SIZE_MAX / 4) {
+        view = ALIGN(view);
+        memory = v->memory(v->memory_ctx, view + status + size);
+    }
     if (!memory)
         return false;
     loop->view = (struct tia_view *)(void *)memory;

@@ -102,6 +102,7 @@ TEST(memory_of_hits)
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, none), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, flat), TIA_ERR_ARGUMENT);
     CHECK(hits == NULL && bytes[0] == 0xa5);
+    CHECK(tia_hits_size((struct tia_tile){0, 0, 65535, 65535}) >= UINT32_MAX); /* more than 32 bits can say */
     CHECK_EQ(tia_hits_init(&hits, hits_memory, size, area), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
     for (size_t i = size; i < sizeof hits_memory; i++)
