@@ -187,8 +187,8 @@ static inline uint32_t tia_sqrt32(uint32_t x)
         /*@ ghost uint32_t r0 = r; */
         if (t * t <= x)
             r = t;
-        /*@ assert (r == r0 && x < (r0 + (integer)bit) * (r0 + bit)) ||
-              (r == r0 + bit && x < (r0 + 2 * (integer)bit) * (r0 + 2 * bit)); */
+        /*@ assert r == r0 || r == r0 + bit; */
+        /*@ assert x < (r + (integer)bit) * (r + (integer)bit); */
         /*@ assert bit == 1 ? bit / 2 == 0 : 2 * (bit / 2) == bit; */
     }
     return r;
