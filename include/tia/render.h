@@ -50,7 +50,8 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height);
 
-/* Replaces the lights (count <= light_capacity). TIA_ERR_RANGE leaves the old ones. */
+/* Replaces the lights. TIA_ERR_MEMORY when they are more than light_capacity, TIA_ERR_RANGE when
+ * tia_scene_check refuses one: then the old ones stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
 /* Bytes for the hits of `area`, and a hit buffer of it in `memory`, aligned for uint64_t. */
