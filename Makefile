@@ -8,6 +8,9 @@ BUILD   ?= build
 CROSS   ?=
 ifeq ($(origin CC),default)
 CC      := $(CROSS)gcc
+ifeq ($(CROSS)$(shell command -v gcc),)
+CC      := cc
+endif
 endif
 AR      := $(CROSS)ar
 PKG_CONFIG ?= $(CROSS)pkg-config
@@ -110,6 +113,9 @@ $(BUILD)/f32/%.o: %.c
 	$(CC) $(CORE) -DTIA_NUM_F32 -fno-math-errno $(CFLAGS) -c -o $@ $<
 # The checking build: what num_chk.h does not see, sums and differences, the compiler checks.
 OVERFLOW := -fsanitize=signed-integer-overflow,shift -fno-sanitize-recover=all
+# Without the compiler's runtime for it, a fault is a trap instead of a line.
+OVERFLOW += $(if $(shell echo 'int main(int n, char **v) { return v ? n + 1 : 0; }' | \
+                $(CC) $(OVERFLOW) -x c -o /dev/null - 2>&1),-fsanitize-undefined-trap-on-error)
 $(BUILD)/chk/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(CORE) -DTIA_NUM_CHK $(OVERFLOW) $(CFLAGS) -c -o $@ $<
