@@ -6,7 +6,9 @@
 #ifndef TIA_KERNELS_H
 #define TIA_KERNELS_H
 
-#include "view.h"
+#include "lattice.h"
+
+#define CHUNK 64 /* pixels that a kernel works on at once */
 
 /* What sphere_distances knows of a run. */
 struct sphere_line {

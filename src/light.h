@@ -3,6 +3,7 @@
 #define TIA_LIGHT_H
 
 #include "kernels.h"
+#include "shape/sphere.h"
 
 /* A light as a run of pixels sees it. */
 struct light_source {
@@ -12,7 +13,7 @@ struct light_source {
 };
 
 /* Prepares `line`, but for count, from pixel (x, y) on. */
-void light_line_prepare(const struct tia_view *view, struct light_source *source, int x, int y,
+void light_line_prepare(const struct lattice *lattice, struct light_source *source, int x, int y,
                         struct light_line *line);
 
 #endif

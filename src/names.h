@@ -22,10 +22,11 @@
 #define tia_render NAMES(render)
 #endif
 
-#define view_reach NAMES(view_reach)
-#define view_row_form NAMES(view_row_form)
-#define view_row_square NAMES(view_row_square)
-#define view_lattice_y NAMES(view_lattice_y)
+#define lattice_prepare NAMES(lattice_prepare)
+#define lattice_reach NAMES(lattice_reach)
+#define lattice_form NAMES(lattice_form)
+#define lattice_square NAMES(lattice_square)
+#define lattice_y NAMES(lattice_y)
 #define view_tile_inside NAMES(view_tile_inside)
 #define slice_run NAMES(slice_run)
 #define sphere_prepare NAMES(sphere_prepare)

@@ -3,7 +3,6 @@
 #include "kernels.h"
 #include "rgb565.h"
 #include "shade.h"
-#include "shape/sphere.h"
 
 /* Up to CHUNK pixels of a row on their way to the display. */
 struct chunk {
@@ -44,10 +43,10 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
     struct run run = {chunk->x, chunk->x + chunk->count};
     num_u t[CHUNK];
 
-    run = run_within(sphere_run(view, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
+    run = run_within(sphere_run(&view->lattice, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
     if (run.first >= run.end)
         return;
-    sphere_distances(view, body, chunk->y, run.first, run.end - run.first, t);
+    sphere_distances(&view->lattice, body, chunk->y, run.first, run.end - run.first, t);
     for (int i = run.first; i < run.end; i++) {
         num_u distance = t[i - run.first];
         uint32_t *seen = &object[i - chunk->x];
@@ -172,7 +171,7 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
     struct tia_tile area = hits->area;
     struct chunk chunk;
 
-    if (!view_tile_inside(tile, 0, 0, (unsigned)view->width, (unsigned)view->height) ||
+    if (!view_tile_inside(tile, 0, 0, (unsigned)view->lattice.width, (unsigned)view->lattice.height) ||
         !view_tile_inside(tile, area.x, area.y, area.width, area.height) || !surface->pixels)
         return TIA_ERR_ARGUMENT;
     chunk.view = view;

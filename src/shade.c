@@ -56,7 +56,8 @@ static void cast_shadows(const struct shading *s, const struct light_source *sou
         struct shadow_line line;
         num_u before[CHUNK];
 
-        if (j == run->object || !shadow_line_prepare(s->view, source, &s->view->bodies[j], run->x, run->y, &line))
+        if (j == run->object ||
+            !shadow_line_prepare(&s->view->lattice, source, &s->view->bodies[j], run->x, run->y, &line))
             continue;
         line.count = run->count;
         for (int i = 0; !rgb565_is_black(through) && i < run->count; i++)
@@ -93,7 +94,7 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
     struct lit lit;
     num_u *lambert = lit.facing; /* takes its place: stack is scarce */
 
-    light_line_prepare(view, &source, run->x, run->y, &line);
+    light_line_prepare(&view->lattice, &source, run->x, run->y, &line);
     line.count = run->count;
     if (!kernel_light(&line, run->t, &lit))
         return;

@@ -2,6 +2,7 @@
 #ifndef TIA_SHADE_H
 #define TIA_SHADE_H
 
+#include "kernels.h"
 #include "view.h"
 
 struct shade_run {

@@ -7,31 +7,31 @@ static int limit(int e, int bits)
 }
 
 /* The same for t a.v, a product of t (31 bits) and a.v. */
-static int limit_product(int e, const struct tia_view *view, const struct body *body, struct num_vec a)
+static int limit_product(int e, const struct lattice *lattice, const struct body *body, struct num_vec a)
 {
-    int most = body->t_exponent + view->exponent - 16 + 61 - num_bits(view_reach(view, a));
+    int most = body->t_exponent + lattice->exponent - 16 + 61 - num_bits(lattice_reach(lattice, a));
     return e < most ? e : most;
 }
 
 /* a.v from pixel (x, y) on, so that its product with t has the exponent e. */
-static struct row_form product_form(const struct tia_view *view, const struct body *body, struct num_vec a, int x,
+static struct row_form product_form(const struct lattice *lattice, const struct body *body, struct num_vec a, int x,
                                     int y, int e)
 {
-    return view_row_form(view, a, x, y, e - body->t_exponent - view->exponent + 16);
+    return lattice_form(lattice, a, x, y, e - body->t_exponent - lattice->exponent + 16);
 }
 
 /* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w,
  * below 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16,
  * num_bias_product has something to shift away. */
-static int prepare_product(const struct tia_view *view, const struct light_source *source, const struct body *caster,
+static int prepare_product(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
                            int x, int y, struct shadow_line *line)
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
     num_wide toward = num_dot(caster->centre, source->light);
-    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), view, source->body, sum);
+    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), lattice, source->body, sum);
 
     e = e < 57 ? e : 57;
-    struct row_form form = product_form(view, source->body, sum, x, y, e);
+    struct row_form form = product_form(lattice, source->body, sum, x, y, e);
 
     line->a = form.start;
     line->a_step = form.step;
@@ -42,7 +42,7 @@ static int prepare_product(const struct tia_view *view, const struct light_sourc
 
 /* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each
  * term stays below 2^60, twice t C.v below 2^61. Returns e_k. */
-static int prepare_power(const struct tia_view *view, const struct light_source *source, const struct body *caster,
+static int prepare_power(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
     const struct body *body = source->body;
@@ -51,8 +51,8 @@ static int prepare_power(const struct tia_view *view, const struct light_source 
                      num_shift(r * biased + caster->radius * caster->radius, -2);
     int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
-    e = limit_product(e, view, body, caster->centre);
-    struct row_form form = product_form(view, body, caster->centre, x, y, e);
+    e = limit_product(e, lattice, body, caster->centre);
+    struct row_form form = product_form(lattice, body, caster->centre, x, y, e);
     line->c = form.start;
     line->c_step = form.step;
     line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
@@ -86,15 +86,15 @@ static bool is_behind(const struct light_source *source, const struct body *cast
     return num_dot(d, g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
 }
 
-bool shadow_line_prepare(const struct tia_view *view, const struct light_source *source, const struct body *caster,
+bool shadow_line_prepare(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line)
 {
     if (is_behind(source, caster))
         return false;
     const struct body *body = source->body;
     num_wide from_light = num_square30(num_vec_sub(caster->centre, source->light));
-    int e_a = prepare_product(view, source, caster, x, y, line);
-    int e_k = prepare_power(view, source, caster, x, y, line);
+    int e_a = prepare_product(lattice, source, caster, x, y, line);
+    int e_k = prepare_power(lattice, source, caster, x, y, line);
 
     /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is
      * 2^(-28 - bits) inverse. */

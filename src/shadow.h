@@ -6,7 +6,7 @@
 
 /* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on.
  * False when it shades none of them. */
-bool shadow_line_prepare(const struct tia_view *view, const struct light_source *source, const struct body *caster,
+bool shadow_line_prepare(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
                          int x, int y, struct shadow_line *line);
 
 #endif

@@ -1,7 +1,8 @@
 /* trace.c - what the pixels of a tile see: each sphere's pixels are one run a row, found exactly;
  * where runs overlap, the nearer wins, and a tie goes to the lower index. */
 #include "hits.h"
-#include "shape/sphere.h"
+#include "kernels.h"
+#include "view.h"
 
 static void clear(struct tia_hits *hits, struct tia_tile tile)
 {
@@ -34,7 +35,7 @@ static void trace_run(const struct tia_view *view, struct tia_hits *hits, uint32
         int count = run.end - x < CHUNK ? run.end - x : CHUNK;
         size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
 
-        sphere_distances(view, &view->bodies[n], y, x, count, t);
+        sphere_distances(&view->lattice, &view->bodies[n], y, x, count, t);
         keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
     }
 }
@@ -45,7 +46,7 @@ static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uin
     struct run rows = run_within(body->rows, tile.y, tile.y + tile.height), run = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        run = sphere_run(view, body, y, run);
+        run = sphere_run(&view->lattice, body, y, run);
         trace_run(view, hits, n, y, run_within(run, tile.x, tile.x + tile.width));
     }
 }
@@ -54,7 +55,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 {
     struct tia_tile area = hits->area;
 
-    if (!view_tile_inside(tile, 0, 0, (unsigned)view->width, (unsigned)view->height) ||
+    if (!view_tile_inside(tile, 0, 0, (unsigned)view->lattice.width, (unsigned)view->lattice.height) ||
         !view_tile_inside(tile, area.x, area.y, area.width, area.height))
         return TIA_ERR_ARGUMENT;
     clear(hits, tile);
