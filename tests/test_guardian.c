@@ -10,6 +10,7 @@
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
+#include <time.h>
 #include <unistd.h>
 
 static int master, terminal;
@@ -134,6 +135,107 @@ TEST(whole_group_killed)
 }
 
 /* After a clean end nothing is put back: what the terminal is then is somebody else's. */
+/* ---- a terminal that is gone, and another that has got its name ---- */
+
+struct pty {
+    int master, terminal;
+};
+
+static struct pty open_pty(void)
+{
+    struct pty p = {-1, -1};
+
+    if (open_terminal())
+        p = (struct pty){master, terminal};
+    return p;
+}
+
+static void close_pty(struct pty p)
+{
+    (void)close(p.terminal);
+    (void)close(p.master);
+}
+
+static void keep(struct pty p)
+{
+    terminal = p.terminal;
+    keep_and_make_raw();
+}
+
+/* Keeps all three, lets go of the one in the middle and lives until `end` ends. */
+static void keep_three(const struct pty p[3], int ready, int end)
+{
+    char byte = 0;
+
+    for (int i = 0; i < 3; i++)
+        keep(p[i]);
+    close_pty(p[1]);
+    (void)!write(ready, &byte, 1);
+    (void)close(ready);
+    (void)!read(end, &byte, 1);
+    (void)raise(SIGKILL);
+}
+
+/* Two terminals made within one tick of the kernel's clock have the same times. */
+static void pass_a_tick(void)
+{
+    struct timespec start, now;
+
+    (void)clock_gettime(CLOCK_REALTIME_COARSE, &start);
+    do
+        (void)clock_gettime(CLOCK_REALTIME_COARSE, &now);
+    while (now.tv_sec == start.tv_sec && now.tv_nsec == start.tv_nsec);
+}
+
+/* The lowest free name is given first: those below are taken until it is this one's turn. */
+static struct pty open_pty_named(const char *name)
+{
+    struct pty below[64], p = open_pty();
+    int count = 0;
+
+    while (p.terminal >= 0 && strcmp(ttyname(p.terminal), name) != 0 && count < 64) {
+        below[count++] = p;
+        p = open_pty();
+    }
+    while (count > 0)
+        close_pty(below[--count]);
+    return p;
+}
+
+/* The guardian works through what it keeps in its own order: when the first and the last are cooked
+ * again, the one in the middle has had its turn. */
+TEST(another_terminal_of_the_same_name)
+{
+    struct pty p[3] = {open_pty(), open_pty(), open_pty()}, other;
+    char name[64], byte;
+    int ready[2], end[2];
+
+    if (p[2].terminal < 0 || ttyname_r(p[1].terminal, name, sizeof name) != 0 || pipe(ready) != 0 || pipe(end) != 0)
+        return;
+    pid_t child = fork();
+    if (child == 0) {
+        (void)close(end[1]);
+        keep_three(p, ready[1], end[0]);
+    }
+    (void)!read(ready[0], &byte, 1);
+    close_pty(p[1]);
+    pass_a_tick();
+    other = open_pty_named(name);
+    CHECK(other.terminal >= 0);
+    make_raw();
+    (void)close(end[1]);
+    (void)waitpid(child, NULL, 0);
+    for (int i = 0; i < 3; i += 2) {
+        terminal = p[i].terminal;
+        CHECK(cooked_again());
+    }
+    terminal = other.terminal;
+    CHECK(is_raw());
+    close_pty(other);
+    close_pty(p[0]);
+    close_pty(p[2]);
+}
+
 TEST(told_of_a_clean_end)
 {
     if (!open_terminal())
@@ -194,6 +296,7 @@ int main(void)
     RUN(terminated);
     RUN(left_without_a_word);
     RUN(whole_group_killed);
+    RUN(another_terminal_of_the_same_name);
     RUN(told_of_a_clean_end);
     RUN(ends_when_there_is_nothing_to_keep);
     RUN(holds_no_descriptor_of_ours);

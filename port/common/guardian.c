@@ -13,6 +13,7 @@
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -25,6 +26,7 @@ struct thing {
     enum kind kind;
     bool forget; /* of a message: it is kept no longer */
     char path[64];
+    struct timespec made; /* TERMINAL, SCREEN: the node's change time, which another terminal's differs in */
     union {
         struct {
             int kd_mode;
@@ -78,6 +80,14 @@ static void restore_fb(const struct thing *t, int fd)
     (void)ioctl(fd, FBIOPAN_DISPLAY, &var);
 }
 
+/* Names of pseudo-terminals are given again: is this one still the one that was kept? */
+static bool is_same_node(const struct thing *t, int fd)
+{
+    struct stat s;
+
+    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == t->made.tv_sec && s.st_ctim.tv_nsec == t->made.tv_nsec;
+}
+
 /* A shell that has taken its terminal back already has set the modes that it wants. */
 static void restore_terminal(const struct thing *t, int fd, pid_t group)
 {
@@ -106,9 +116,9 @@ static void restore(const struct thing *t, pid_t group)
         restore_vt(t, fd);
     else if (t->kind == FB)
         restore_fb(t, fd);
-    else if (t->kind == SCREEN)
+    else if (is_same_node(t, fd) && t->kind == SCREEN)
         restore_screen(t, fd);
-    else
+    else if (is_same_node(t, fd))
         restore_terminal(t, fd, group);
     (void)close(fd);
 }
@@ -247,11 +257,22 @@ int guardian_keep_vt(const char *path, unsigned back_to)
     return bad ? -1 : keep(&t);
 }
 
+/* Which terminal `fd` is. */
+static bool describe_terminal(int fd, struct thing *t)
+{
+    struct stat s;
+
+    if (ttyname_r(fd, t->path, sizeof t->path) != 0 || fstat(fd, &s) != 0)
+        return false;
+    t->made = s.st_ctim;
+    return true;
+}
+
 int guardian_keep_terminal(int fd)
 {
     struct thing t = {.kind = TERMINAL};
 
-    if (ttyname_r(fd, t.path, sizeof t.path) != 0 || tcgetattr(fd, &t.was.terminal) != 0)
+    if (!describe_terminal(fd, &t) || tcgetattr(fd, &t.was.terminal) != 0)
         return -1;
     return keep(&t);
 }
@@ -260,7 +281,7 @@ int guardian_keep_screen(int fd, const char *text)
 {
     struct thing t = {.kind = SCREEN};
 
-    if (ttyname_r(fd, t.path, sizeof t.path) != 0 || strlen(text) >= sizeof t.was.screen)
+    if (!describe_terminal(fd, &t) || strlen(text) >= sizeof t.was.screen)
         return -1;
     (void)snprintf(t.was.screen, sizeof t.was.screen, "%s", text);
     return keep(&t);
