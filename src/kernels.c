@@ -107,9 +107,8 @@ void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *l
 
 void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         sum[i] = num_clamp(sum[i] + num_colour_product(lambert[i], colour));
-    }
 }
 
 void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,

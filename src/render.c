@@ -47,15 +47,8 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
     if (run.first >= run.end)
         return;
     sphere_distances(&view->lattice, body, chunk->y, run.first, run.end - run.first, t);
-    for (int i = run.first; i < run.end; i++) {
-        num_u distance = t[i - run.first];
-        uint32_t *seen = &object[i - chunk->x];
-        if (*seen == TIA_NO_OBJECT ||
-            num_nearer(distance, body->t_exponent, nearest[i - chunk->x], view->bodies[*seen].t_exponent)) {
-            nearest[i - chunk->x] = distance;
-            *seen = n;
-        }
-    }
+    view_keep_nearer(view, n, t, run.end - run.first, nearest + (run.first - chunk->x),
+                     object + (run.first - chunk->x));
 }
 
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
@@ -168,11 +161,9 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
                    const struct tia_surface *surface, const struct tia_options *options)
 {
     static const struct tia_options plain = {false, NULL};
-    struct tia_tile area = hits->area;
     struct chunk chunk;
 
-    if (!view_tile_inside(tile, 0, 0, (unsigned)view->lattice.width, (unsigned)view->lattice.height) ||
-        !view_tile_inside(tile, area.x, area.y, area.width, area.height) || !surface->pixels)
+    if (!view_has_tile(view, hits->area, tile) || !surface->pixels)
         return TIA_ERR_ARGUMENT;
     chunk.view = view;
     for (int y = tile.y; y < tile.y + tile.height; y++) {

@@ -13,20 +13,6 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-/* Keeps those of `count` distances to body `n` that are nearer than what is there. */
-static void keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best,
-                        uint32_t *object)
-{
-    int exponent = view->bodies[n].t_exponent;
-
-    for (int i = 0; i < count; i++) {
-        if (object[i] == TIA_NO_OBJECT || num_nearer(t[i], exponent, best[i], view->bodies[object[i]].t_exponent)) {
-            best[i] = t[i];
-            object[i] = n;
-        }
-    }
-}
-
 static void trace_run(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct run run)
 {
     num_u t[CHUNK];
@@ -36,7 +22,7 @@ static void trace_run(const struct tia_view *view, struct tia_hits *hits, uint32
         size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
 
         sphere_distances(&view->lattice, &view->bodies[n], y, x, count, t);
-        keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
+        view_keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
     }
 }
 
@@ -53,10 +39,7 @@ static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uin
 
 int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    struct tia_tile area = hits->area;
-
-    if (!view_tile_inside(tile, 0, 0, (unsigned)view->lattice.width, (unsigned)view->lattice.height) ||
-        !view_tile_inside(tile, area.x, area.y, area.width, area.height))
+    if (!view_has_tile(view, hits->area, tile))
         return TIA_ERR_ARGUMENT;
     clear(hits, tile);
     for (uint32_t n = 0; n < view->scene->sphere_count; n++)

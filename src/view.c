@@ -2,10 +2,29 @@
 
 #include "rgb565.h"
 
-bool view_tile_inside(struct tia_tile tile, unsigned x, unsigned y, unsigned width, unsigned height)
+static bool is_inside(struct tia_tile tile, struct tia_tile area)
 {
-    return tile.width && tile.height && tile.x >= x && tile.y >= y && tile.x - x + tile.width <= width &&
-           tile.y - y + tile.height <= height;
+    return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y &&
+           tile.x - area.x + tile.width <= area.width && tile.y - area.y + tile.height <= area.height;
+}
+
+bool view_has_tile(const struct tia_view *view, struct tia_tile area, struct tia_tile tile)
+{
+    struct tia_tile image = {0, 0, (uint16_t)view->lattice.width, (uint16_t)view->lattice.height};
+
+    return is_inside(tile, image) && is_inside(tile, area);
+}
+
+void view_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best, uint32_t *object)
+{
+    int exponent = view->bodies[n].t_exponent;
+
+    for (int i = 0; i < count; i++) {
+        if (object[i] == TIA_NO_OBJECT || num_nearer(t[i], exponent, best[i], view->bodies[object[i]].t_exponent)) {
+            best[i] = t[i];
+            object[i] = n;
+        }
+    }
 }
 
 static void prepare_body(const struct tia_view *view, struct body *body, struct tia_vec3 centre, tia_q16 radius)

@@ -18,7 +18,11 @@ struct tia_view {
     bool grey;         /* and all lights are */
 };
 
-/* Whether `tile` is not empty and lies in an area that starts at (x, y). */
-bool view_tile_inside(struct tia_tile tile, unsigned x, unsigned y, unsigned width, unsigned height);
+/* Whether `tile` is not empty and lies in the image and in `area`, a hit buffer's. */
+bool view_has_tile(const struct tia_view *view, struct tia_tile area, struct tia_tile tile);
+
+/* Keeps those of `count` distances to body `n` that are nearer than the best so far; a tie stays. */
+void view_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best,
+                      uint32_t *object);
 
 #endif
