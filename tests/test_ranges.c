@@ -68,8 +68,9 @@ TEST(random_scenes_keep_their_ranges)
 }
 
 /* What fuzzing found, each once beyond some range: a light nearer to a surface than its distance is
- * known, an image of two pixels, v.v that rounds to nothing in one 8000 times as wide as high, and a
- * caster with its centre at the eye. In units of 2^-16. */
+ * known, an image of two pixels, v.v that rounds to nothing in one 8000 times as wide as high, a
+ * caster with its centre at the eye, and L.L - r^2 = 2^48 - 2^12, which rounds up to a power of two.
+ * In units of 2^-16. */
 static const struct {
     struct tia_vec3 eye;
     tia_q16 fov;
@@ -111,6 +112,7 @@ static const struct {
      2,
      6325,
      1},
+    {{0, 0, 0}, TIA_Q16(1), {{{0, 0, -16777216}, 64, 0}}, 1, {{{0, 0, 0}, 0, TIA_RGB(1, 1, 1)}}, 1, 161, 8191},
 };
 
 TEST(found_scenes_keep_their_ranges)

@@ -32,6 +32,7 @@ static void prepare_distance(const struct lattice *lattice, struct body *body)
         body->t_shift = b_exponent - v_exponent + 63 - body->t_exponent;
     } else {
         int c_bits = num_bits(body->c);
+        c_bits += num_bits(num_shift(body->c, 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
         body->c_top = num_scale(body->c, 32 - c_bits);
         body->t_exponent = (61 - (c_bits - 32) + depth_bits) >> 1;
         body->t_shift = 64 - c_bits - b_exponent + 63 - body->t_exponent;
