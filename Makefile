@@ -83,8 +83,8 @@ HOSTED += -DTIA_HAVE_F64
 endif
 
 # ---- sources: one object per file and arithmetic ----
-CORE_SRC  := $(sort $(wildcard src/*.c src/shape/*.c))
-PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c)
+CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c src/read/*.c))
+PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c) $(wildcard src/read/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
@@ -124,7 +124,7 @@ $(BUILD)/host/%.o: %.c
 	$(CC) $(HOSTED) $(CFLAGS) -c -o $@ $<
 $(BUILD)/tests/%.o: tests/%.c
 	@mkdir -p $(@D)
-	$(CC) $(HOSTED) -iquote src -iquote tests $(CFLAGS) -c -o $@ $<
+	$(CC) $(HOSTED) -Wno-missing-field-initializers -iquote src -iquote tests $(CFLAGS) -c -o $@ $<
 
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))

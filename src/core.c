@@ -1,13 +1,5 @@
-/* core.c - the renderer as one function and as a table. */
+/* core.c - the renderer as a table. */
 #include "num.h"
-
-int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options)
-{
-    int status = tia_trace(view, hits, tile);
-
-    return status ? status : tia_light_tile(view, hits, tile, surface, options);
-}
 
 const struct tia_core NUM_CORE = {
     .name = NUM_NAME,

@@ -217,7 +217,7 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
     return left >> shift >= right;
 }
 
-/* A cosine from r N.w/|w| as the renderer scales it (see light.c) and the radius's inverse. */
+/* A cosine from r N.w/|w| as the renderer scales it (see span/light.c) and the radius's inverse. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
     num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;

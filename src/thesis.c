@@ -1,18 +1,14 @@
 /* thesis.c - the built-in scene: a white ball on a grey ground, and the four keys of its light. */
 #include <tia/scene.h>
 
-#define BLACK                                                                                                          \
-    {                                                                                                                  \
-        0, 0, 0                                                                                                        \
-    }
 #define WHITE                                                                                                          \
     {                                                                                                                  \
         TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE                                                                          \
     }
 
 static const struct tia_material materials[] = {
-    {TIA_RGB(0.6, 0.6, 0.6), BLACK, BLACK},
-    {WHITE, BLACK, BLACK},
+    {.colour = TIA_RGB(0.6, 0.6, 0.6)},
+    {.colour = WHITE},
 };
 
 static const struct tia_sphere spheres[] = {
@@ -21,14 +17,14 @@ static const struct tia_sphere spheres[] = {
 };
 
 static const struct tia_binding bindings[] = {
-    {'a', 0, {TIA_VEC3(-20, 20, -20), TIA_Q16(3), WHITE}}, /* above left */
-    {'d', 0, {TIA_VEC3(20, 20, -20), TIA_Q16(3), WHITE}},  /* above right */
-    {'s', 0, {TIA_VEC3(0, 20, -8), TIA_Q16(3), WHITE}},    /* above, near the eye */
-    {'w', 0, {TIA_VEC3(0, 20, -32), TIA_Q16(3), WHITE}},   /* above, far from the eye */
+    {'a', 0, {.centre = TIA_VEC3(-20, 20, -20), .radius = TIA_Q16(3), .emission = WHITE}}, /* above left */
+    {'d', 0, {.centre = TIA_VEC3(20, 20, -20), .radius = TIA_Q16(3), .emission = WHITE}},  /* above right */
+    {'s', 0, {.centre = TIA_VEC3(0, 20, -8), .radius = TIA_Q16(3), .emission = WHITE}},    /* above, near the eye */
+    {'w', 0, {.centre = TIA_VEC3(0, 20, -32), .radius = TIA_Q16(3), .emission = WHITE}},   /* above, far from the eye */
 };
 
 const struct tia_scene tia_thesis_scene = {
-    .camera = {TIA_VEC3(0, 0, 0), TIA_Q16(25)},
+    .camera = {.eye = TIA_VEC3(0, 0, 0), .fov = TIA_Q16(25)},
     .background = TIA_RGB(0.8, 0.8, 0.8),
     .materials = materials,
     .spheres = spheres,

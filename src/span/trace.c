@@ -1,8 +1,7 @@
 /* trace.c - what the pixels of a tile see: each sphere's pixels are one run a row, found exactly;
  * where runs overlap, the nearer wins, and a tie goes to the lower index. */
-#include "hits.h"
 #include "kernels.h"
-#include "view.h"
+#include "span.h"
 
 static void clear(struct tia_hits *hits, struct tia_tile tile)
 {
@@ -21,28 +20,25 @@ static void trace_run(const struct tia_view *view, struct tia_hits *hits, uint32
         int count = run.end - x < CHUNK ? run.end - x : CHUNK;
         size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
 
-        sphere_distances(&view->lattice, &view->bodies[n], y, x, count, t);
-        view_keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
+        sphere_distances(&view->span.lattice, &view->span.bodies[n], y, x, count, t);
+        span_keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
     }
 }
 
 static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
-    const struct body *body = &view->bodies[n];
+    const struct body *body = &view->span.bodies[n];
     struct run rows = run_within(body->rows, tile.y, tile.y + tile.height), run = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        run = sphere_run(&view->lattice, body, y, run);
+        run = sphere_run(&view->span.lattice, body, y, run);
         trace_run(view, hits, n, y, run_within(run, tile.x, tile.x + tile.width));
     }
 }
 
-int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    if (!view_has_tile(view, hits->area, tile))
-        return TIA_ERR_ARGUMENT;
     clear(hits, tile);
     for (uint32_t n = 0; n < view->scene->sphere_count; n++)
         trace_sphere(view, hits, n, tile);
-    return TIA_OK;
 }

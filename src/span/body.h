@@ -1,4 +1,4 @@
-/* sphere.h - a sphere seen from the eye: which pixels see it, and how far away.
+/* body.h - a sphere seen from the eye: which pixels see it, and how far away.
  *
  * For the direction v, with b = L.v and c = L.L - r^2, the roots of |t v - L|^2 = r^2 are
  *
@@ -7,8 +7,8 @@
  * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from
  * inside it is the farther one, (b + sqrt(b^2 - c v.v)) / v.v.
  */
-#ifndef TIA_SPHERE_H
-#define TIA_SPHERE_H
+#ifndef TIA_BODY_H
+#define TIA_BODY_H
 
 #include "lattice.h"
 #include "slice.h"
@@ -21,7 +21,7 @@ struct body {
     num_u inverse;         /* num_inverse(radius) */
     int radius_bits;       /* num_bits(radius) */
 
-    /* The exponents and constants of the kernels that compute t, see shape/sphere.c. */
+    /* The exponents and constants of the kernels that compute t, see body.c. */
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
     num_u c_disc, c_top; /* c as the discriminant and the quotient take it */
     int t_shift;         /* what num_quotient is given */

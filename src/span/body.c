@@ -1,4 +1,4 @@
-#include "sphere.h"
+#include "body.h"
 
 #include "kernels.h"
 

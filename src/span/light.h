@@ -1,9 +1,9 @@
 /* light.h - prepares what one light does to a run of pixels of one sphere. */
-#ifndef TIA_LIGHT_H
-#define TIA_LIGHT_H
+#ifndef TIA_SPAN_LIGHT_H
+#define TIA_SPAN_LIGHT_H
 
+#include "body.h"
 #include "kernels.h"
-#include "shape/sphere.h"
 
 /* A light as a run of pixels sees it. */
 struct light_source {

@@ -57,7 +57,7 @@ static void cast_shadows(const struct shading *s, const struct light_source *sou
         num_u before[CHUNK];
 
         if (j == run->object ||
-            !shadow_line_prepare(&s->view->lattice, source, &s->view->bodies[j], run->x, run->y, &line))
+            !shadow_line_prepare(&s->view->span.lattice, source, &s->view->span.bodies[j], run->x, run->y, &line))
             continue;
         line.count = run->count;
         for (int i = 0; !rgb565_is_black(through) && i < run->count; i++)
@@ -88,13 +88,13 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shade_run *run = s->run;
     const struct tia_view *view = s->view;
-    struct light_source source = {.body = &view->bodies[run->object],
+    struct light_source source = {.body = &view->span.bodies[run->object],
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
     num_u *lambert = lit.facing; /* takes its place: stack is scarce */
 
-    light_line_prepare(&view->lattice, &source, run->x, run->y, &line);
+    light_line_prepare(&view->span.lattice, &source, run->x, run->y, &line);
     line.count = run->count;
     if (!kernel_light(&line, run->t, &lit))
         return;
@@ -124,14 +124,14 @@ void shade_run(const struct tia_view *view, const struct shade_run *run, const n
     s.run = run;
     s.view = view;
     s.material = &scene->materials[scene->spheres[run->object].material];
-    s.grey = view->grey && rgb565_is_grey(&s.material->colour) && rgb565_is_grey(&s.material->emission);
+    s.grey = view->span.grey && rgb565_is_grey(&s.material->colour) && rgb565_is_grey(&s.material->emission);
     for (int i = 0; i < run->count; i++) {
         s.sum[0][i] = num_colour(s.material->emission.r);
         s.sum[1][i] = num_colour(s.material->emission.g);
         s.sum[2][i] = num_colour(s.material->emission.b);
     }
     for (uint32_t l = 0; l < view->light_count; l++) {
-        if (view->tinted)
+        if (view->span.tinted)
             shade_tinted_light(&s, l);
         else
             shade_light(&s, l, NULL);

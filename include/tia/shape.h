@@ -1,0 +1,135 @@
+/* shape.h - the shapes besides the scene's spheres, and where they are put.
+ *
+ *     shape      surface coordinates u, v
+ *     sphere     (atan2(z, x)/(2 pi) + 1/2, acos(y/r)/pi) of the point relative to the centre
+ *     plane      the coordinates along A and B of light.h's axes for its normal, in units
+ *     disc       the same, over its radius, from -1 to 1
+ *     cylinder,  u around the axis like a sphere's around y, in the axes B, A of the direction from base
+ *     cone       to top; v along the axis from 0 at the base to 1 at the top; caps like a disc
+ *     box        of the face: (z, y) where x is its normal, (x, z) where y is, (x, y) where z is, each
+ *                from 0 at the box's minimum to 1 at its maximum
+ *     triangle   the barycentric coordinates of corners 1 and 2
+ *     mesh       its own, interpolated; or a triangle's
+ *     grid       a cell's, as a box
+ *
+ * The normal of a sphere, box, cylinder or cone points outwards, of a plane or disc as it says, of a
+ * triangle along (B - A) x (C - A): where a closed shape's inside begins for refraction. A ray that meets
+ * the back of a surface sees the same material, its normal turned.
+ */
+#ifndef TIA_SHAPE_H
+#define TIA_SHAPE_H
+
+#include <tia/vec.h>
+
+#define TIA_RADIUS_MIN 64       /* the smallest radius and cell: 2^-10 as Q16.16 */
+#define TIA_NO_INDEX UINT32_MAX /* of a mesh's normals and uvs: none */
+#define TIA_SCALE_MIN TIA_RADIUS_MIN
+#define TIA_SCALE_MAX TIA_Q16(1024)
+#define TIA_GRID_MAX 1024 /* cells along an axis */
+
+struct tia_sphere {
+    struct tia_vec3 centre;
+    tia_q16 radius;    /* TIA_RADIUS_MIN or more */
+    uint32_t material; /* an index into the scene's materials */
+};
+
+enum tia_shape_kind {
+    TIA_SPHERE,
+    TIA_PLANE, /* infinite */
+    TIA_DISC,
+    TIA_CYLINDER,
+    TIA_CONE,
+    TIA_BOX,
+    TIA_TRIANGLE,
+    TIA_MESH,
+    TIA_GRID
+};
+
+struct tia_plane {
+    struct tia_vec3 point;
+    struct tia_dir3 normal; /* its length in 0.5..1.5: it is normalised */
+};
+
+struct tia_disc {
+    struct tia_vec3 centre;
+    struct tia_dir3 normal;
+    tia_q16 radius;
+};
+
+struct tia_cylinder {
+    struct tia_vec3 base, top; /* the ends of the axis, at least 2^-10 apart */
+    tia_q16 radius;
+    bool capped;
+};
+
+struct tia_cone {
+    struct tia_vec3 base, top;
+    tia_q16 base_radius, top_radius; /* not equal; one of them may be 0 */
+    bool capped;
+};
+
+struct tia_box {
+    struct tia_vec3 min, max; /* min < max in each coordinate; a transform orients it */
+};
+
+struct tia_triangle {
+    struct tia_vec3 corner[3]; /* not on one line */
+};
+
+struct tia_shape {
+    enum tia_shape_kind kind;
+    uint32_t material;  /* an index into the scene's materials */
+    uint32_t transform; /* 0: none; n: the scene's transform n - 1 */
+    union {
+        struct { /* TIA_SPHERE: as tia_sphere, with a transform an ellipsoid */
+            struct tia_vec3 centre;
+            tia_q16 radius;
+        } sphere;
+        struct tia_plane plane;
+        struct tia_disc disc;
+        struct tia_cylinder cylinder;
+        struct tia_cone cone;
+        struct tia_box box;
+        struct tia_triangle triangle;
+        uint32_t mesh; /* an index into the scene's meshes */
+        uint32_t grid; /* an index into the scene's grids */
+    };
+};
+
+/* An instance: scaled along the shape's axes, rotated, moved. Not for planes. */
+struct tia_transform {
+    struct tia_vec3 position;
+    struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */
+    struct tia_vec3 scale;    /* each TIA_SCALE_MIN..TIA_SCALE_MAX */
+};
+
+struct tia_uv {
+    tia_q16 u, v;
+};
+
+struct tia_corner {
+    uint32_t vertex, normal, uv; /* indices; normal and uv may be TIA_NO_INDEX, in all three corners alike */
+};
+
+struct tia_face {
+    struct tia_corner corner[3]; /* three that are on one line are never hit */
+};
+
+/* Faces over shared vertices. */
+struct tia_mesh {
+    const struct tia_vec3 *vertices;
+    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5: they are normalised */
+    const struct tia_uv *uvs;
+    const struct tia_face *faces;
+    uint32_t vertex_count, normal_count, uv_count, face_count;
+};
+
+/* Cubes in rows: cell (x, y, z) is at cells[(z * size[1] + y) * size[0] + x]. */
+struct tia_grid {
+    struct tia_vec3 corner; /* the smallest coordinates */
+    tia_q16 cell;           /* a cube's edge, TIA_RADIUS_MIN or more */
+    uint16_t size[3];       /* 1..TIA_GRID_MAX */
+    const uint8_t *cells;   /* 0: empty; n: of the material n - 1 after the shape's own */
+};
+
+#endif
