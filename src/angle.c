@@ -1,4 +1,4 @@
-/* angle.c - cot(fov / 2) by the power series of sine and cosine. */
+/* angle.c - sine, cosine and cot(fov / 2) by their power series. */
 #include "angle.h"
 #include "math.h"
 
@@ -34,16 +34,23 @@ static uint64_t quotient(uint64_t a, uint64_t b)
     return q;
 }
 
+void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
+{
+    /* In radians: pi / (360 * 2^16) as, times an integer, is Q.86; 23 bits off are Q.63. */
+    struct tia_wide z86 = tia_wide_product(half_degrees, UINT64_C(0x8efa351294e9c8ae));
+    uint64_t z = z86.high << 41 | z86.low >> 23;
+    uint64_t z2 = product(z, z);
+    *sine = product(z, series(z2, 21));
+    *cosine = series(z2, 20);
+}
+
 uint64_t tia_cotangent(tia_q16 fov)
 {
     /* Half the angle or, above 45 degrees, what is left to 90: cot x = tan(90 - x). */
     const uint32_t right = 90 * TIA_Q16_ONE;
     uint32_t angle = (uint32_t)fov;
-    uint32_t z_degrees = angle <= right ? angle : 2 * right - angle;
-    /* In radians: pi / (360 * 2^16) as, times an integer, is Q.86; 23 bits off are Q.63. */
-    struct tia_wide z86 = tia_wide_product(z_degrees, UINT64_C(0x8efa351294e9c8ae));
-    uint64_t z = z86.high << 41 | z86.low >> 23;
-    uint64_t z2 = product(z, z);
-    uint64_t sine = product(z, series(z2, 21)), cosine = series(z2, 20);
+    uint64_t sine, cosine;
+
+    tia_octant(angle <= right ? angle : 2 * right - angle, &sine, &cosine);
     return angle <= right ? quotient(cosine, sine) : quotient(sine, cosine);
 }
