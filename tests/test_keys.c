@@ -1,4 +1,6 @@
 /* tia_press: what each key does to the lights, by the table of the thesis scene and at the limits. */
+#include <math.h>
+
 #include <tia/viewer.h>
 
 #include "check.h"
@@ -170,6 +172,90 @@ TEST(several_lights)
     CHECK_EQ(tia_press(&scene, lights, &count, 4, 'a'), TIA_ERR_ARGUMENT);
 }
 
+/* Ambient lights, which are nowhere, are passed over. */
+TEST(the_first_light_that_has_a_place)
+{
+    struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
+
+    for (uint32_t ambient = 0; ambient < 4; ambient++) {
+        for (uint32_t i = 0; i < 4; i++) {
+            lights[i] = light_at(ONE, 2 * ONE, 3 * ONE, 0);
+            lights[i].kind = i < ambient ? TIA_AMBIENT_LIGHT : i % 2 ? TIA_SPOT_LIGHT : TIA_RECTANGLE_LIGHT;
+            lights[i].outer = TIA_Q16(30);
+            lights[i].side[0].x = lights[i].side[1].z = ONE;
+            lights[i].direction.y = -TIA_Q30_ONE;
+        }
+        count = 4;
+        CHECK_EQ(tia_key_light(&scene, lights, count, TIA_KEY_UP), ambient);
+        CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_UP), 1);
+        for (uint32_t i = 0; i < 4; i++)
+            CHECK(is_at(&lights[i], ONE, 2 * ONE, (i == ambient ? 2 : 3) * ONE));
+        count = ambient; /* and there is none */
+        CHECK_EQ(tia_key_light(&scene, lights, count, TIA_KEY_UP), TIA_NO_LIGHT);
+        CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_UP), 0);
+    }
+}
+
+TEST(which_light_a_key_puts)
+{
+    struct tia_scene scene = {.bindings = bindings, .binding_count = 4, .camera = {{0, 0, 0}, TIA_Q16(25)}};
+
+    CHECK_EQ(tia_key_light(&scene, lights, 0, '2'), 0);
+    CHECK_EQ(tia_key_light(&scene, lights, 2, '2'), 2);
+    CHECK_EQ(tia_key_light(&scene, lights, 4, '2'), 2);
+    CHECK_EQ(tia_key_light(&scene, lights, 4, TIA_KEY_LEFT), 1);
+    CHECK_EQ(tia_key_light(&scene, lights, 4, 'q'), TIA_NO_LIGHT);
+}
+
+/* The light comes from -direction: there, at the distance 1, it moves by 1/16. */
+static void check_turn(const double from[3], size_t move)
+{
+    struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
+    double to[3] = {from[0] - moves[move].x / 16.0, from[1] - moves[move].y / 16.0, from[2] - moves[move].z / 16.0};
+    double length = sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]), got[3];
+
+    lights[0] = light_at(5, 6, 7, 0);
+    lights[0].kind = TIA_DIRECTIONAL_LIGHT;
+    lights[0].direction = (struct tia_dir3){TIA_Q30(from[0]), TIA_Q30(from[1]), TIA_Q30(from[2])};
+    count = 1;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, moves[move].key), 1);
+    got[0] = lights[0].direction.x / (double)TIA_Q30_ONE;
+    got[1] = lights[0].direction.y / (double)TIA_Q30_ONE;
+    got[2] = lights[0].direction.z / (double)TIA_Q30_ONE;
+    for (int i = 0; i < 3; i++)
+        CHECK_MSG(fabs(got[i] - to[i] / length) < 1e-8, "key %zu: %.9f, not %.9f", move, got[i], to[i] / length);
+    CHECK(is_at(&lights[0], 5, 6, 7));
+}
+
+TEST(a_directional_light_turns)
+{
+    static const double from[][3] = {
+        {0, -1, 0.01}, {0.6, -0.8, 0.001}, {-0.48, 0.64, 0.6}, {0.57735, 0.57735, -0.57735}};
+
+    for (size_t i = 0; i < sizeof from / sizeof *from; i++) {
+        double length = sqrt(from[i][0] * from[i][0] + from[i][1] * from[i][1] + from[i][2] * from[i][2]);
+        double unit[3] = {from[i][0] / length, from[i][1] / length, from[i][2] / length};
+        for (size_t move = 0; move < MOVES; move++)
+            check_turn(unit, move);
+    }
+}
+
+/* A light that comes from straight above cannot come from further above, and comes up to there again. */
+TEST(a_directional_light_at_its_end)
+{
+    struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
+
+    lights[0] = (struct tia_light){.kind = TIA_DIRECTIONAL_LIGHT, .direction = {0, -TIA_Q30_ONE, 0}};
+    count = 1;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP), 0);
+    CHECK_EQ(lights[0].direction.y, -TIA_Q30_ONE);
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
+    CHECK(lights[0].direction.x > 0); /* it comes from the left */
+    for (unsigned i = 0; i < 1000; i++)
+        (void)tia_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP);
+    CHECK(lights[0].direction.x >= 0 && lights[0].direction.x < 1000);
+}
+
 int main(void)
 {
     RUN(keys_that_put_the_light);
@@ -180,5 +266,9 @@ int main(void)
     RUN(no_move_beyond_the_range);
     RUN(no_move_beyond_the_numbers);
     RUN(several_lights);
+    RUN(the_first_light_that_has_a_place);
+    RUN(which_light_a_key_puts);
+    RUN(a_directional_light_turns);
+    RUN(a_directional_light_at_its_end);
     return check_status();
 }

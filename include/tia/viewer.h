@@ -2,8 +2,9 @@
  *
  * Polls all waiting keys, moves the light, draws, shows, and sleeps when nothing happens.
  * Arrow keys move the first light by 1 along x and z, page up and down along y: once at the
- * press, and while a key is held, after TIA_HOLD_DELAY_US, once every TIA_HOLD_STEP_US. Keys of
- * the scene's bindings put lights. Every other key quits.
+ * press, and while a key is held, after TIA_HOLD_DELAY_US, once every TIA_HOLD_STEP_US. Ambient
+ * lights, which are nowhere, are passed over; of a directional light the point at the distance 1
+ * from which it comes moves by 1/16. Keys of the scene's bindings put lights. Every other key quits.
  */
 #ifndef TIA_VIEWER_H
 #define TIA_VIEWER_H
@@ -62,5 +63,9 @@ int tia_viewer_run(struct tia_viewer *viewer);
  * in use of the array's `capacity`. A move that would leave the accepted range is not made. */
 int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
               uint16_t key);
+
+/* Which light a key puts or moves: its index, `count` when it adds one, TIA_NO_LIGHT when none. */
+#define TIA_NO_LIGHT UINT32_MAX
+uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
 
 #endif
