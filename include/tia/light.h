@@ -3,7 +3,8 @@
  * Every light but the ambient one lights by L, the direction from the lit point to it, over the
  * distance d, with the attenuation 1/(constant + linear d + quadratic d^2) - none when all three are 0,
  * and none from a directional light - and casts shadows. Lights themselves cast none. Those with a shape
- * and a radius or sides that are not 0 are seen, from all sides, as a surface of their emission.
+ * and a radius or sides that are not 0 are seen by all but shadow rays, from all sides, as a surface of
+ * their emission. An area light is the mean of its samples, each of which lights like a point.
  */
 #ifndef TIA_LIGHT_H
 #define TIA_LIGHT_H
@@ -45,6 +46,6 @@ struct tia_light {
  * On a rectangle s = 2u - 1, t = 2v - 1; on a disc of radius R the point at the distance R sqrt(u) and
  * the angle 2 pi v from the first of two axes, which with the disc's normal N are
  *
- *     A = normalise(e x N), B = N x A, e the unit vector of N's smallest coordinate (a tie: the first). */
+ *     A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0 (a tie: the first). */
 
 #endif

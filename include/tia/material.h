@@ -12,6 +12,18 @@
  * refraction. With it, F being the fraction that Fresnel's equations for unpolarised light reflect, kr
  * is mirror + F refraction and kt (1 - F) refraction: F of what would enter is reflected instead. Total
  * internal reflection is F = 1, with or without `fresnel`.
+ *
+ * N is the shading normal: a mesh's interpolated one, else the geometric one, G; where the ray meets the
+ * back of the surface both are turned. Shadow rays and reflected rays start at P + 2^-13 G, refracted rays
+ * at P - 2^-13 G, whatever their direction. A light gives nothing where G.L <= 0 or N.L <= 0. Where an
+ * interpolated normal has N.V < 0, Fresnel's equations take it for 0. T is the product of `transmission`
+ * over the objects that the shadow ray meets before the light, each taken once, a grid by the first cell
+ * that it meets.
+ *
+ * A ray that meets a front goes from the index 1 to the material's, one that meets a back from the
+ * material's to 1: media do not nest. A ray's weight is the product of the kr and kt that led to it; below
+ * 2^-16 in every channel it is not traced, nor when it was reflected or refracted scene.depth times
+ * already. What meets nothing sees the background. Only the sum, the colour of a sample, is clamped.
  */
 #ifndef TIA_MATERIAL_H
 #define TIA_MATERIAL_H

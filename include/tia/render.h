@@ -32,11 +32,19 @@ struct tia_surface {
 /* What tia_light may be asked besides the pixels; all zero is the plain exact picture. */
 struct tia_options {
     bool dither;       /* ordered dithering, Bayer 8x8, before quantising */
-    uint32_t *reached; /* NULL, or for each pixel of the tile, row by row, which light
-                          arrives: bit n (0..15) when light n does, and in bits 16..31 the
-                          sum of (n + 1)(j + 1) over the spheres j that let it through;
-                          where light n itself is seen, 0xffff0000 + n */
+    uint32_t *reached; /* NULL, or for each pixel of the tile, row by row, how its colour came about:
+                          equal for equal paths, see below */
 };
+
+/* What `reached` is. By spans: bit n (0..15) when light n arrives, and in bits 16..31 the sum of
+ * (n + 1)(j + 1) over the spheres j that let it through; where light n itself is seen, 0xffff0000 + n.
+ *
+ * By general rays: a hash, FNV-1a, of 32-bit words, each as four bytes, the lowest first: from 2166136261
+ * on, (hash ^ byte) * 16777619 for each byte. For each sample of the pixel in order, for each of its rays,
+ * the reflected one and all that comes of it before the refracted one: the index of the object hit,
+ * TIA_NO_OBJECT for the background, TIA_NO_OBJECT - 1 - n for light n. After an object, for each light but
+ * the ambient ones, for each of its samples, in order: 1 when it arrives, that is G.L > 0 and N.L > 0 (see
+ * material.h), a spot light shines that way, and T is not black; else 0. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
@@ -58,8 +66,8 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
 size_t tia_hits_size(struct tia_tile area);
 int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area);
 
-/* The object that pixel (x, y) of the image sees: a sphere's index, or TIA_NO_OBJECT.
- * Lights are not in the hits: tia_light adds them. */
+/* The object that pixel (x, y) of the image sees: an object's index, or TIA_NO_OBJECT; of several
+ * samples the first. Lights are not in the hits: tia_light adds them. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
 /* Finds what the pixels of `tile` see. TIA_ERR_ARGUMENT when the tile leaves the image or the

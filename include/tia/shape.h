@@ -5,12 +5,21 @@
  *     plane      the coordinates along A and B of light.h's axes for its normal, in units
  *     disc       the same, over its radius, from -1 to 1
  *     cylinder,  u around the axis like a sphere's around y, in the axes B, A of the direction from base
- *     cone       to top; v along the axis from 0 at the base to 1 at the top; caps like a disc
+ *     cone       to top; v along the axis from 0 at the base to 1 at the top; both caps like a disc whose
+ *                normal is that direction
  *     box        of the face: (z, y) where x is its normal, (x, z) where y is, (x, y) where z is, each
  *                from 0 at the box's minimum to 1 at its maximum
  *     triangle   the barycentric coordinates of corners 1 and 2
  *     mesh       its own, interpolated; or a triangle's
  *     grid       a cell's, as a box
+ *
+ * They are those of the shape as it is before its transform.
+ *
+ * A ray meets a shape at the smallest distance that is not below 0: from inside, where it leaves. A point
+ * that has a coordinate of 65536 or more, either way, is not met. Of objects equally near the lower index
+ * is met, and an object before a light. A grid is met where it changes: a ray that goes from an empty cell,
+ * from outside, or from a cell of another material into a filled cell meets that cell's front, one that
+ * goes from a filled cell into an empty one or out meets the back of the cell that it leaves.
  *
  * The normal of a sphere, box, cylinder or cone points outwards, of a plane or disc as it says, of a
  * triangle along (B - A) x (C - A): where a closed shape's inside begins for refraction. A ray that meets
