@@ -67,6 +67,24 @@ def leading_zeros():
     return places
 
 
+def arctangent(n, bits):
+    """atan(1/n) 2^bits, by its series, rounded down in every term."""
+    term = (1 << bits) // n
+    total, k = 0, 0
+    while term:
+        total += (-1) ** k * (term // (2 * k + 1))
+        term //= n * n
+        k += 1
+    return total
+
+
+def turns(count, bits=200):
+    """atan(2^-i)/(2 pi), Q1.62; pi by Machin's formula."""
+    pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
+    angles = [pi // 4] + [arctangent(1 << i, bits) for i in range(1, count)]
+    return [((a << 63) // (2 * pi) + 1) >> 1 for a in angles]
+
+
 def main():
     rsqrt, rsqrt_worst = table(384, 128, 512, lambda a: a ** -0.5, tangent_rsqrt)
     recip, recip_worst = table(128, 128, 256, lambda d: 1 / d, lambda lo, hi: math.sqrt(lo * hi))
@@ -81,6 +99,10 @@ def main():
     print("\nconst uint8_t tia_clz_places[32] = {")
     for row in (leading_zeros()[:16], leading_zeros()[16:]):
         print("    " + " ".join(f"{z}," for z in row))
+    print("};\n\nconst int64_t tia_turns[60] = {")
+    words = turns(60)
+    for i in range(0, len(words), 4):
+        print("    " + " ".join(f"0x{w:016x}," for w in words[i:i + 4]))
     print("};")
 
 

@@ -1,0 +1,147 @@
+/* num_ray.h - the numbers of general rays, in each arithmetic.
+ *
+ *   num_x   a coordinate, a length, a colour: |x| < 2^18, in q16 Q18.45
+ *   num_d   a component of a direction, a cosine, a fraction: |d| < 2, in q16 Q1.62
+ *
+ * Both are plain numbers: sums, differences, comparisons and products with small integers are the
+ * language's own. What is a call:
+ *
+ *   num_x_of(q), num_d_of(q)     from Q16.16, from Q2.30; num_d_of62(n): from Q1.62
+ *   num_x_of_d, num_d_of_x       from one to the other
+ *   num_times(a, d)              a d, a of either kind, rounded to nearest
+ *   num_product(x, y)            x y, below 2^17
+ *   num_dot_x(a, d), num_dot_d   dot products, rounded once
+ *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
+ *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
+ *   num_length(p), num_sqrt_x(x), num_sqrt_d(d)
+ *   num_over(x, d), num_ratio(x, y)  x/d, x/y as num_x, at most NUM_X_MOST in size
+ *   num_fraction(x, y)           x/y as num_d, between -1 and 1
+ *   num_power(d, e)              d^e, 0 <= d <= 1, e a Q16.16
+ *   num_turn(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_d
+ *   num_floor(x), num_int(n)     the integer part, rounded down; an integer as num_x
+ *   num_steep(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
+ *   num_shown(x)                 a colour as what num_quantise takes, clamped to 0..1
+ */
+#ifndef TIA_NUM_RAY_H
+#define TIA_NUM_RAY_H
+
+#include "num.h"
+
+#if defined TIA_NUM_F64 || defined TIA_NUM_F32
+#include "num_ray_real.h"
+#else
+#include "num_ray_q16.h"
+#endif
+
+struct num_point {
+    num_x x, y, z;
+};
+
+struct num_dir {
+    num_d x, y, z;
+};
+
+static inline struct num_point num_point_of(struct tia_vec3 v)
+{
+    return (struct num_point){num_x_of(v.x), num_x_of(v.y), num_x_of(v.z)};
+}
+
+static inline struct num_point num_point_add(struct num_point a, struct num_point b)
+{
+    return (struct num_point){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline struct num_point num_point_sub(struct num_point a, struct num_point b)
+{
+    return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/* t d */
+static inline struct num_point num_point_along(struct num_dir d, num_x t)
+{
+    return (struct num_point){num_times(t, d.x), num_times(t, d.y), num_times(t, d.z)};
+}
+
+/* a + t d */
+static inline struct num_point num_point_at(struct num_point a, struct num_dir d, num_x t)
+{
+    return num_point_add(a, num_point_along(d, t));
+}
+
+static inline struct num_dir num_dir_turned(struct num_dir d)
+{
+    return (struct num_dir){-d.x, -d.y, -d.z};
+}
+
+static inline struct num_dir num_dir_scaled(struct num_dir d, num_d s)
+{
+    return (struct num_dir){num_times(d.x, s), num_times(d.y, s), num_times(d.z, s)};
+}
+
+static inline struct num_dir num_dir_add(struct num_dir a, struct num_dir b)
+{
+    return (struct num_dir){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline num_x num_dot_x(struct num_point a, struct num_dir d)
+{
+    return num_dot3(a.x, a.y, a.z, d.x, d.y, d.z);
+}
+
+static inline num_d num_dot_d(struct num_dir a, struct num_dir d)
+{
+    return num_dot3(a.x, a.y, a.z, d.x, d.y, d.z);
+}
+
+/* a x d, each component rounded once. */
+static inline struct num_point num_cross_x(struct num_point a, struct num_dir d)
+{
+    return (struct num_point){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),
+                              num_dot3(a.x, -a.y, 0, d.y, d.x, 0)};
+}
+
+static inline struct num_dir num_cross_d(struct num_dir a, struct num_dir d)
+{
+    return (struct num_dir){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),
+                            num_dot3(a.x, -a.y, 0, d.y, d.x, 0)};
+}
+
+static inline bool num_normalise(struct num_point v, struct num_dir *d)
+{
+    return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
+}
+
+/* A direction that has lost or never had the length 1; not 0. */
+static inline struct num_dir num_dir_unit(struct num_dir v)
+{
+    struct num_dir d;
+
+    (void)num_normalise3(v.x / 2, v.y / 2, v.z / 2, &d.x, &d.y, &d.z);
+    return d;
+}
+
+static inline struct num_dir num_dir_of(struct tia_dir3 v)
+{
+    return num_dir_unit((struct num_dir){num_d_of(v.x), num_d_of(v.y), num_d_of(v.z)});
+}
+
+static inline num_x num_leg(num_x r, struct num_point p)
+{
+    return num_leg4(r, p.x, p.y, p.z);
+}
+
+static inline num_x num_length(struct num_point p)
+{
+    return num_length3(p.x, p.y, p.z);
+}
+
+static inline num_x num_x_clamp(num_x x, num_x least, num_x most)
+{
+    return x < least ? least : x > most ? most : x;
+}
+
+#ifdef TIA_NUM_CHK
+#include "num_ray_chk.h"
+#endif
+
+#endif

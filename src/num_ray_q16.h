@@ -1,0 +1,203 @@
+/* num_ray_q16.h - general rays in 64-bit integers: Q18.45 and Q1.62. */
+#ifndef TIA_NUM_RAY_Q16_H
+#define TIA_NUM_RAY_Q16_H
+
+#include "wide.h"
+
+typedef int64_t num_x;
+typedef int64_t num_d;
+
+#define NUM_X_ONE ((num_x)1 << 45)
+#define NUM_X_BIAS ((num_x)1 << 32) /* of secondary rays: 2^-13 */
+#define NUM_X_FAR ((num_x)1 << 61)  /* 2^16: what is farther away from the origin of the world is not seen */
+#define NUM_X_MOST ((num_x)1 << 62) /* 2^17, infinitely far */
+#define NUM_X_LEAST ((num_x)1)      /* the smallest there is */
+#define NUM_D_ONE ((num_d)1 << 62)
+#define NUM_D_LEAST ((num_d)1 << 20) /* a slope under which a ray counts as parallel: 2^-42 */
+
+static inline num_x num_x_of(tia_q16 q)
+{
+    return (num_x)q * ((num_x)1 << 29);
+}
+
+static inline num_d num_d_of(tia_q30 q)
+{
+    return (num_d)q * ((num_d)1 << 32);
+}
+
+static inline num_d num_d_of62(int64_t n)
+{
+    return n;
+}
+
+static inline num_x num_x_of_d(num_d d)
+{
+    return tia_round_shift(d >> 1, 16);
+}
+
+static inline num_d num_d_of_x(num_x x)
+{
+    NUM_CHECK(x <= NUM_X_ONE * 2 && x >= -2 * NUM_X_ONE && x != 2 * NUM_X_ONE);
+    return x * ((num_d)1 << 17);
+}
+
+static inline num_x num_int(int32_t n)
+{
+    NUM_CHECK(n < 1 << 18 && n > -(1 << 18));
+    return (num_x)n * NUM_X_ONE;
+}
+
+static inline int32_t num_floor(num_x x)
+{
+    return (int32_t)(x >> 45);
+}
+
+static inline num_x num_times(num_x a, num_d d)
+{
+    return wide_round(wide_product(a, d), 62);
+}
+
+static inline num_x num_product(num_x a, num_x b)
+{
+    NUM_CHECK(wide_bits(wide_product(a < 0 ? -a : a, b < 0 ? -b : b)) <= 62 + 45);
+    return wide_round(wide_product(a, b), 45);
+}
+
+static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_d bx, num_d by, num_d bz)
+{
+    wide sum = wide_sum(wide_sum(wide_product(ax, bx), wide_product(ay, by)), wide_product(az, bz));
+
+    NUM_CHECK((wide_high(sum) < 0 ? ~wide_high(sum) : wide_high(sum)) >> 60 == 0);
+    return wide_round(sum, 62);
+}
+
+static inline bool num_normalise3(num_x x, num_x y, num_x z, num_d *dx, num_d *dy, num_d *dz)
+{
+    const int64_t v[3] = {x, y, z};
+    int64_t d[3];
+    bool some = wide_normalise(v, d);
+
+    NUM_CHECK((x < 0 ? -x : x) <= NUM_X_MOST && (y < 0 ? -y : y) <= NUM_X_MOST && (z < 0 ? -z : z) <= NUM_X_MOST);
+    *dx = d[0];
+    *dy = d[1];
+    *dz = d[2];
+    return some;
+}
+
+static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
+{
+    const int64_t p[3] = {x, y, z};
+
+    if (x > r || -x > r || y > r || -y > r || z > r || -z > r)
+        return -1;
+    wide rest = wide_difference(wide_product(r, r), wide_dot(p, p));
+    return wide_is_negative(rest) ? -1 : wide_sqrt(rest);
+}
+
+static inline num_x num_length3(num_x x, num_x y, num_x z)
+{
+    const int64_t p[3] = {x, y, z};
+
+    return wide_sqrt(wide_dot(p, p));
+}
+
+static inline num_x num_sqrt_x(num_x x)
+{
+    NUM_CHECK(x >= 0);
+    return wide_sqrt(wide_product(x, NUM_X_ONE));
+}
+
+static inline num_d num_sqrt_d(num_d d)
+{
+    NUM_CHECK(d >= 0);
+    return wide_sqrt(wide_product(d, NUM_D_ONE));
+}
+
+static inline num_x num_over(num_x x, num_d d)
+{
+    return wide_quotient(x, d, 62);
+}
+
+static inline num_x num_ratio(num_x x, num_x y)
+{
+    return wide_quotient(x, y, 45);
+}
+
+static inline num_d num_fraction(num_x x, num_x y)
+{
+    return wide_quotient(x, y, 62);
+}
+
+/* d^e: the integer part of e by squaring, its fraction by square roots. */
+static inline num_d num_power(num_d d, tia_q16 e)
+{
+    num_d power = NUM_D_ONE, base = d;
+
+    NUM_CHECK(d >= 0 && d <= NUM_D_ONE && e >= 0);
+    for (tia_q16 n = e >> 16; n; n >>= 1) {
+        if (n & 1)
+            power = num_times(power, base);
+        base = num_times(base, base);
+    }
+    base = d;
+    for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
+        base = num_sqrt_d(base);
+        if (n & 0x8000)
+            power = num_times(power, base);
+    }
+    return power;
+}
+
+/* 1/d with 42 bits behind the point, below 2^62: d is taken as 2^-20 at least. */
+static inline num_x num_steep(num_d d)
+{
+    const num_d least = NUM_D_ONE >> 20;
+
+    d = d < 0 ? (d > -least ? -least : d) : d < least ? least : d;
+    return wide_quotient(NUM_X_ONE >> 3, d, 62);
+}
+
+/* x/d with 23 bits behind the point, rounded down. */
+static inline num_x num_slab(num_x x, num_x steep)
+{
+    return wide_high(wide_product(x, steep));
+}
+
+#define NUM_SLAB_ONE ((num_x)1 << 23)
+#define NUM_SLAB_ERROR ((num_x)2) /* what two of them may be off by */
+
+/* A distance as num_slab has it. */
+static inline num_x num_slab_of(num_x t)
+{
+    return t >> 22;
+}
+
+/* CORDIC: the vector is turned to the x axis by angles with the tangents 1, 1/2, 1/4, ...; within 2^-55. */
+static inline num_d num_turn(num_d y, num_d x)
+{
+    num_d turned = 0;
+
+    if (x < 0) {
+        turned = y < 0 ? -(NUM_D_ONE / 2) : NUM_D_ONE / 2;
+        x = -x;
+        y = -y;
+    }
+    x /= 2; /* CORDIC lengthens the vector by 1.65 */
+    y /= 2;
+    if (x == 0 && y == 0)
+        return 0;
+    for (int i = 0; i < 60; i++) {
+        num_d dx = y >> i, dy = x >> i;
+        turned += y < 0 ? -tia_turns[i] : tia_turns[i];
+        x += y < 0 ? -dx : dx;
+        y += y < 0 ? dy : -dy;
+    }
+    return turned;
+}
+
+static inline num_u num_shown(num_x x)
+{
+    return x <= 0 ? 0 : x >= NUM_X_ONE ? NUM_ONE : (num_u)tia_round_shift(x, 15);
+}
+
+#endif

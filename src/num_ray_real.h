@@ -1,0 +1,169 @@
+/* num_ray_real.h - general rays in floating point. */
+#ifndef TIA_NUM_RAY_REAL_H
+#define TIA_NUM_RAY_REAL_H
+
+typedef num_real num_x;
+typedef num_real num_d;
+
+#define NUM_X_ONE ((num_real)1)
+#define NUM_X_BIAS ((num_real)1 / 8192)
+#define NUM_X_FAR ((num_real)65536)
+#define NUM_X_MOST ((num_real)131072)
+#define NUM_X_LEAST ((num_real)1e-30)
+#define NUM_D_ONE ((num_real)1)
+#define NUM_D_LEAST ((num_real)1 / ((int64_t)1 << 42))
+
+static inline num_x num_x_of(tia_q16 q)
+{
+    return (num_real)q / 65536;
+}
+
+static inline num_d num_d_of(tia_q30 q)
+{
+    return (num_real)q / 1073741824;
+}
+
+static inline num_d num_d_of62(int64_t n)
+{
+    return (num_real)n / (num_real)((int64_t)1 << 62);
+}
+
+static inline num_x num_x_of_d(num_d d)
+{
+    return d;
+}
+
+static inline num_d num_d_of_x(num_x x)
+{
+    return x;
+}
+
+static inline num_x num_int(int32_t n)
+{
+    return (num_real)n;
+}
+
+static inline int32_t num_floor(num_x x)
+{
+    int32_t n = (int32_t)x;
+    return n - ((num_real)n > x);
+}
+
+static inline num_x num_times(num_x a, num_d d)
+{
+    return a * d;
+}
+
+static inline num_x num_product(num_x a, num_x b)
+{
+    return a * b;
+}
+
+static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_d bx, num_d by, num_d bz)
+{
+    return ax * bx + ay * by + az * bz;
+}
+
+static inline num_x num_length3(num_x x, num_x y, num_x z)
+{
+    return num_root(x * x + y * y + z * z);
+}
+
+static inline bool num_normalise3(num_x x, num_x y, num_x z, num_d *dx, num_d *dy, num_d *dz)
+{
+    num_real length = num_length3(x, y, z);
+    num_real scale = length > 0 ? 1 / length : 0;
+
+    *dx = x * scale;
+    *dy = y * scale;
+    *dz = z * scale;
+    return length > 0;
+}
+
+static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
+{
+    num_real rest = r * r - (x * x + y * y + z * z);
+    return rest < 0 ? -1 : num_root(rest);
+}
+
+static inline num_x num_sqrt_x(num_x x)
+{
+    return num_root(x);
+}
+
+static inline num_d num_sqrt_d(num_d d)
+{
+    return num_root(d);
+}
+
+static inline num_real num_bounded(num_real x, num_real most)
+{
+    return x > most ? most : x < -most ? -most : x;
+}
+
+static inline num_x num_over(num_x x, num_d d)
+{
+    if (d == 0)
+        return x < 0 ? -NUM_X_MOST : x > 0 ? NUM_X_MOST : 0;
+    return num_bounded(x / d, NUM_X_MOST);
+}
+
+static inline num_x num_ratio(num_x x, num_x y)
+{
+    return num_over(x, y);
+}
+
+static inline num_d num_fraction(num_x x, num_x y)
+{
+    return num_bounded(num_over(x, y), 1);
+}
+
+static inline num_d num_power(num_d d, tia_q16 e)
+{
+    num_real power = 1, base = d;
+
+    for (tia_q16 n = e >> 16; n; n >>= 1) {
+        if (n & 1)
+            power *= base;
+        base *= base;
+    }
+    base = d;
+    for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
+        base = num_root(base);
+        if (n & 0x8000)
+            power *= base;
+    }
+    return power;
+}
+
+static inline num_x num_steep(num_d d)
+{
+    const num_real least = (num_real)1 / 1048576;
+
+    return 1 / (d < 0 ? (d > -least ? -least : d) : d < least ? least : d);
+}
+
+static inline num_x num_slab(num_x x, num_x steep)
+{
+    return x * steep;
+}
+
+#define NUM_SLAB_ONE ((num_real)1)
+#define NUM_SLAB_ERROR ((num_real)1 / 4194304)
+
+static inline num_x num_slab_of(num_x t)
+{
+    return t;
+}
+
+static inline num_d num_turn(num_d y, num_d x)
+{
+    return num_angle(y, x) / (num_real)6.283185307179586476925286766559;
+}
+
+static inline num_u num_shown(num_x x)
+{
+    return x <= 0 ? 0 : x >= 1 ? 1 : x;
+}
+
+#endif

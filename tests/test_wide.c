@@ -1,0 +1,2 @@
+/* Products by the compiler's 128-bit integers, where it has them. */
+#include "wide_cases.h"
