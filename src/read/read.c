@@ -1,0 +1,71 @@
+/* read.c - a scene file of any format. */
+#include "read/readers.h"
+
+static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+{
+    switch (reader->format) {
+    case TIA_FORMAT_TIA:
+        return tia_read_tia(reader, scene, arena);
+    case TIA_FORMAT_NFF:
+        return tia_read_nff(reader, scene, arena);
+    case TIA_FORMAT_OBJ:
+        return tia_read_obj(reader, scene, arena);
+    }
+    return TIA_ERR_ARGUMENT;
+}
+
+static void locate(struct tia_reader *reader, const struct tia_fault *fault)
+{
+    switch (reader->format) {
+    case TIA_FORMAT_TIA:
+        tia_locate_tia(reader, fault);
+        break;
+    case TIA_FORMAT_NFF:
+        tia_locate_nff(reader, fault);
+        break;
+    case TIA_FORMAT_OBJ:
+        tia_locate_obj(reader, fault);
+        break;
+    }
+}
+
+/* The check of what came out; its fault becomes the reader's error. */
+static int check(struct tia_reader *reader, const struct tia_scene *scene)
+{
+    struct tia_read_error *error = &reader->error;
+    struct tia_fault fault;
+
+    if (tia_scene_check(scene, &fault) == TIA_OK)
+        return TIA_OK;
+    *error = (struct tia_read_error){{0}, 0, 0, {0}};
+    locate(reader, &fault);
+    tia_say(error, fault.thing);
+    if (!error->line) { /* nothing else tells which one */
+        tia_say(error, " ");
+        tia_say_number(error, fault.index);
+    }
+    tia_say(error, ": ");
+    tia_say(error, fault.field);
+    tia_say(error, ": ");
+    tia_say(error, fault.rule);
+    return TIA_ERR_RANGE;
+}
+
+int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need)
+{
+    struct tia_arena arena = {memory, memory ? size : 0, 0};
+
+    *need = 0;
+    *scene = (struct tia_scene){.bvh = NULL};
+    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    /* Lines and columns, and so the numbers of things, fit 32 bits. */
+    if ((uint64_t)reader->length >= UINT32_MAX) {
+        tia_say(&reader->error, "the text is too long, expected less than 4 GiB");
+        return TIA_ERR_RANGE;
+    }
+    int status = read_format(reader, scene, &arena);
+    *need = arena.used;
+    if (status)
+        return status;
+    return tia_arena_fits(&arena) ? check(reader, scene) : TIA_ERR_MEMORY;
+}

@@ -1,0 +1,14 @@
+/* tia.c - scenes in tia's own format, tia-scene(5). */
+#include "read/readers.h"
+
+int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+{
+    (void)scene, (void)arena;
+    tia_say(&reader->error, "the format .tia cannot be read yet, expected .tia");
+    return TIA_ERR_RANGE;
+}
+
+void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault)
+{
+    (void)reader, (void)fault;
+}
