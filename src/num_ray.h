@@ -16,6 +16,7 @@
  *   num_length(p), num_sqrt_x(x), num_sqrt_d(d)
  *   num_over(x, d), num_ratio(x, y)  x/d, x/y as num_x, at most NUM_X_MOST in size
  *   num_fraction(x, y)           x/y as num_d, between -1 and 1
+ *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_parts: see there
  *   num_power(d, e)              d^e, 0 <= d <= 1, e a Q16.16
  *   num_turn(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_d
  *   num_floor(x), num_int(n)     the integer part, rounded down; an integer as num_x

@@ -128,6 +128,41 @@ static inline num_d num_fraction(num_x x, num_x y)
     return wide_quotient(x, y, 62);
 }
 
+/* Twice the area of a triangle with a corner at 0, exact: of coordinates below 2^17.6. */
+typedef wide num_area;
+
+static inline num_area num_cross2(num_x ax, num_x ay, num_x bx, num_x by)
+{
+    return wide_difference(wide_product(ax, by), wide_product(ay, bx));
+}
+
+static inline int num_area_sign(num_area a)
+{
+    return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
+}
+
+/* a 2^zeros, below 2^62, rounded down */
+static inline int64_t num_area_top(num_area a, int zeros)
+{
+    return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
+}
+
+/* Three areas over their sum, which is not 0. Those that have not its sign are taken as 0. */
+static inline void num_parts(const num_area areas[3], num_d parts[3])
+{
+    wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
+    bool negative = wide_is_negative(sum);
+
+    for (int i = 0; i < 3; i++)
+        a[i] = wide_is_negative(areas[i]) == negative ? wide_size(areas[i]) : none;
+    sum = wide_sum(wide_sum(a[0], a[1]), a[2]);
+    int zeros = 62 - wide_bits(sum);
+    NUM_CHECK(zeros < 62);
+    parts[1] = wide_quotient(num_area_top(a[1], zeros), num_area_top(sum, zeros), 62);
+    parts[2] = wide_quotient(num_area_top(a[2], zeros), num_area_top(sum, zeros), 62);
+    parts[0] = NUM_D_ONE - parts[1] - parts[2];
+}
+
 /* d^e: the integer part of e by squaring, its fraction by square roots. */
 static inline num_d num_power(num_d d, tia_q16 e)
 {

@@ -118,6 +118,32 @@ static inline num_d num_fraction(num_x x, num_x y)
     return num_bounded(num_over(x, y), 1);
 }
 
+typedef num_real num_area;
+
+/* In two statements, so that no compiler makes one rounding of two: the sign is right or 0. */
+static inline num_area num_cross2(num_x ax, num_x ay, num_x bx, num_x by)
+{
+    num_real left = ax * by, right = ay * bx;
+    return left - right;
+}
+
+static inline int num_area_sign(num_area a)
+{
+    return (a > 0) - (a < 0);
+}
+
+static inline void num_parts(const num_area areas[3], num_d parts[3])
+{
+    num_real sum = areas[0] + areas[1] + areas[2], a[3];
+
+    for (int i = 0; i < 3; i++)
+        a[i] = (areas[i] < 0) == (sum < 0) ? areas[i] : 0;
+    sum = a[0] + a[1] + a[2];
+    parts[1] = sum == 0 ? 0 : a[1] / sum;
+    parts[2] = sum == 0 ? 0 : a[2] / sum;
+    parts[0] = 1 - parts[1] - parts[2];
+}
+
 static inline num_d num_power(num_d d, tia_q16 e)
 {
     num_real power = 1, base = d;

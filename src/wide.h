@@ -119,6 +119,12 @@ static inline int64_t wide_round(wide a, unsigned s)
     return wide_down(wide_sum(a, wide_up(wide_product(1, 1), s - 1)), s);
 }
 
+/* |a| */
+static inline wide wide_size(wide a)
+{
+    return wide_is_negative(a) ? wide_difference(wide_product(0, 0), a) : a;
+}
+
 /* The sum of three products. |a|, |b| below 2^62. */
 static inline wide wide_dot(const int64_t a[3], const int64_t b[3])
 {

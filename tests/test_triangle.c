@@ -1,0 +1,2 @@
+/* Triangles in integers. */
+#include "triangle_cases.h"

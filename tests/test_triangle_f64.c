@@ -1,0 +1,10 @@
+/* Triangles in double precision. */
+#ifdef TIA_HAVE_F64
+#define TIA_NUM_F64
+#include "triangle_cases.h"
+#else
+int main(void)
+{
+    return 0;
+}
+#endif
