@@ -1,0 +1,360 @@
+/* The .nff reader against the Standard Procedural Databases, read a second time with strtod. */
+#include <math.h>
+
+#include "reading.h"
+
+#define SCENES "scenes/nff/"
+
+static const char *const names[] = {"balls_2", "balls_3", "balls_4",  "gears_1",  "jacks_3", "lattice_3",
+                                    "mount_3", "rings_3", "shells_2", "teapot_3", "tetra_4", "tree_4"};
+#define NAMES (sizeof names / sizeof *names)
+
+/* Q16.16 of a decimal, halves away from zero. */
+static tia_q16 q16(double x)
+{
+    return (tia_q16)lround(x * 65536);
+}
+
+static tia_q30 q30(double x)
+{
+    return (tia_q30)lround(x * 1073741824);
+}
+
+static bool load(struct reading *r, const char *name, char **text)
+{
+    char path[100];
+    size_t length = 0;
+
+    (void)snprintf(path, sizeof path, SCENES "%s.nff", name);
+    *text = load_file(path, &length);
+    CHECK_MSG(*text, "no %s", path);
+    if (!*text)
+        return false;
+    *r = (struct reading){.reader = {.format = TIA_FORMAT_NFF, .text = *text, .length = length}};
+    read_begin(r);
+    CHECK_MSG(r->status == TIA_OK, "%s:%u:%u: %s", path, (unsigned)r->reader.error.line,
+              (unsigned)r->reader.error.column, r->reader.error.text);
+    return r->status == TIA_OK;
+}
+
+/* ---- the second reader: these files' statements, each in its place ---- */
+
+struct second {
+    const char *at; /* what is left of the text */
+    const struct tia_scene *scene;
+    uint32_t sphere, shape, mesh, face, vertex, normal, material, light;
+    bool in_mesh;
+};
+
+static double number(struct second *s)
+{
+    char *end;
+    double x = strtod(s->at, &end);
+
+    CHECK(end != s->at);
+    s->at = end;
+    return x;
+}
+
+static void check_vec3(struct second *s, const struct tia_vec3 *got)
+{
+    CHECK_EQ(got->x, q16(number(s)));
+    CHECK_EQ(got->y, q16(number(s)));
+    CHECK_EQ(got->z, q16(number(s)));
+}
+
+static void check_normal(struct second *s, const struct tia_dir3 *got)
+{
+    double x = number(s), y = number(s), z = number(s), length = sqrt(x * x + y * y + z * z);
+
+    CHECK(fabs(got->x - x / length * 1073741824) < 4 && fabs(got->y - y / length * 1073741824) < 4 &&
+          fabs(got->z - z / length * 1073741824) < 4);
+}
+
+static double edge(const struct tia_vec3 *a, const struct tia_vec3 *b, int axis)
+{
+    return (axis == 0 ? b->x - a->x : axis == 1 ? b->y - a->y : b->z - a->z) / 65536.0;
+}
+
+/* Adds (b - a) x (c - a). */
+static void add_cross(double sum[3], const struct tia_vec3 *a, const struct tia_vec3 *b, const struct tia_vec3 *c)
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum[i] += edge(a, b, j) * edge(a, c, k) - edge(a, b, k) * edge(a, c, j);
+    }
+}
+
+/* Faces of a polygon: of its vertices, and together of its area and side. */
+static void check_faces(struct second *s, const struct tia_mesh *mesh, uint32_t count, bool has_normals)
+{
+    double whole[3] = {0}, sum[3] = {0};
+    const struct tia_vec3 *v = mesh->vertices;
+
+    for (uint32_t i = 1; i + 1 < count; i++)
+        add_cross(whole, &v[s->vertex], &v[s->vertex + i], &v[s->vertex + i + 1]);
+    for (uint32_t i = 0; i < count - 2; i++) {
+        const struct tia_corner *c = mesh->faces[s->face++].corner;
+        for (int k = 0; k < 3; k++) {
+            CHECK(c[k].vertex >= s->vertex && c[k].vertex < s->vertex + count && c[k].uv == TIA_NO_INDEX);
+            CHECK_EQ(c[k].normal, has_normals ? s->normal + (c[k].vertex - s->vertex) : TIA_NO_INDEX);
+        }
+        add_cross(sum, &v[c[0].vertex], &v[c[1].vertex], &v[c[2].vertex]);
+    }
+    for (int i = 0; i < 3; i++)
+        CHECK_MSG(fabs(sum[i] - whole[i]) < 1e-9, "area %g, not %g", sum[i], whole[i]);
+}
+
+static void check_polygon(struct second *s, bool has_normals)
+{
+    uint32_t count = (uint32_t)number(s);
+    const struct tia_shape *shape = &s->scene->shapes[s->in_mesh ? s->shape - 1 : s->shape++];
+    const struct tia_mesh *mesh = &s->scene->meshes[s->mesh];
+
+    s->in_mesh = true;
+    CHECK(shape->kind == TIA_MESH && shape->mesh == s->mesh && shape->material == s->material - 1);
+    CHECK(s->mesh < s->scene->mesh_count && s->vertex + count <= mesh->vertex_count);
+    for (uint32_t i = 0; i < count; i++) {
+        check_vec3(s, &mesh->vertices[s->vertex + i]);
+        if (has_normals)
+            check_normal(s, &mesh->normals[s->normal + i]);
+    }
+    check_faces(s, mesh, count, has_normals);
+    s->vertex += count;
+    s->normal += has_normals ? count : 0;
+}
+
+static void check_cone(struct second *s)
+{
+    const struct tia_shape *shape = &s->scene->shapes[s->shape++];
+    bool is_cone = shape->kind == TIA_CONE;
+
+    CHECK(shape->material == s->material - 1 && (is_cone || shape->kind == TIA_CYLINDER));
+    check_vec3(s, is_cone ? &shape->cone.base : &shape->cylinder.base);
+    tia_q16 base = q16(number(s));
+    check_vec3(s, is_cone ? &shape->cone.top : &shape->cylinder.top);
+    tia_q16 top = q16(number(s));
+    CHECK_EQ(is_cone, base != top);
+    if (is_cone)
+        CHECK(shape->cone.base_radius == base && shape->cone.top_radius == top && !shape->cone.capped);
+    else
+        CHECK(shape->cylinder.radius == base && !shape->cylinder.capped);
+}
+
+static void check_material(struct second *s)
+{
+    const struct tia_material *m = &s->scene->materials[s->material++];
+    double r = number(s), g = number(s), b = number(s), kd = number(s), ks = number(s), shine = number(s),
+           t = number(s), index = number(s);
+
+    CHECK(abs(m->colour.r - q30(r * kd)) <= 1 && abs(m->colour.g - q30(g * kd)) <= 1 &&
+          abs(m->colour.b - q30(b * kd)) <= 1);
+    CHECK(m->specular.r == q30(ks) && m->specular.g == q30(ks) && m->specular.b == q30(ks));
+    CHECK(m->mirror.r == q30(ks) && m->mirror.g == q30(ks) && m->mirror.b == q30(ks));
+    CHECK(m->refraction.r == q30(t) && m->refraction.g == q30(t) && m->refraction.b == q30(t));
+    CHECK(m->transmission.r == q30(t) && m->transmission.g == q30(t) && m->transmission.b == q30(t));
+    CHECK_EQ(m->exponent, shine > 10000 ? TIA_EXPONENT_MAX : q16(shine));
+    CHECK_EQ(m->index, t > 0 ? q16(index) : TIA_Q16_ONE);
+    if (s->in_mesh)
+        s->mesh++;
+    s->in_mesh = false;
+    s->vertex = s->normal = s->face = 0;
+}
+
+static void check_light(struct second *s)
+{
+    const struct tia_light *l = &s->scene->lights[s->light++];
+    double intensity = 1 / sqrt(s->scene->light_count);
+
+    check_vec3(s, &l->centre);
+    CHECK(l->kind == TIA_POINT_LIGHT && !l->radius && !l->constant && !l->linear && !l->quadratic);
+    CHECK(l->emission.r == q30(intensity) && l->emission.g == q30(intensity) && l->emission.b == q30(intensity));
+}
+
+static void check_view(struct second *s, const char *word)
+{
+    const struct tia_scene *scene = s->scene;
+
+    if (!strcmp(word, "b")) {
+        CHECK_EQ(scene->background.r, q30(number(s)));
+        CHECK_EQ(scene->background.g, q30(number(s)));
+        CHECK_EQ(scene->background.b, q30(number(s)));
+    } else if (!strcmp(word, "from")) {
+        check_vec3(s, &scene->camera.eye);
+    } else if (!strcmp(word, "at")) {
+        check_vec3(s, &scene->camera.reference);
+    } else if (!strcmp(word, "up")) {
+        check_vec3(s, &scene->camera.up);
+    } else if (!strcmp(word, "angle")) {
+        CHECK_EQ(scene->camera.fov, q16(number(s)));
+    } else {
+        CHECK_MSG(!strcmp(word, "v") || !strcmp(word, "hither") || !strcmp(word, "resolution"), "'%s'", word);
+        s->at += strcspn(s->at, "\n");
+    }
+}
+
+static void check_statement(struct second *s, const char *word)
+{
+    if (!strcmp(word, "s")) {
+        const struct tia_sphere *sphere = &s->scene->spheres[s->sphere++];
+        check_vec3(s, &sphere->centre);
+        CHECK_EQ(sphere->radius, q16(number(s)));
+        CHECK_EQ(sphere->material, s->material - 1);
+    } else if (!strcmp(word, "c")) {
+        check_cone(s);
+    } else if (!strcmp(word, "p") || !strcmp(word, "pp")) {
+        check_polygon(s, word[1] == 'p');
+    } else if (!strcmp(word, "f")) {
+        check_material(s);
+    } else if (!strcmp(word, "l")) {
+        check_light(s);
+    } else {
+        check_view(s, word);
+    }
+}
+
+TEST(databases)
+{
+    for (size_t i = 0; i < NAMES; i++) {
+        struct reading r;
+        char *text, word[20];
+        int length;
+
+        if (!load(&r, names[i], &text))
+            continue;
+        struct second s = {.at = text, .scene = &r.scene};
+        while (sscanf(s.at, "%19s%n", word, &length) == 1) {
+            s.at += length;
+            check_statement(&s, word);
+        }
+        CHECK_EQ(r.scene.sphere_count, s.sphere);
+        CHECK_EQ(r.scene.shape_count, s.shape);
+        CHECK_EQ(r.scene.mesh_count, s.mesh + s.in_mesh);
+        CHECK_EQ(r.scene.material_count, s.material);
+        CHECK_EQ(r.scene.light_count, s.light);
+        CHECK(s.sphere + s.shape > 0 && r.scene.camera.projection == TIA_PERSPECTIVE && !r.scene.depth);
+        read_end(&r);
+        free(text);
+    }
+}
+
+#define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\n"
+
+TEST(what_is_not_said)
+{
+    struct reading r;
+
+    read_string(&r, TIA_FORMAT_NFF, VIEW "l 1 2 3\nl 0 9 0 1 0.5 0.25\ns 0 0 0 1\n");
+    CHECK_EQ(r.status, TIA_OK);
+    CHECK(!r.scene.background.r && !r.scene.background.g && !r.scene.background.b);
+    CHECK_EQ(r.scene.material_count, 1);
+    CHECK(r.scene.materials[0].colour.r == TIA_Q30_ONE && !r.scene.materials[0].mirror.r);
+    CHECK_EQ(r.scene.lights[0].emission.g, TIA_Q30(0.70710678118654752));
+    CHECK(r.scene.lights[1].emission.r == TIA_Q30_ONE && r.scene.lights[1].emission.g == TIA_Q30(0.5) &&
+          r.scene.lights[1].emission.b == TIA_Q30(0.25));
+    read_end(&r);
+}
+
+TEST(what_is_taken_in)
+{
+    struct reading r;
+
+    read_string(
+        &r, TIA_FORMAT_NFF,
+        "# a comment\r\n" VIEW "f 1 1 1 1 0.5 0 0.5 0 # no highlight\ns 0 0 0 -1\n"
+        "f 1 1 1 1 0.5 0.25 0 7\nc 0 0 0 -1 0 1 0 -1\nf 1 1 1 1 0.5 1e9 0 7\n"
+        "p 3 0 0 0 1 0 0 0 1 0\ns 1 1 1 1\npp 4\n0 0 1 0 0 9\n\n# between\n1 0 1 0 0 9\n1 1 1 9 0 0\n0 1 1 0 0 -9\n");
+    CHECK_EQ(r.status, TIA_OK);
+    const struct tia_material *m = r.scene.materials;
+    CHECK(m[0].specular.r == 0 && m[0].mirror.r == TIA_Q30(0.5) && m[0].exponent == TIA_Q16_ONE);
+    CHECK(m[0].index == TIA_Q16_ONE && m[0].refraction.b == TIA_Q30(0.5));
+    CHECK(m[1].specular.r == TIA_Q30(0.5) && m[1].exponent == TIA_Q16_ONE && m[2].exponent == TIA_EXPONENT_MAX);
+    CHECK_EQ(r.scene.spheres[0].radius, TIA_Q16_ONE);
+    CHECK(r.scene.shapes[0].kind == TIA_CYLINDER && r.scene.shapes[0].cylinder.radius == TIA_Q16_ONE);
+    CHECK(r.scene.shape_count == 2 && r.scene.mesh_count == 1 && r.scene.sphere_count == 2);
+    const struct tia_mesh *mesh = r.scene.meshes;
+    CHECK(mesh->vertex_count == 7 && mesh->normal_count == 4 && mesh->face_count == 3 && !mesh->uv_count);
+    CHECK(mesh->faces[0].corner[0].normal == TIA_NO_INDEX && mesh->faces[1].corner[0].normal != TIA_NO_INDEX);
+    CHECK(mesh->normals[0].z == TIA_Q30_ONE && mesh->normals[2].x == TIA_Q30_ONE && mesh->normals[3].z == -TIA_Q30_ONE);
+    read_end(&r);
+}
+
+TEST(errors)
+{
+    static const struct {
+        const char *text, *want;
+    } cases[] = {
+        {"", "1:1: the view has no 'v', expected v, from, at, up and angle"},
+        {"v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\n", "5:1: the view has no 'angle', expected v, from, at, up and angle"},
+        {VIEW "s 0 0 0\n", "6:8: the line ends here, expected a number from -32768 to below 32768"},
+        {VIEW "s 0 0 0 1 1\n", "6:11: '1' is too much, expected the end of the line"},
+        {VIEW "  sphere 0\n", "6:3: 'sphere' is no statement, expected v, b, l, f, c, s, p, pp or a # comment"},
+        {VIEW "l 0 1\n", "6:6: the line ends here, expected a number from -32768 to below 32768"},
+        {VIEW "f 1 1 1 1 0 x 0 1\n", "6:13: 'x' is no number, expected a number below 2147483648"},
+        {VIEW "p 2\n0 0 0\n1 0 0\n", "6:3: '2' is out of range, expected a whole number from 3 to 4096"},
+        {VIEW "p 4097\n", "6:3: '4097' is out of range, expected a whole number from 3 to 4096"},
+        {VIEW "p 3\n0 0 0\n1 0 0\n", "9:1: the line ends here, expected a number from -32768 to below 32768"},
+        {VIEW "p 3\n0 0 0\n1 0 0\nf 1 1 1 1 0 0 0 0\n",
+         "9:1: 'f' is no number, expected a number from -32768 to below 32768"},
+        {VIEW "pp 3\n0 0 0 0 0 0\n",
+         "7:7: '0' begins a direction of no length, expected three numbers that are not all 0"},
+        {VIEW "up 0 0 0\n", "6:4: '0' begins an up vector of no length, expected three numbers that are not all 0"},
+        {"\x7f\x45LF\x02\x01", "1:1: '?ELF?\?' is no statement, expected v, b, l, f, c, s, p, pp or a # comment"},
+        {VIEW "s 0 0 40000 1\n", "6:7: '40000' is out of range, expected a number from -32768 to below 32768"},
+    };
+    struct reading r;
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        read_string(&r, TIA_FORMAT_NFF, cases[i].text);
+        check_read_error(&r, cases[i].want);
+    }
+}
+
+/* What tia_scene_check refuses is shown where it is said. */
+static void check_place(const char *text, uint32_t line, const char *what)
+{
+    struct reading r;
+
+    read_string(&r, TIA_FORMAT_NFF, text);
+    CHECK_MSG(r.status == TIA_ERR_RANGE && r.reader.error.line == line && r.reader.error.column == 1 &&
+                  !strncmp(r.reader.error.text, what, strlen(what)),
+              "%d %u:%u: %s", r.status, (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
+              r.reader.error.text);
+    read_end(&r);
+}
+
+TEST(places_of_faults)
+{
+    check_place(VIEW "s 0 0 0 1\ns 0 0 0 0\n", 7, "sphere: radius: ");
+    check_place(VIEW "l 0 0 0\nl 0 0 0 1 -1 1\n", 7, "light: emission: ");
+    check_place(VIEW "f 1 1 1 1 0 0 0 0\nf 1 1 1 1.5 0 0 0 0\n", 7, "material: colour: ");
+    check_place("#\nb 1.5 0 0\n" VIEW, 2, "scene: background: ");
+    check_place("#\nv\nfrom 0 0 0\nat 0 0 9\nup 0 1 0\nangle 171\n", 2, "camera: fov: ");
+}
+
+TEST(truncated)
+{
+    struct reading r;
+    char *text;
+
+    if (!load(&r, "balls_2", &text))
+        return;
+    read_end(&r);
+    r.reader.length = 900;
+    check_truncated(&r.reader);
+    free(text);
+    r.reader.text = VIEW "pp 4\n0 0 1 0 0 9\n1 0 1 0 0 9\n1 1 1 9 0 0\n0 1 1 0 0 -9\nc 0 0 0 1 2 2 2 1e-1\n";
+    r.reader.length = strlen(r.reader.text);
+    check_truncated(&r.reader);
+}
+
+int main(void)
+{
+    RUN(databases);
+    RUN(what_is_not_said);
+    RUN(what_is_taken_in);
+    RUN(errors);
+    RUN(places_of_faults);
+    RUN(truncated);
+    return check_status();
+}
