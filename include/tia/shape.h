@@ -127,7 +127,8 @@ struct tia_face {
 /* Faces over shared vertices. */
 struct tia_mesh {
     const struct tia_vec3 *vertices;
-    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5: they are normalised */
+    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5: they are normalised, weighted by the
+                                       barycentric coordinates, then transformed */
     const struct tia_uv *uvs;
     const struct tia_face *faces;
     uint32_t vertex_count, normal_count, uv_count, face_count;

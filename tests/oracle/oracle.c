@@ -1,66 +1,16 @@
 #include "oracle/oracle.h"
 
-#include <math.h>
+#include "oracle/rays.h"
 
-#define PI 3.14159265358979323846
 #define BIAS (1.0 / 8192.0)
-
-struct ray {
-    struct oracle_vec origin, direction;
-};
-
-struct colour {
-    double channel[3];
-};
-
-static double q16(tia_q16 value)
-{
-    return value / 65536.0;
-}
-
-static struct oracle_vec position(struct tia_vec3 v)
-{
-    return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
-}
-
-static struct colour rgb(struct tia_rgb c)
-{
-    return (struct colour){{c.r / 1073741824.0, c.g / 1073741824.0, c.b / 1073741824.0}};
-}
-
-static struct oracle_vec sub(struct oracle_vec a, struct oracle_vec b)
-{
-    return (struct oracle_vec){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-/* a + s b */
-static struct oracle_vec along(struct oracle_vec a, double s, struct oracle_vec b)
-{
-    return (struct oracle_vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-}
-
-static double dot(struct oracle_vec a, struct oracle_vec b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static double length(struct oracle_vec a)
-{
-    return sqrt(dot(a, a));
-}
-
-static struct oracle_vec divide(struct oracle_vec a, double s)
-{
-    return (struct oracle_vec){a.x / s, a.y / s, a.z / s};
-}
 
 struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, double x, double y)
 {
-    double a = tan(q16(camera->fov) * PI / 180.0 / 2.0);
+    double a = tan(radians(camera->fov) / 2.0);
     double w = width, h = height;
     struct oracle_vec d = {(2.0 * (x + 0.5) / w - 1.0) * a * w / h, (1.0 - 2.0 * (y + 0.5) / h) * a, -1.0};
 
-    return divide(d, length(d));
+    return unit(d);
 }
 
 bool oracle_sphere_geometric(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
@@ -182,7 +132,7 @@ static bool add_light(const struct tia_scene *scene, const struct tia_light *lig
     struct colour emission = rgb(light->emission);
     for (int c = 0; c < 3; c++)
         sum[c] += surface.channel[c] * left.channel[c] * cosine * emission.channel[c];
-    return left.channel[0] > 0 || left.channel[1] > 0 || left.channel[2] > 0;
+    return !is_black(left);
 }
 
 static void shade(const struct tia_scene *scene, struct ray ray, struct oracle_pixel *pixel)
@@ -231,7 +181,8 @@ tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool 
     return pixel->colour;
 }
 
-struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
+static struct oracle_pixel spheres_look(const struct tia_scene *scene, unsigned width, unsigned height, double x,
+                                        double y)
 {
     struct ray ray = {position(scene->camera.eye), oracle_direction(&scene->camera, width, height, x, y)};
     struct oracle_pixel pixel = {0};
@@ -248,6 +199,12 @@ struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, u
         shade(scene, ray, &pixel);
     }
     return pixel;
+}
+
+struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
+{
+    return oracle_needs_rays(scene) ? oracle_rays_look(scene, width, height, x, y)
+                                    : spheres_look(scene, width, height, x, y);
 }
 
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,

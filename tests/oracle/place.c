@@ -1,0 +1,109 @@
+/* place.c - a scene's objects where their transforms put them. */
+#include "oracle/shape.h"
+
+#define FAR 65536.0
+
+/* About one axis, right-handed: a turns towards b. */
+static void rotate(double *a, double *b, double angle)
+{
+    double c = cos(angle), s = sin(angle), x = *a;
+
+    *a = c * x - s * *b;
+    *b = s * x + c * *b;
+}
+
+struct oracle_vec transform_turn(const struct tia_transform *transform, struct oracle_vec v)
+{
+    rotate(&v.y, &v.z, radians(transform->rotation.x));
+    rotate(&v.z, &v.x, radians(transform->rotation.y));
+    rotate(&v.x, &v.y, radians(transform->rotation.z));
+    return v;
+}
+
+struct oracle_vec transform_turn_back(const struct tia_transform *transform, struct oracle_vec v)
+{
+    rotate(&v.x, &v.y, -radians(transform->rotation.z));
+    rotate(&v.z, &v.x, -radians(transform->rotation.y));
+    rotate(&v.y, &v.z, -radians(transform->rotation.x));
+    return v;
+}
+
+static struct oracle_vec multiplied(struct oracle_vec a, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+static struct oracle_vec quotient(struct oracle_vec a, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x / b.x, a.y / b.y, a.z / b.z};
+}
+
+struct oracle_vec transform_point(const struct tia_transform *transform, struct oracle_vec v)
+{
+    struct oracle_vec turned = transform_turn(transform, multiplied(v, position(transform->scale)));
+
+    return along(turned, 1, position(transform->position));
+}
+
+static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, struct ray ray, struct hit *hit)
+{
+    struct oracle_vec corner[3];
+
+    switch (s->kind) {
+    case TIA_SPHERE:
+        return shape_sphere(ray, position(s->sphere.centre), q16(s->sphere.radius), hit);
+    case TIA_PLANE:
+        return shape_plane(ray, position(s->plane.point), direction(s->plane.normal), hit);
+    case TIA_DISC:
+        return shape_disc(ray, position(s->disc.centre), direction(s->disc.normal), q16(s->disc.radius), hit);
+    case TIA_CYLINDER:
+        return shape_cone(ray, position(s->cylinder.base), position(s->cylinder.top), q16(s->cylinder.radius),
+                          q16(s->cylinder.radius), s->cylinder.capped, hit);
+    case TIA_CONE:
+        return shape_cone(ray, position(s->cone.base), position(s->cone.top), q16(s->cone.base_radius),
+                          q16(s->cone.top_radius), s->cone.capped, hit);
+    case TIA_BOX:
+        return shape_box(ray, position(s->box.min), position(s->box.max), hit);
+    case TIA_TRIANGLE:
+        for (int i = 0; i < 3; i++)
+            corner[i] = position(s->triangle.corner[i]);
+        return shape_triangle(ray, corner, hit);
+    case TIA_MESH:
+        return shape_mesh(ray, &scene->meshes[s->mesh], hit);
+    default:
+        return shape_grid(ray, &scene->grids[s->grid], hit);
+    }
+}
+
+bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit)
+{
+    if (shape->transform == 0)
+        return local_hit(scene, shape, ray, hit);
+    const struct tia_transform *t = &scene->transforms[shape->transform - 1];
+    struct oracle_vec scale = position(t->scale), from = sub(ray.origin, position(t->position));
+    struct ray local = {quotient(transform_turn_back(t, from), scale),
+                        quotient(transform_turn_back(t, ray.direction), scale)};
+    if (!local_hit(scene, shape, local, hit))
+        return false;
+    /* Normals go by the inverse's transpose. */
+    hit->normal = unit(transform_turn(t, quotient(hit->normal, scale)));
+    hit->smooth = unit(transform_turn(t, quotient(hit->smooth, scale)));
+    return true;
+}
+
+bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, struct hit *hit)
+{
+    if (index < scene->sphere_count) {
+        const struct tia_sphere *s = &scene->spheres[index];
+        if (!shape_sphere(ray, position(s->centre), q16(s->radius), hit))
+            return false;
+        hit->material = s->material;
+    } else {
+        const struct tia_shape *s = &scene->shapes[index - scene->sphere_count];
+        if (!shape_hit(scene, s, ray, hit))
+            return false;
+        hit->material += s->material;
+    }
+    struct oracle_vec p = at(ray, hit->t);
+    return fabs(p.x) < FAR && fabs(p.y) < FAR && fabs(p.z) < FAR;
+}

@@ -1,0 +1,291 @@
+#include "oracle/rays.h"
+
+#include "oracle/light.h"
+
+#define BIAS (1.0 / 8192.0)
+#define FAINT (1.0 / 65536.0)
+
+/* A sample being looked at. */
+struct look {
+    const struct tia_scene *scene;
+    unsigned pixel_class;
+    uint32_t path; /* FNV-1a of what was met */
+};
+
+/* What a ray's hit needs for its colour. */
+struct surface {
+    const struct tia_material *material;
+    struct oracle_vec p, g, n, v; /* the point, the normals and the direction to the viewer */
+    double cosine;                /* N.V */
+    struct colour colour;         /* with its texture */
+    bool front;
+};
+
+static struct colour trace(struct look *look, struct ray ray, struct colour weight, unsigned bounces);
+
+static void feed(uint32_t *path, uint32_t word)
+{
+    for (int i = 0; i < 4; i++)
+        *path = (*path ^ (word >> 8 * i & 255)) * UINT32_C(16777619);
+}
+
+static struct colour product(struct colour a, struct colour b)
+{
+    for (int i = 0; i < 3; i++)
+        a.channel[i] *= b.channel[i];
+    return a;
+}
+
+/* a += s b */
+static void add(struct colour *a, double s, struct colour b)
+{
+    for (int i = 0; i < 3; i++)
+        a->channel[i] += s * b.channel[i];
+}
+
+static bool is_faint(struct colour c)
+{
+    return c.channel[0] < FAINT && c.channel[1] < FAINT && c.channel[2] < FAINT;
+}
+
+/* The nearest object, the lower index on a tie; *hit.t is infinite without one. */
+static uint32_t nearest_object(const struct tia_scene *scene, struct ray ray, struct hit *hit)
+{
+    uint32_t nearest = TIA_NO_OBJECT;
+    struct hit h;
+
+    *hit = (struct hit){.t = INFINITY};
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
+        if (object_hit(scene, i, ray, &h) && h.t < hit->t) {
+            *hit = h;
+            nearest = i;
+        }
+    return nearest;
+}
+
+/* The light that is seen before `distance`. */
+static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double distance)
+{
+    uint32_t nearest = TIA_NO_OBJECT;
+    double t;
+
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (light_hit(&scene->lights[i], ray, &t) && t < distance) {
+            distance = t;
+            nearest = i;
+        }
+    return nearest;
+}
+
+/* What is left of white light on its way to the ray's origin from `distance` along it. */
+static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance)
+{
+    struct colour left = {{1, 1, 1}};
+    struct hit h;
+
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
+        if (object_hit(scene, i, ray, &h) && h.t < distance)
+            left = product(left, rgb(scene->materials[h.material].transmission));
+    return left;
+}
+
+/* max(0, R.L)^exponent, R being V's mirror image */
+static double highlight(const struct surface *s, struct oracle_vec l)
+{
+    struct oracle_vec r = along(scaled(s->v, -1), 2.0 * s->cosine, s->n);
+    double cosine = dot(r, l);
+
+    return cosine > 0 ? pow(cosine, q16(s->material->exponent)) : 0.0;
+}
+
+/* Adds what one beam of a light gives the surface; whether it arrives. */
+static bool add_beam(const struct look *look, const struct tia_light *light, const struct beam *beam,
+                     const struct surface *s, struct colour *sum)
+{
+    double cosine = dot(s->n, beam->direction);
+
+    if (!(dot(s->g, beam->direction) > 0) || !(cosine > 0) || !(beam->strength > 0))
+        return false;
+    struct colour left =
+        transmission(look->scene, (struct ray){along(s->p, BIAS, s->g), beam->direction}, beam->distance);
+    struct colour arrives = product(left, rgb(light->emission));
+    add(sum, beam->strength * cosine, product(arrives, s->colour));
+    if (!is_black(rgb(s->material->specular)))
+        add(sum, beam->strength * highlight(s, beam->direction), product(arrives, rgb(s->material->specular)));
+    return !is_black(left);
+}
+
+static void add_lights(struct look *look, const struct surface *s, struct colour *sum)
+{
+    for (uint32_t i = 0; i < look->scene->light_count; i++) {
+        const struct tia_light *light = &look->scene->lights[i];
+        if (light->kind == TIA_AMBIENT_LIGHT) {
+            add(sum, 1, product(s->colour, rgb(light->emission)));
+            continue;
+        }
+        for (unsigned k = 0; k < light_samples(light); k++) {
+            struct beam beam;
+            feed(&look->path,
+                 light_beam(light, s->p, look->pixel_class, k, &beam) && add_beam(look, light, &beam, s, sum));
+        }
+    }
+}
+
+double oracle_fresnel(double cosine, double n1, double n2)
+{
+    double ci = cosine > 0 ? cosine : 0, square = 1 - n1 / n2 * (n1 / n2) * (1 - ci * ci);
+
+    if (square < 0)
+        return 1;
+    double ct = sqrt(square);
+    double rs = (n1 * ci - n2 * ct) / (n1 * ci + n2 * ct), rp = (n1 * ct - n2 * ci) / (n1 * ct + n2 * ci);
+    return (rs * rs + rp * rp) / 2;
+}
+
+/* The refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected. */
+static bool refract(const struct surface *s, double ratio, struct oracle_vec *way)
+{
+    double square = 1 - ratio * ratio * (1 - s->cosine * s->cosine);
+
+    if (square < 0)
+        return false;
+    *way = along(scaled(s->v, -ratio), ratio * s->cosine - sqrt(square), s->n);
+    return true;
+}
+
+/* Adds what is seen along `way`, from the surface's one side (1) or the other (-1). */
+static void add_ray(struct look *look, const struct surface *s, double side, struct oracle_vec way,
+                    struct colour factor, struct colour weight, unsigned bounces, struct colour *sum)
+{
+    struct colour left = product(weight, factor);
+    unsigned depth = look->scene->depth == 0 ? TIA_DEPTH : look->scene->depth;
+
+    if (bounces >= depth || is_faint(left))
+        return;
+    struct ray ray = {along(s->p, side * BIAS, s->g), unit(way)};
+    add(sum, 1, product(factor, trace(look, ray, left, bounces + 1)));
+}
+
+static void add_secondary(struct look *look, const struct surface *s, struct colour weight, unsigned bounces,
+                          struct colour *sum)
+{
+    const struct tia_material *m = s->material;
+    struct oracle_vec mirrored = along(scaled(s->v, -1), 2.0 * s->cosine, s->n), refracted = {0, 0, 0};
+    struct colour kr = rgb(m->mirror), kt = {{0, 0, 0}};
+
+    if (!is_black(rgb(m->refraction))) {
+        double n1 = s->front ? 1 : q16(m->index), n2 = s->front ? q16(m->index) : 1;
+        bool passes = refract(s, n1 / n2, &refracted);
+        double f = !passes ? 1 : m->fresnel ? oracle_fresnel(s->cosine, n1, n2) : 0;
+        add(&kr, f, rgb(m->refraction));
+        add(&kt, 1 - f, rgb(m->refraction));
+    }
+    add_ray(look, s, 1, mirrored, kr, weight, bounces, sum);
+    add_ray(look, s, -1, refracted, kt, weight, bounces, sum);
+}
+
+static struct surface surface_at(const struct tia_scene *scene, struct ray ray, const struct hit *hit)
+{
+    struct surface s = {.material = &scene->materials[hit->material], .p = at(ray, hit->t)};
+
+    s.v = scaled(ray.direction, -1);
+    s.front = dot(hit->normal, s.v) >= 0;
+    s.g = scaled(hit->normal, s.front ? 1 : -1);
+    s.n = scaled(hit->smooth, s.front ? 1 : -1);
+    s.cosine = dot(s.n, s.v);
+    s.colour = rgb(s.material->colour);
+    if (s.material->texture != 0)
+        s.colour = product(s.colour, oracle_texture(&scene->textures[s.material->texture - 1], hit->u, hit->v));
+    return s;
+}
+
+static struct colour shade(struct look *look, struct ray ray, const struct hit *hit, struct colour weight,
+                           unsigned bounces)
+{
+    struct surface s = surface_at(look->scene, ray, hit);
+    struct colour sum = rgb(s.material->emission);
+
+    add(&sum, s.cosine > 0 ? s.cosine : 0, rgb(s.material->facing));
+    add_lights(look, &s, &sum);
+    add_secondary(look, &s, weight, bounces, &sum);
+    return sum;
+}
+
+static struct colour trace(struct look *look, struct ray ray, struct colour weight, unsigned bounces)
+{
+    struct hit hit;
+    uint32_t object = nearest_object(look->scene, ray, &hit), light = nearest_light(look->scene, ray, hit.t);
+
+    feed(&look->path, light == TIA_NO_OBJECT ? object : TIA_NO_OBJECT - 1 - light);
+    if (light != TIA_NO_OBJECT)
+        return rgb(look->scene->lights[light].emission);
+    if (object == TIA_NO_OBJECT)
+        return rgb(look->scene->background);
+    return shade(look, ray, &hit, weight, bounces);
+}
+
+struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned x, unsigned y)
+{
+    struct look look = {scene, light_class(x, y), UINT32_C(2166136261)};
+
+    return trace(&look, ray, (struct colour){{1, 1, 1}}, 0);
+}
+
+/* What the first sample sees, without shading it. */
+static void see_first(const struct tia_scene *scene, struct ray ray, struct oracle_pixel *pixel)
+{
+    struct hit hit;
+
+    pixel->sphere = nearest_object(scene, ray, &hit);
+    uint32_t light = nearest_light(scene, ray, hit.t);
+    pixel->object = light == TIA_NO_OBJECT ? pixel->sphere : scene->sphere_count + scene->shape_count + light;
+    pixel->depth = hit.t;
+    if (light != TIA_NO_OBJECT)
+        (void)light_hit(&scene->lights[light], ray, &pixel->depth);
+}
+
+struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
+{
+    struct look look = {scene, light_class((unsigned)floor(x + 0.5), (unsigned)floor(y + 0.5)), UINT32_C(2166136261)};
+    unsigned samples = scene->camera.samples == 0 ? 1 : scene->camera.samples;
+    struct oracle_pixel pixel = {0};
+
+    for (unsigned i = 0; i < samples; i++) {
+        double dx, dy;
+        oracle_sample(samples, i, &dx, &dy);
+        struct ray ray = oracle_camera(&scene->camera, width, height, x + dx, y + dy);
+        if (i == 0)
+            see_first(scene, ray, &pixel);
+        struct colour c = trace(&look, ray, (struct colour){{1, 1, 1}}, 0);
+        for (int k = 0; k < 3; k++)
+            pixel.linear[k] += fmin(fmax(c.channel[k], 0), 1) / samples;
+    }
+    pixel.reached = look.path;
+    return pixel;
+}
+
+static bool is_plain_material(const struct tia_material *m)
+{
+    return m->texture == 0 && is_black(rgb(m->specular)) && is_black(rgb(m->mirror)) && is_black(rgb(m->refraction)) &&
+           is_black(rgb(m->facing));
+}
+
+static bool is_plain_light(const struct tia_light *l)
+{
+    return l->kind == TIA_POINT_LIGHT && l->constant == 0 && l->linear == 0 && l->quadratic == 0;
+}
+
+bool oracle_needs_rays(const struct tia_scene *scene)
+{
+    const struct tia_camera *camera = &scene->camera;
+    bool plain = scene->shape_count == 0 && scene->sphere_count <= TIA_SPAN_SPHERES &&
+                 camera->projection == TIA_PERSPECTIVE && !(length(position(camera->up)) > 0) && camera->samples <= 1;
+
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        plain = plain && is_plain_material(&scene->materials[i]);
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        plain = plain && is_plain_light(&scene->lights[i]);
+    for (uint32_t i = 0; i < scene->binding_count; i++)
+        plain = plain && is_plain_light(&scene->bindings[i].state);
+    return !plain;
+}

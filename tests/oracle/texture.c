@@ -1,0 +1,38 @@
+/* texture.c - what a texture multiplies a colour with. */
+#include "oracle/rays.h"
+
+static struct colour texel(const struct tia_texture *texture, double x, double y)
+{
+    double w = texture->width, h = texture->height;
+    size_t column = (size_t)(x - w * floor(x / w)), row = (size_t)(y - h * floor(y / h));
+    const uint8_t *p = texture->texels + 3 * (row * texture->width + column);
+
+    return (struct colour){{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0}};
+}
+
+/* The four texels around (x, y), where whole numbers are the centres of texels. */
+static struct colour bilinear(const struct tia_texture *texture, double x, double y)
+{
+    double left = floor(x), top = floor(y);
+    struct colour sum = {{0, 0, 0}};
+
+    for (int i = 0; i < 4; i++) {
+        double right = i % 2, down = i / 2;
+        struct colour c = texel(texture, left + right, top + down);
+        double weight = (1 - fabs(x - left - right)) * (1 - fabs(y - top - down));
+        for (int k = 0; k < 3; k++)
+            sum.channel[k] += weight * c.channel[k];
+    }
+    return sum;
+}
+
+struct colour oracle_texture(const struct tia_texture *texture, double u, double v)
+{
+    u *= q16(texture->repeat[0]);
+    v *= q16(texture->repeat[1]);
+    if (texture->kind == TIA_CHECKER)
+        return rgb(texture->cells[fmod(floor(u) + floor(v), 2.0) != 0]);
+    if (texture->bilinear)
+        return bilinear(texture, u * texture->width - 0.5, v * texture->height - 0.5);
+    return texel(texture, floor(u * texture->width), floor(v * texture->height));
+}

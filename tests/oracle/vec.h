@@ -1,0 +1,112 @@
+/* vec.h - vectors in double, and the public formats as such: exactly. */
+#ifndef TESTS_ORACLE_VEC_H
+#define TESTS_ORACLE_VEC_H
+
+#include "oracle/oracle.h"
+
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+struct ray {
+    struct oracle_vec origin, direction;
+};
+
+struct colour {
+    double channel[3];
+};
+
+static inline double q16(tia_q16 value)
+{
+    return value / 65536.0;
+}
+
+static inline double q30(tia_q30 value)
+{
+    return value / 1073741824.0;
+}
+
+static inline double radians(tia_q16 degrees)
+{
+    return q16(degrees) * PI / 180.0;
+}
+
+static inline struct oracle_vec position(struct tia_vec3 v)
+{
+    return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
+}
+
+static inline struct colour rgb(struct tia_rgb c)
+{
+    return (struct colour){{q30(c.r), q30(c.g), q30(c.b)}};
+}
+
+static inline bool is_black(struct colour c)
+{
+    return !(c.channel[0] > 0) && !(c.channel[1] > 0) && !(c.channel[2] > 0);
+}
+
+static inline struct oracle_vec sub(struct oracle_vec a, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/* a + s b */
+static inline struct oracle_vec along(struct oracle_vec a, double s, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+
+static inline double dot(struct oracle_vec a, struct oracle_vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline struct oracle_vec cross(struct oracle_vec a, struct oracle_vec b)
+{
+    return (struct oracle_vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double length(struct oracle_vec a)
+{
+    return sqrt(dot(a, a));
+}
+
+static inline struct oracle_vec scaled(struct oracle_vec a, double s)
+{
+    return (struct oracle_vec){a.x * s, a.y * s, a.z * s};
+}
+
+static inline struct oracle_vec divide(struct oracle_vec a, double s)
+{
+    return (struct oracle_vec){a.x / s, a.y / s, a.z / s};
+}
+
+static inline struct oracle_vec unit(struct oracle_vec a)
+{
+    return divide(a, length(a));
+}
+
+/* A public direction, normalised. */
+static inline struct oracle_vec direction(struct tia_dir3 d)
+{
+    return unit((struct oracle_vec){q30(d.x), q30(d.y), q30(d.z)});
+}
+
+static inline struct oracle_vec at(struct ray ray, double t)
+{
+    return along(ray.origin, t, ray.direction);
+}
+
+/* light.h: A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0. */
+static inline void axes(struct oracle_vec n, struct oracle_vec *a, struct oracle_vec *b)
+{
+    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    struct oracle_vec e = {x <= y && x <= z, !(x <= y && x <= z) && y <= z, 0};
+
+    e.z = !(e.x > 0) && !(e.y > 0);
+    *a = unit(cross(e, n));
+    *b = cross(n, *a);
+}
+
+#endif
