@@ -235,6 +235,14 @@ static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 #endif
 }
 
+/* a b / 2^shift to nearest, halves away from zero: the same for -a. The result must fit, shift is 1..63. */
+static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
+{
+    struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));
+    int64_t size = (int64_t)((p.high << (64 - shift) | p.low >> shift) + (p.low >> (shift - 1) & 1));
+    return (a < 0) != (b < 0) ? -size : size;
+}
+
 /* The sign of a b - c d, exact: -1, 0 or 1. */
 static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
 {

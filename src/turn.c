@@ -25,12 +25,9 @@ void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine)
         *cosine = -*cosine;
 }
 
-/* A product of two Q2.62 of at most 1, to nearest. */
 static int64_t product(int64_t a, int64_t b)
 {
-    struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));
-    int64_t size = (int64_t)((p.high << 2 | p.low >> 62) + (p.low >> 61 & 1));
-    return (a < 0) != (b < 0) ? -size : size;
+    return tia_scaled_product(a, b, 62);
 }
 
 void turn_axes(struct tia_vec3 rotation, int64_t axes[3][3])

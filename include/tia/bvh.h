@@ -28,7 +28,8 @@ struct tia_bvh_tree {
     uint32_t node_count, item_count; /* no nodes: no items */
 };
 
-/* What scene.bvh points to. Planes, which have no bounds, are beside the tree. */
+/* What scene.bvh points to. Beside the tree are the planes, which have no bounds, and what reaches beyond
+ * Q16.16, where an eye near the end of those numbers still sees it. */
 struct tia_bvh {
     struct tia_bvh_tree objects;
     const struct tia_bvh_tree *meshes; /* one for each of the scene's meshes */
@@ -44,7 +45,8 @@ size_t tia_bvh_size(const struct tia_scene *scene);
  * *used bytes are in use (used may be NULL). */
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene);
 
-/* Bounds in the world, rounded outwards, of object `index` (not a plane). */
+/* Bounds in the world of object `index`: rounded outwards and a unit of 2^-16 larger on every side; cut off
+ * where Q16.16 ends. A plane has none, nor has a mesh without faces. A mesh's faces are all looked at. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);
 
 #endif

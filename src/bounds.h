@@ -1,0 +1,36 @@
+/* bounds.h - boxes around objects, as the check and the builder of hierarchies need them. */
+#ifndef TIA_SRC_BOUNDS_H
+#define TIA_SRC_BOUNDS_H
+
+#include <tia/bvh.h>
+
+/* In the world, Q47.16: where an object is may be beyond Q16.16. */
+struct bounds_wide {
+    int64_t min[3], max[3];
+};
+
+/* Around all that is in it: nothing. */
+#define BOUNDS_NOTHING                                                                                                 \
+    (struct tia_bounds)                                                                                                \
+    {                                                                                                                  \
+        {INT32_MAX, INT32_MAX, INT32_MAX},                                                                             \
+        {                                                                                                              \
+            INT32_MIN, INT32_MIN, INT32_MIN                                                                            \
+        }                                                                                                              \
+    }
+
+void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
+
+/* Exact, in the mesh's own axes. */
+struct tia_bounds bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
+struct tia_bounds bounds_of_mesh(const struct tia_mesh *mesh);
+
+/* The object's box in the world, rounded outwards; `own` is the box of its mesh, for which NULL asks to find it.
+ * False: it has none, being a plane or a mesh without faces. */
+bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
+                     struct bounds_wide *bounds);
+
+/* A unit of 2^-16 larger on every side. False: Q16.16 does not hold it, and it is cut off. */
+bool bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out);
+
+#endif

@@ -1,0 +1,56 @@
+#include "tree.h"
+
+#include "split.h"
+
+/* A child that waits until what is below its sibling is done. */
+struct task {
+    uint32_t first, count; /* items */
+    uint32_t parent;       /* whose second child it becomes; its own number when it is none */
+    uint32_t depth;
+};
+
+/* At most SPLIT_ITEMS_MOST. */
+static void sort(uint32_t *items, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++) {
+        uint32_t item = items[i], k = i;
+        for (; k > 0 && items[k - 1] > item; k--)
+            items[k] = items[k - 1];
+        items[k] = item;
+    }
+}
+
+/* The most items that a node may have at `depth` so that all below it, halved again and again, end in time; at the
+ * last depth that is one, and no node is below it. */
+static uint32_t room(uint32_t depth)
+{
+    uint32_t left = TIA_BVH_DEPTH_MAX - depth;
+    return left < 24 ? UINT32_C(1) << left : TIA_OBJECTS_MAX;
+}
+
+struct tia_bvh_tree tree_build(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
+                               const struct tia_bounds *boxes)
+{
+    struct task tasks[TIA_BVH_DEPTH_MAX + 1] = {{0, count, 0, 0}};
+    uint32_t node_count = 0, waiting = count ? 1 : 0;
+
+    while (waiting) {
+        struct task task = tasks[--waiting];
+        const struct split_items part = {boxes, items + task.first, task.count};
+        uint32_t here = node_count++;
+        struct tia_bvh_node *node = &nodes[here];
+
+        if (task.parent != here)
+            nodes[task.parent].index = here;
+        *node = (struct tia_bvh_node){split_bounds(&part), task.first, task.count};
+        uint32_t left = split_items(&part, &node->bounds, room(task.depth + 1));
+        if (!left) {
+            sort(part.items, task.count);
+            continue;
+        }
+        node->count = 0;
+        tasks[waiting++] = (struct task){task.first + left, task.count - left, here, task.depth + 1};
+        tasks[waiting++] = (struct task){task.first, left, here + 1, task.depth + 1};
+    }
+    return (struct tia_bvh_tree){nodes, items, node_count, count};
+}

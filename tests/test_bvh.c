@@ -1,0 +1,202 @@
+/* tia_bvh_build: what every hierarchy must keep, hostile scenes, and its memory. */
+#include "hierarchy.h"
+
+static bool is_nothing(const struct tia_bounds *b)
+{
+    return b->max.x < b->min.x;
+}
+
+static bool contains(const struct tia_bounds *b, const struct tia_bounds *in)
+{
+    return is_nothing(in) || (b->min.x <= in->min.x && b->min.y <= in->min.y && b->min.z <= in->min.z &&
+                              b->max.x >= in->max.x && b->max.y >= in->max.y && b->max.z >= in->max.z);
+}
+
+/* How often each item was met. */
+static unsigned char met[MOST + 40];
+static uint32_t deepest, met_nodes;
+
+static void check_leaf(const struct tia_bvh_tree *tree, const struct tia_mesh *mesh, const struct tia_bvh_node *node)
+{
+    CHECK(node->index + node->count <= tree->item_count);
+    for (uint32_t i = 0; i < node->count; i++) {
+        uint32_t item = tree->items[node->index + i];
+        struct tia_bounds box = box_of(mesh, item);
+        CHECK(i == 0 || tree->items[node->index + i - 1] < item);
+        CHECK(contains(&node->bounds, &box));
+        met[item]++;
+    }
+}
+
+static void check_node(const struct tia_bvh_tree *tree, const struct tia_mesh *mesh, uint32_t index, uint32_t depth)
+{
+    const struct tia_bvh_node *node = &tree->nodes[index];
+
+    met_nodes++;
+    deepest = depth > deepest ? depth : deepest;
+    CHECK(depth <= TIA_BVH_DEPTH_MAX);
+    if (check_failed > 0)
+        return;
+    if (node->count) {
+        check_leaf(tree, mesh, node);
+        return;
+    }
+    CHECK(node->index > index + 1 && node->index < tree->node_count);
+    CHECK(contains(&node->bounds, &tree->nodes[index + 1].bounds));
+    CHECK(contains(&node->bounds, &tree->nodes[node->index].bounds));
+    check_node(tree, mesh, index + 1, depth + 1);
+    check_node(tree, mesh, node->index, depth + 1);
+}
+
+static void check_tree(const struct tia_bvh_tree *tree, const struct tia_mesh *mesh)
+{
+    deepest = met_nodes = 0;
+    memset(met, 0, sizeof met);
+    if (tree->node_count)
+        check_node(tree, mesh, 0, 0);
+    CHECK_EQ(met_nodes, tree->node_count);
+    for (uint32_t i = 0; i < tree->item_count; i++)
+        CHECK_EQ(met[tree->items[i]], 1);
+}
+
+/* Every object once, in the tree or beside it. */
+static void check_all(void)
+{
+    uint32_t count = scene.sphere_count + scene.shape_count;
+
+    for (uint32_t i = 0; i < scene.mesh_count; i++) {
+        CHECK_EQ(bvh->meshes[i].item_count, meshes[i].face_count);
+        check_tree(&bvh->meshes[i], &meshes[i]);
+    }
+    check_tree(&bvh->objects, NULL);
+    for (uint32_t i = 0; i < bvh->plane_count; i++) {
+        CHECK(i == 0 || bvh->planes[i - 1] < bvh->planes[i]);
+        met[bvh->planes[i]]++;
+    }
+    CHECK_EQ(bvh->objects.item_count + bvh->plane_count, count);
+    for (uint32_t i = 0; i < count; i++)
+        CHECK_EQ(met[i], 1);
+}
+
+TEST(spheres_of_all_counts)
+{
+    for (uint32_t count = 0; count < 40; count++) {
+        set_spheres(count);
+        build();
+        check_all();
+        CHECK(count || !bvh->objects.node_count);
+    }
+    set_spheres(MOST);
+    build();
+    check_all();
+    CHECK(deepest < 32 && bvh->objects.node_count > MOST / 4);
+}
+
+TEST(everything)
+{
+    set_everything();
+    build();
+    check_all();
+    CHECK_EQ(bvh->plane_count, 8 - 2 + 1); /* 0, 5, ... 35 without 0 and 35; and 38 */
+    CHECK_EQ(bvh->planes[0], 105);
+    CHECK_EQ(bvh->planes[6], 138);
+    CHECK_EQ(bvh->meshes[1].node_count, 0);
+    CHECK_EQ(bvh->meshes[2].node_count, 1);
+}
+
+TEST(memory_as_promised)
+{
+    set_everything();
+    size_t size = tia_bvh_size(&scene);
+    unsigned char *room = malloc(size), *again = malloc(size);
+    const struct tia_bvh *one, *two;
+    size_t used_again;
+
+    CHECK_EQ(tia_bvh_build(&one, room, size - 1, &used, &scene), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_bvh_build(&one, room, 0, &used, &scene), TIA_ERR_MEMORY);
+    /* malloc'ed exactly: a sanitizer sees a byte too far */
+    CHECK_EQ(tia_bvh_build(&one, room, size, &used, &scene), TIA_OK);
+    memset(again, 0xff, size);
+    CHECK_EQ(tia_bvh_build(&two, again, size, &used_again, &scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&two, again, size, NULL, &scene), TIA_OK);
+    CHECK_EQ(used, used_again);
+    /* What is beyond `used` belongs to the caller again. */
+    memset(room + used, 0, size - used);
+    memset(again + used, 0xff, size - used);
+    CHECK_EQ(one->objects.node_count, two->objects.node_count);
+    CHECK(!memcmp(one->objects.nodes, two->objects.nodes, one->objects.node_count * sizeof(struct tia_bvh_node)));
+    CHECK(!memcmp(one->objects.items, two->objects.items, one->objects.item_count * sizeof(uint32_t)));
+    for (int i = 0; i < 3; i++) {
+        const struct tia_bvh_tree *a = &one->meshes[i], *b = &two->meshes[i];
+        CHECK(a->node_count == b->node_count && a->item_count == b->item_count);
+        CHECK(!memcmp(a->nodes, b->nodes, a->node_count * sizeof *a->nodes));
+        CHECK(!memcmp(a->items, b->items, a->item_count * sizeof *a->items));
+    }
+    bvh = one;
+    check_all();
+    free(room);
+    free(again);
+}
+
+TEST(one_place)
+{
+    set_spheres(MOST);
+    for (uint32_t i = 0; i < MOST; i++)
+        spheres[i] = (struct tia_sphere){{7, 8, 9}, 100 + (tia_q16)(i % 3), 0};
+    build();
+    check_all();
+    CHECK(deepest <= 13); /* halves: 20000 / 2^12 are 5 */
+    for (uint32_t i = 0; i < bvh->objects.node_count; i++)
+        CHECK(bvh->objects.nodes[i].count <= 8);
+}
+
+/* Each sphere twice as far away as the one before, in every direction; many at every distance. */
+TEST(exponential_spacing)
+{
+    set_spheres(MOST);
+    for (uint32_t i = 0; i < MOST; i++) {
+        tia_q16 far = (tia_q16)(UINT32_C(1) << (i % 30));
+        spheres[i].centre = (struct tia_vec3){i & 64 ? far : 0, i & 128 ? -far : 0, i & 256 ? far : 0};
+        spheres[i].radius = i & 512 ? 64 : far / 2 + 64;
+    }
+    build();
+    check_all();
+    CHECK(deepest <= TIA_BVH_DEPTH_MAX);
+}
+
+TEST(ends_of_the_numbers)
+{
+    set_spheres(1000);
+    for (uint32_t i = 0; i < 1000; i++) {
+        spheres[i].centre = (struct tia_vec3){i & 1 ? INT32_MAX - 5000 : INT32_MIN + 5000,
+                                              i & 2 ? INT32_MAX - 5000 : INT32_MIN + 5000, number(INT32_MAX - 70000)};
+        spheres[i].radius = 64 + (tia_q16)(any() % 4900);
+    }
+    spheres[30].radius = 5000; /* no room for the margin */
+    spheres[40].radius = 4998;
+    build();
+    check_all();
+    CHECK(bvh->plane_count == 1 && bvh->planes[0] == 30);
+}
+
+TEST(too_large_for_the_machine)
+{
+    scene = (struct tia_scene){.meshes = meshes, .mesh_count = 1};
+    meshes[0] = (struct tia_mesh){.face_count = TIA_OBJECTS_MAX};
+    /* 4 bytes an item, two nodes of 32, a box of 24 */
+    CHECK(tia_bvh_size(&scene) >= (size_t)92 * TIA_OBJECTS_MAX - 32 &&
+          tia_bvh_size(&scene) < (size_t)93 * TIA_OBJECTS_MAX);
+}
+
+int main(void)
+{
+    RUN(spheres_of_all_counts);
+    RUN(everything);
+    RUN(memory_as_promised);
+    RUN(one_place);
+    RUN(exponential_spacing);
+    RUN(ends_of_the_numbers);
+    RUN(too_large_for_the_machine);
+    free(memory);
+    return check_status();
+}
