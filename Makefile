@@ -84,7 +84,7 @@ endif
 
 # ---- sources: one object per file and arithmetic ----
 CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c src/read/*.c src/check/*.c src/bvh/*.c))
-PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c) \
+PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c) \
              $(wildcard src/read/*.c src/check/*.c src/bvh/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
