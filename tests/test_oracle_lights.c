@@ -240,16 +240,25 @@ TEST(lights_cast_no_shadow)
     NEAR(floor_at(0, 0).channel[1], 1);
 }
 
+static uint32_t cell; /* of the texture, where texture_at looked last */
+
+static double texture_at(const struct tia_texture *t, double u, double v)
+{
+    return oracle_texture(t, u, v, &cell).channel[0];
+}
+
 /* 1 x 1 cells; floor(-0.5) + floor(0.5) = -1 is odd. The floor's u is its z, its v its x. */
 TEST(checker)
 {
     struct tia_texture t = {
         .kind = TIA_CHECKER, .repeat = {TIA_Q16(1), TIA_Q16(2)}, .cells = {TIA_RGB(1, 0, 0), TIA_RGB(0.25, 0, 0)}};
 
-    NEAR(oracle_texture(&t, 0.5, 0.25).channel[0], 1);
-    NEAR(oracle_texture(&t, 0.5, 0.75).channel[0], 0.25);
-    NEAR(oracle_texture(&t, -0.5, 0.25).channel[0], 0.25);
-    NEAR(oracle_texture(&t, -0.5, -0.25).channel[0], 1);
+    NEAR(texture_at(&t, 0.5, 0.25), 1);
+    CHECK_EQ(cell, 0);
+    NEAR(texture_at(&t, 0.5, 0.75), 0.25);
+    CHECK_EQ(cell, 1);
+    NEAR(texture_at(&t, -0.5, 0.25), 0.25);
+    NEAR(texture_at(&t, -0.5, -0.25), 1);
     begin(TIA_POINT_LIGHT);
     scene.textures = &t;
     materials[0].texture = 1;
@@ -267,16 +276,19 @@ TEST(image)
     struct tia_texture t = {
         .kind = TIA_IMAGE, .repeat = {TIA_Q16(1), TIA_Q16(1)}, .width = 2, .height = 2, .texels = texels};
 
-    NEAR(oracle_texture(&t, 0.1, 0.1).channel[0], 0);
-    NEAR(oracle_texture(&t, 0.9, 0.1).channel[0], 1);
-    NEAR(oracle_texture(&t, 0.1, 0.9).channel[0], 0.2);
-    NEAR(oracle_texture(&t, -0.1, -0.1).channel[0], 0.4);
+    NEAR(texture_at(&t, 0.1, 0.1), 0);
+    NEAR(texture_at(&t, 0.9, 0.1), 1);
+    NEAR(texture_at(&t, 0.1, 0.9), 0.2);
+    CHECK_EQ(cell, 2);
+    NEAR(texture_at(&t, -0.1, -0.1), 0.4);
+    CHECK_EQ(cell, 3);
     t.bilinear = true;
-    NEAR(oracle_texture(&t, 0.75, 0.25).channel[0], 1);
-    NEAR(oracle_texture(&t, 0.5, 0.25).channel[0], 0.5);
-    NEAR(oracle_texture(&t, 0.5, 0.5).channel[0], (0 + 1 + 0.2 + 0.4) / 4);
-    NEAR(oracle_texture(&t, 0.25 + 0.125, 0.25).channel[0], 0.25);
-    NEAR(oracle_texture(&t, 1, 0.25).channel[0], 0.5); /* around the edge */
+    NEAR(texture_at(&t, 0.75, 0.25), 1);
+    CHECK_EQ(cell, ORACLE_BLENDED);
+    NEAR(texture_at(&t, 0.5, 0.25), 0.5);
+    NEAR(texture_at(&t, 0.5, 0.5), (0 + 1 + 0.2 + 0.4) / 4);
+    NEAR(texture_at(&t, 0.25 + 0.125, 0.25), 0.25);
+    NEAR(texture_at(&t, 1, 0.25), 0.5); /* around the edge */
 }
 
 static struct oracle_vec towards(const struct tia_camera *camera, double x, double y)

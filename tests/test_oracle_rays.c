@@ -259,18 +259,18 @@ TEST(smooth_mirror)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.5, 0, 0);
 }
 
-/* FNV-1a over the words 0, 1, 0 for an object that one of two lights reaches, then the background in the
- * mirror; alone, the second light. */
+/* FNV-1a over the words 0, 0, 1, 0 for an object, its only part, and that one of two lights reaches it, then
+ * the background in the mirror; alone, the second light. */
 TEST(path)
 {
     struct tia_scene alone;
-    uint32_t want = UINT32_C(2166136261), words[] = {0, 1, 0, TIA_NO_OBJECT, TIA_NO_OBJECT - 2};
+    uint32_t want = UINT32_C(2166136261), words[] = {0, 0, 1, 0, TIA_NO_OBJECT, TIA_NO_OBJECT - 2};
 
     begin(1, 2);
     shapes[0] = wall(-2, MIRROR);
     lights[0] = (struct tia_light){.centre = TIA_VEC3(0, 5, 0), .emission = WHITE};
     lights[1] = (struct tia_light){.centre = TIA_VEC3(0, 5, -5), .emission = WHITE};
-    for (int i = 0; i < 16; i++)
+    for (int i = 0; i < 20; i++)
         want = (want ^ (words[i / 4] >> i % 4 * 8 & 255)) * 16777619u;
     CHECK_EQ(oracle_look(&scene, 1, 1, 0, 0).reached, want);
     alone = scene;
@@ -283,7 +283,7 @@ TEST(path)
                                    .direction = {0, 0, TIA_Q30(1)}};
     want = UINT32_C(2166136261);
     for (int i = 0; i < 4; i++)
-        want = (want ^ (words[4] >> i % 4 * 8 & 255)) * 16777619u;
+        want = (want ^ (words[5] >> i % 4 * 8 & 255)) * 16777619u;
     struct oracle_pixel p = oracle_pixel(&alone, 1, 1, 0, 0, false);
     CHECK_EQ(p.reached, want);
     CHECK_EQ(p.object, 1);

@@ -147,6 +147,7 @@ TEST(caps)
     NEAR(h.v, 0.5);
     CHECK(meets(&s, ray(0, 1, 0, 0, 1, 0), &h)); /* from inside */
     NEAR(h.t, 3);
+    CHECK_EQ(h.part, 2);
 }
 
 /* x^2 + z^2 = (1 - y)^2: the side falls at 45 degrees. */
@@ -173,6 +174,7 @@ TEST(cone)
     NEAR(h.t, 1);
     NEAR_VEC(h.normal, 0, -1, 0);
     NEAR(h.v, 0.5);
+    CHECK_EQ(h.part, 1);
 }
 
 /* Parallel to the far side of the cone, so that the quadratic's first coefficient is 0. */
@@ -201,10 +203,12 @@ TEST(box)
     NEAR_VEC(h.normal, 0, 1, 0);
     NEAR(h.u, 0.25); /* (x, z) */
     NEAR(h.v, 0.75);
+    CHECK_EQ(h.part, 3);
     CHECK(meets(&s, ray(-9, 0.5, -2.5, 1, 0, 0), &h));
     NEAR_VEC(h.normal, -1, 0, 0);
     NEAR(h.u, 0.75); /* (z, y) */
     NEAR(h.v, 0.25);
+    CHECK_EQ(h.part, 0);
     CHECK(meets(&s, ray(0, 1, -3, 1, 0, 0), &h)); /* from inside */
     NEAR(h.t, 3);
     NEAR_VEC(h.normal, 1, 0, 0);
@@ -250,6 +254,7 @@ TEST(mesh)
         faces[1].corner[i].normal = faces[1].corner[i].uv = TIA_NO_INDEX;
     CHECK(meets(&s, ray(1, 1, 0, 0, 0, -1), &h));
     NEAR_VEC(h.smooth, 0, 0, 1);
+    CHECK_EQ(h.part, 1);
     NEAR(h.u, 0.25);
     NEAR(h.v, 0.5);
 }
@@ -273,6 +278,7 @@ TEST(grid)
     NEAR_VEC(h.normal, -1, 0, 0);
     CHECK_EQ(h.material, 8);
     CHECK(meets(&s, ray(5, 1, 1, 1, 0, 0), &h)); /* into the empty one */
+    CHECK_EQ(h.part, 6 * 2 + 1);
     NEAR(h.t, 1);
     NEAR_VEC(h.normal, 1, 0, 0);
     CHECK_EQ(h.material, 8);

@@ -42,9 +42,13 @@ struct tia_options {
  * By general rays: a hash, FNV-1a, of 32-bit words, each as four bytes, the lowest first: from 2166136261
  * on, (hash ^ byte) * 16777619 for each byte. For each sample of the pixel in order, for each of its rays,
  * the reflected one and all that comes of it before the refracted one: the index of the object hit,
- * TIA_NO_OBJECT for the background, TIA_NO_OBJECT - 1 - n for light n. After an object, for each light but
- * the ambient ones, for each of its samples, in order: 1 when it arrives, that is G.L > 0 and N.L > 0 (see
- * material.h), a spot light shines that way, and T is not black; else 0. */
+ * TIA_NO_OBJECT for the background, TIA_NO_OBJECT - 1 - n for light n. After an object
+ *   - its part: a box's face, 2 axis + 1 on the side of its maximum; 0, 1, 2 for the side, the base and
+ *     the top of a cylinder or cone; a mesh's face; 6 times a grid's cell, plus the face; else 0;
+ *   - where its colour is not black, of a checker 0 or 1, of an image without `bilinear` the texel, counted
+ *     row by row from 0;
+ *   - for each light but the ambient ones, for each of its samples, in order: 1 when it arrives, that is
+ *     G.L > 0 and N.L > 0 (see material.h), a spot light shines that way, and T is not black; else 0. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */

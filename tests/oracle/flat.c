@@ -30,6 +30,7 @@ static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec ma
     }
     struct oracle_vec n = axis_vec(axis, sign);
     *hit = (struct hit){.t = t, .normal = n, .smooth = n};
+    hit->part = 2u * (unsigned)axis + (sign > 0);
     hit->u = axis == 0 ? part[2] : part[0];
     hit->v = axis == 1 ? part[2] : part[1];
     return true;
@@ -100,9 +101,15 @@ bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit)
             continue;
         met = true;
         interpolate(mesh, c, &face);
+        face.part = i;
         *hit = face;
     }
     return met;
+}
+
+static size_t cell_index(const struct tia_grid *grid, const int at[3])
+{
+    return ((size_t)at[2] * grid->size[1] + (size_t)at[1]) * grid->size[0] + (size_t)at[0];
 }
 
 /* What is in cell (x, y, z): 0 when empty or outside. */
@@ -111,7 +118,7 @@ static unsigned cell(const struct tia_grid *grid, const int at[3])
     for (int i = 0; i < 3; i++)
         if (at[i] < 0 || at[i] >= grid->size[i])
             return 0;
-    return grid->cells[((size_t)at[2] * grid->size[1] + (size_t)at[1]) * grid->size[0] + (size_t)at[0]];
+    return grid->cells[cell_index(grid, at)];
 }
 
 /* The nearest of a filled cell's faces that are surface: a front where the neighbour differs, a back
@@ -155,6 +162,7 @@ bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit)
                 met = true;
                 *hit = found;
                 hit->material = filled - 1;
+                hit->part += 6 * (uint32_t)cell_index(grid, at);
             }
     return met;
 }

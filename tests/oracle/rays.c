@@ -19,6 +19,7 @@ struct surface {
     double cosine;                /* N.V */
     struct colour colour;         /* with its texture */
     bool front;
+    uint32_t cell; /* of the texture */
 };
 
 static struct colour trace(struct look *look, struct ray ray, struct colour weight, unsigned bounces);
@@ -194,8 +195,10 @@ static struct surface surface_at(const struct tia_scene *scene, struct ray ray, 
     s.n = scaled(hit->smooth, s.front ? 1 : -1);
     s.cosine = dot(s.n, s.v);
     s.colour = rgb(s.material->colour);
-    if (s.material->texture != 0)
-        s.colour = product(s.colour, oracle_texture(&scene->textures[s.material->texture - 1], hit->u, hit->v));
+    s.cell = ORACLE_BLENDED;
+    if (s.material->texture != 0 && !is_black(s.colour))
+        s.colour =
+            product(s.colour, oracle_texture(&scene->textures[s.material->texture - 1], hit->u, hit->v, &s.cell));
     return s;
 }
 
@@ -205,6 +208,9 @@ static struct colour shade(struct look *look, struct ray ray, const struct hit *
     struct surface s = surface_at(look->scene, ray, hit);
     struct colour sum = rgb(s.material->emission);
 
+    feed(&look->path, hit->part);
+    if (s.cell != ORACLE_BLENDED)
+        feed(&look->path, s.cell);
     add(&sum, s.cosine > 0 ? s.cosine : 0, rgb(s.material->facing));
     add_lights(look, &s, &sum);
     add_secondary(look, &s, weight, bounces, &sum);

@@ -19,8 +19,9 @@ struct ray oracle_camera(const struct tia_camera *camera, unsigned width, unsign
 /* Sample n of a pixel whose upper left corner is (0, 0), of samples a pixel, 1, 4 or 16. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
 
-/* The texture at surface coordinates u, v. */
-struct colour oracle_texture(const struct tia_texture *texture, double u, double v);
+/* The texture at surface coordinates u, v; *cell is the texel, the checker's colour, or ORACLE_BLENDED. */
+#define ORACLE_BLENDED UINT32_MAX
+struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
 
 /* The part of unpolarised light that is reflected where it passes, at an angle of that cosine, from index n1
  * to n2; 1 when it cannot pass. */

@@ -134,7 +134,9 @@ bool shape_cone(struct ray ray, struct oracle_vec base, struct oracle_vec top, d
     for (int i = 0; i < 3; i++)
         if (met[i] && (nearest < 0 || found[i].t < found[nearest].t))
             nearest = i;
-    if (nearest >= 0)
-        *hit = found[nearest];
-    return nearest >= 0;
+    if (nearest < 0)
+        return false;
+    *hit = found[nearest];
+    hit->part = (uint32_t)nearest;
+    return true;
 }

@@ -1,11 +1,18 @@
 /* texture.c - what a texture multiplies a colour with. */
 #include "oracle/rays.h"
 
-static struct colour texel(const struct tia_texture *texture, double x, double y)
+/* The index of a texel, wherever the whole numbers x and y are. */
+static uint32_t texel_index(const struct tia_texture *texture, double x, double y)
 {
     double w = texture->width, h = texture->height;
-    size_t column = (size_t)(x - w * floor(x / w)), row = (size_t)(y - h * floor(y / h));
-    const uint8_t *p = texture->texels + 3 * (row * texture->width + column);
+    uint32_t column = (uint32_t)(x - w * floor(x / w)), row = (uint32_t)(y - h * floor(y / h));
+
+    return row * texture->width + column;
+}
+
+static struct colour texel(const struct tia_texture *texture, uint32_t index)
+{
+    const uint8_t *p = texture->texels + 3 * (size_t)index;
 
     return (struct colour){{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0}};
 }
@@ -18,7 +25,7 @@ static struct colour bilinear(const struct tia_texture *texture, double x, doubl
 
     for (int i = 0; i < 4; i++) {
         double right = i % 2, down = i / 2;
-        struct colour c = texel(texture, left + right, top + down);
+        struct colour c = texel(texture, texel_index(texture, left + right, top + down));
         double weight = (1 - fabs(x - left - right)) * (1 - fabs(y - top - down));
         for (int k = 0; k < 3; k++)
             sum.channel[k] += weight * c.channel[k];
@@ -26,13 +33,17 @@ static struct colour bilinear(const struct tia_texture *texture, double x, doubl
     return sum;
 }
 
-struct colour oracle_texture(const struct tia_texture *texture, double u, double v)
+struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell)
 {
     u *= q16(texture->repeat[0]);
     v *= q16(texture->repeat[1]);
-    if (texture->kind == TIA_CHECKER)
-        return rgb(texture->cells[fmod(floor(u) + floor(v), 2.0) != 0]);
+    if (texture->kind == TIA_CHECKER) {
+        *cell = fmod(floor(u) + floor(v), 2.0) != 0;
+        return rgb(texture->cells[*cell]);
+    }
+    *cell = ORACLE_BLENDED;
     if (texture->bilinear)
         return bilinear(texture, u * texture->width - 0.5, v * texture->height - 0.5);
-    return texel(texture, floor(u * texture->width), floor(v * texture->height));
+    *cell = texel_index(texture, floor(u * texture->width), floor(v * texture->height));
+    return texel(texture, *cell);
 }
