@@ -14,11 +14,11 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
     return TIA_ERR_ARGUMENT;
 }
 
-static void locate(struct tia_reader *reader, const struct tia_fault *fault)
+static void locate(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
 {
     switch (reader->format) {
     case TIA_FORMAT_TIA:
-        tia_locate_tia(reader, fault);
+        tia_locate_tia(reader, fault, arena);
         break;
     case TIA_FORMAT_NFF:
         tia_locate_nff(reader, fault);
@@ -30,7 +30,7 @@ static void locate(struct tia_reader *reader, const struct tia_fault *fault)
 }
 
 /* The check of what came out; its fault becomes the reader's error. */
-static int check(struct tia_reader *reader, const struct tia_scene *scene)
+static int check(struct tia_reader *reader, const struct tia_scene *scene, struct tia_arena *arena)
 {
     struct tia_read_error *error = &reader->error;
     struct tia_fault fault;
@@ -38,7 +38,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene)
     if (tia_scene_check(scene, &fault) == TIA_OK)
         return TIA_OK;
     *error = (struct tia_read_error){{0}, 0, 0, {0}};
-    locate(reader, &fault);
+    locate(reader, &fault, arena);
     tia_say(error, fault.thing);
     if (!error->line) { /* nothing else tells which one */
         tia_say(error, " ");
@@ -67,5 +67,5 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = arena.used;
     if (status)
         return status;
-    return tia_arena_fits(&arena) ? check(reader, scene) : TIA_ERR_MEMORY;
+    return tia_arena_fits(&arena) ? check(reader, scene, &arena) : TIA_ERR_MEMORY;
 }

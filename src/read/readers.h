@@ -19,8 +19,9 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 
 /* The place of a thing at fault, as file (if not the scene's own text), line and column of
- * reader->error, which are "", 0 and 0 before: where that is not cheap, they stay so. */
-void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault);
+ * reader->error, which are "", 0 and 0 before: where that is not cheap, they stay so. The arena is as the reader left
+ * it. */
+void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena);
 void tia_locate_nff(struct tia_reader *reader, const struct tia_fault *fault);
 void tia_locate_obj(struct tia_reader *reader, const struct tia_fault *fault);
 

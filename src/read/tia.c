@@ -1,14 +1,235 @@
-/* tia.c - scenes in tia's own format, tia-scene(5). */
+/* tia.c - scenes in tia's own format, tia-scene(5): the passes, and which statement is read where. */
+#include "read/job.h"
 #include "read/readers.h"
 
-int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+static const struct statement {
+    const char *word;
+    int (*read)(struct tia_job *job);
+    bool once;
+} statements[] = {
+    {"sphere", tia_line_sphere, false},
+    {"instance", tia_line_instance, false},
+    {"triangle", tia_line_triangle, false},
+    {"box", tia_line_box, false},
+    {"plane", tia_line_plane, false},
+    {"disc", tia_line_disc, false},
+    {"cylinder", tia_line_cylinder, false},
+    {"cone", tia_line_cone, false},
+    {"mesh", tia_line_mesh, false},
+    {"grid", tia_line_grid, false},
+    {"material", tia_line_material, false},
+    {"texture", tia_line_texture, false},
+    {"light", tia_line_light, false},
+    {"key", tia_line_key, false},
+    {"animate", tia_line_animate, false},
+    {"camera", tia_line_camera, true},
+    {"background", tia_line_background, true},
+    {"samples", tia_line_samples, true},
+    {"depth", tia_line_depth, true},
+};
+#define STATEMENTS TIA_COUNT_OF(statements)
+
+static int refuse(struct tia_job *job, const struct tia_word *word)
 {
-    (void)scene, (void)arena;
-    tia_say(&reader->error, "the format .tia cannot be read yet, expected .tia");
+    struct tia_read_error *error = job->text.error;
+
+    (void)tia_text_error(&job->text, word, "is no statement", statements[0].word);
+    for (unsigned i = 1; i < STATEMENTS; i++) {
+        tia_say(error, i + 1 < STATEMENTS ? ", " : " or ");
+        tia_say(error, statements[i].word);
+    }
     return TIA_ERR_RANGE;
 }
 
-void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault)
+static int read_statement(struct tia_job *job, const struct tia_word *word)
 {
-    (void)reader, (void)fault;
+    unsigned i = 0;
+
+    while (i < STATEMENTS && !tia_word_is(word, statements[i].word))
+        i++;
+    if (i == STATEMENTS)
+        return refuse(job, word);
+    if (statements[i].once && job->once >> i & 1)
+        return tia_text_error(&job->text, word, "is here for a second time", "it once");
+    job->once |= UINT32_C(1) << i;
+    int status = statements[i].read(job);
+    return status ? status : tia_text_end(&job->text);
+}
+
+/* Whether the statement that was just read is what the job looks for. */
+static bool is_sought(const struct tia_job *job, const struct tia_word *word)
+{
+    if (job->sought_statement)
+        return tia_word_is(word, job->sought_statement);
+    return job->sought < TIA_ARRAYS && job->arrays[job->sought].count > job->sought_index;
+}
+
+static int read_pass(struct tia_job *job, enum tia_pass pass)
+{
+    struct tia_reader *reader = job->reader;
+    struct tia_word word;
+
+    job->pass = pass;
+    job->once = 0;
+    for (unsigned i = 0; i < TIA_ARRAYS; i++)
+        if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
+            tia_array_restart(&job->arrays[i]);
+    *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}};
+    job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
+    while (tia_text_line(&job->text)) {
+        (void)tia_text_word(&job->text, &word);
+        int status = read_statement(job, &word);
+        if (status)
+            return status;
+        if (job->seeking && pass == TIA_FILLING && is_sought(job, &word)) {
+            reader->error.line = word.line;
+            reader->error.column = word.column;
+            return TIA_OK;
+        }
+    }
+    return TIA_OK;
+}
+
+static int sort_names(struct tia_job *job)
+{
+    struct tia_array *names = &job->arrays[TIA_OF_NAMES], *animated = &job->arrays[TIA_OF_ANIMATED];
+    struct tia_name *first = (struct tia_name *)(void *)names->items;
+    const struct tia_name *twice;
+
+    tia_names_sort((struct tia_name *)(void *)animated->items, animated->count);
+    tia_names_sort(first, names->count);
+    twice = tia_names_twice(first, names->count);
+    return twice ? tia_text_error(&job->text, &twice->word, "is defined for a second time", "another name") : TIA_OK;
+}
+
+/* Tracks of shapes and lights hold the place of the name until its index is known. */
+static void resolve_tracks(struct tia_job *job)
+{
+    struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;
+    const struct tia_name *names = (const struct tia_name *)(const void *)job->arrays[TIA_OF_NAMES].items;
+
+    for (uint32_t i = 0; i < job->arrays[TIA_OF_TRACKS].count; i++)
+        if (tracks[i].target != TIA_MOVES_EYE && tracks[i].target != TIA_MOVES_REFERENCE)
+            tracks[i].index = names[tracks[i].index].index / 2;
+}
+
+static void set_arrays(struct tia_job *job)
+{
+    struct tia_scene *s = job->scene;
+
+    s->materials = tia_job_at(job, TIA_OF_MATERIALS, 0);
+    s->material_count = tia_job_count(job, TIA_OF_MATERIALS);
+    s->textures = tia_job_at(job, TIA_OF_TEXTURES, 0);
+    s->texture_count = tia_job_count(job, TIA_OF_TEXTURES);
+    s->spheres = tia_job_at(job, TIA_OF_SPHERES, 0);
+    s->sphere_count = tia_job_count(job, TIA_OF_SPHERES);
+    s->shapes = tia_job_at(job, TIA_OF_SHAPES, 0);
+    s->shape_count = tia_job_count(job, TIA_OF_SHAPES);
+    s->transforms = tia_job_at(job, TIA_OF_TRANSFORMS, 0);
+    s->transform_count = tia_job_count(job, TIA_OF_TRANSFORMS);
+    s->meshes = tia_job_at(job, TIA_OF_MESHES, 0);
+    s->mesh_count = tia_job_count(job, TIA_OF_MESHES);
+    s->grids = tia_job_at(job, TIA_OF_GRIDS, 0);
+    s->grid_count = tia_job_count(job, TIA_OF_GRIDS);
+    s->lights = tia_job_at(job, TIA_OF_LIGHTS, 0);
+    s->light_count = tia_job_count(job, TIA_OF_LIGHTS);
+    s->bindings = tia_job_at(job, TIA_OF_BINDINGS, 0);
+    s->binding_count = tia_job_count(job, TIA_OF_BINDINGS);
+    s->tracks = tia_job_at(job, TIA_OF_TRACKS, 0);
+    s->track_count = tia_job_count(job, TIA_OF_TRACKS);
+}
+
+static void size_arrays(struct tia_job *job)
+{
+    static const size_t sizes[TIA_ARRAYS] = {
+        [TIA_OF_MATERIALS] = sizeof(struct tia_material),
+        [TIA_OF_TEXTURES] = sizeof(struct tia_texture),
+        [TIA_OF_SPHERES] = sizeof(struct tia_sphere),
+        [TIA_OF_SHAPES] = sizeof(struct tia_shape),
+        [TIA_OF_TRANSFORMS] = sizeof(struct tia_transform),
+        [TIA_OF_MESHES] = sizeof(struct tia_mesh),
+        [TIA_OF_VERTICES] = sizeof(struct tia_vec3),
+        [TIA_OF_NORMALS] = sizeof(struct tia_dir3),
+        [TIA_OF_UVS] = sizeof(struct tia_uv),
+        [TIA_OF_FACES] = sizeof(struct tia_face),
+        [TIA_OF_GRIDS] = sizeof(struct tia_grid),
+        [TIA_OF_CELLS] = sizeof(uint8_t),
+        [TIA_OF_LIGHTS] = sizeof(struct tia_light),
+        [TIA_OF_BINDINGS] = sizeof(struct tia_binding),
+        [TIA_OF_TRACKS] = sizeof(struct tia_track),
+        [TIA_OF_KEYS] = sizeof(struct tia_keyframe),
+        [TIA_OF_NAMES] = sizeof(struct tia_name),
+        [TIA_OF_ANIMATED] = sizeof(struct tia_name),
+    };
+
+    for (unsigned i = 0; i < TIA_ARRAYS; i++)
+        job->arrays[i] = (struct tia_array){.item = sizes[i]};
+}
+
+/* All passes; where the memory does not fit, only the first one. */
+static int read_all(struct tia_job *job, struct tia_arena *arena)
+{
+    size_arrays(job);
+    int status = read_pass(job, TIA_COUNTING);
+    if (status)
+        return status;
+    for (unsigned i = 0; i < TIA_ARRAYS; i++)
+        (void)tia_array_place(arena, &job->arrays[i]);
+    if (!tia_arena_fits(arena))
+        return TIA_OK;
+    status = read_pass(job, TIA_NAMING);
+    status = status ? status : sort_names(job);
+    return status ? status : read_pass(job, TIA_FILLING);
+}
+
+int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+{
+    struct tia_job job = {.reader = reader, .scene = scene};
+    int status = read_all(&job, arena);
+
+    if (status || !tia_arena_fits(arena))
+        return status;
+    resolve_tracks(&job);
+    set_arrays(&job);
+    return TIA_OK;
+}
+
+/* A thing of tia_fault as what the job looks for. */
+static void seek(struct tia_job *job, const struct tia_fault *fault)
+{
+    static const struct {
+        const char *thing;
+        enum tia_job_array array;
+    } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
+                  {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
+                  {"grid", TIA_OF_GRIDS},         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
+                  {"track", TIA_OF_TRACKS}};
+    struct tia_word thing = {fault->thing, 0, 0, 0}, field = {fault->field, 0, 0, 0};
+
+    while (fault->thing[thing.length])
+        thing.length++;
+    while (fault->field[field.length])
+        field.length++;
+    job->seeking = true;
+    job->sought = TIA_ARRAYS;
+    job->sought_index = fault->index;
+    for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
+        if (tia_word_is(&thing, things[i].thing))
+            job->sought = things[i].array;
+    /* The fields of a scene, and the camera's samples, are statements of the same name. */
+    if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
+        job->sought_statement = fault->thing;
+    else if (job->sought == TIA_ARRAYS)
+        job->sought_statement = fault->field;
+}
+
+/* The scene is no more needed: its memory is read into again. */
+void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
+{
+    struct tia_scene scene;
+    struct tia_job job = {.reader = reader, .scene = &scene};
+
+    seek(&job, fault);
+    arena->used = 0;
+    (void)read_all(&job, arena);
 }

@@ -1,0 +1,79 @@
+/* job.c - a .tia file's arrays and names. */
+#include "read/job.h"
+
+uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array)
+{
+    return job->arrays[array].count;
+}
+
+uint32_t tia_job_add(struct tia_job *job, enum tia_job_array array, const void *item)
+{
+    uint32_t index = job->arrays[array].count;
+
+    tia_array_add(&job->arrays[array], item);
+    return index;
+}
+
+const void *tia_job_at(const struct tia_job *job, enum tia_job_array array, uint32_t index)
+{
+    const struct tia_array *a = &job->arrays[array];
+    return a->items ? a->items + index * a->item : NULL;
+}
+
+void tia_job_name(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index)
+{
+    struct tia_name entry = {*name, kind, index};
+
+    if (job->pass != TIA_FILLING)
+        (void)tia_job_add(job, TIA_OF_NAMES, &entry);
+}
+
+int tia_job_define(struct tia_job *job, enum tia_kind_of_name kind, uint32_t index)
+{
+    struct tia_word name;
+    int status = tia_text_name(&job->text, &name, "a name");
+
+    if (!status)
+        tia_job_name(job, kind, &name, index);
+    return status;
+}
+
+/* The names of an array, sorted by now. */
+static struct tia_name *find(const struct tia_job *job, enum tia_job_array array, enum tia_kind_of_name kind,
+                             const struct tia_word *name)
+{
+    const struct tia_array *names = &job->arrays[array];
+
+    if (job->pass != TIA_FILLING || !names->items)
+        return NULL;
+    return tia_names_find((struct tia_name *)(void *)names->items, names->count, kind, name);
+}
+
+int tia_job_find(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
+                 uint32_t *index)
+{
+    const struct tia_name *found = find(job, TIA_OF_NAMES, kind, name);
+
+    *index = found ? found->index : 0;
+    if (!found && job->pass == TIA_FILLING)
+        return tia_text_error(&job->text, name, "is not defined", expected);
+    return TIA_OK;
+}
+
+void tia_job_animate(struct tia_job *job, const struct tia_word *name)
+{
+    struct tia_name entry = {*name, TIA_NAMED_MOVER, 0};
+
+    if (job->pass != TIA_FILLING)
+        (void)tia_job_add(job, TIA_OF_ANIMATED, &entry);
+}
+
+bool tia_job_moves(const struct tia_job *job, const struct tia_word *name)
+{
+    return find(job, TIA_OF_ANIMATED, TIA_NAMED_MOVER, name) != NULL;
+}
+
+struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name)
+{
+    return find(job, TIA_OF_NAMES, TIA_NAMED_MOVER, name);
+}

@@ -1,0 +1,211 @@
+/* What a .tia file may do wrong: each error's line, column and text. */
+#include "reading.h"
+
+static struct reading now;
+
+static void check_refused(const char *text, const char *error)
+{
+    read_string(&now, TIA_FORMAT_TIA, text);
+    check_read_error(&now, error);
+}
+
+static void read_bytes(const char *bytes, size_t length)
+{
+    read_end(&now);
+    now = (struct reading){.reader = {.format = TIA_FORMAT_TIA, .text = bytes, .length = length}};
+    read_begin(&now);
+}
+
+#define M "material m\n"
+#define STATEMENTS                                                                                                     \
+    "sphere, instance, triangle, box, plane, disc, cylinder, cone, mesh, grid, material, texture, light, key, "        \
+    "animate, camera, background, samples or depth"
+
+TEST(statements)
+{
+    check_refused("\n  spher 1 2 3", "2:3: 'spher' is no statement, expected " STATEMENTS);
+    check_refused("depth 5 6", "1:9: '6' is too much, expected the end of the line");
+    check_refused("depth 5\ndepth 5", "2:1: 'depth' is here for a second time, expected it once");
+    check_refused("depth 17", "1:7: '17' is out of range, expected a whole number from 1 to 16");
+    check_refused("samples 2", "1:9: '2' is no number of samples, expected 1, 4 or 16");
+    check_refused("background", "1:11: the line ends here, expected a number from -2 to below 2");
+    check_refused("background 0.1 0.2", "1:19: the line ends here, expected a number from -2 to below 2");
+    check_refused("background 2", "1:12: '2' is out of range, expected a number from -2 to below 2");
+    check_refused("camera eye 0 0 0 up 0 1 0", "1:26: the line ends here, expected look, as there is up");
+    check_refused("camera frustum window -1 1 -1 1", "1:32: the line ends here, expected near");
+    check_refused("camera orthographic near 1",
+                  "1:21: 'near' is nothing that an orthographic camera has, expected eye, look, up or window");
+    check_refused("camera eye 0 zero 0", "1:14: 'zero' is no number, expected a number from -32768 to below 32768");
+}
+
+TEST(names)
+{
+    check_refused(M M, "2:10: 'm' is defined for a second time, expected another name");
+    check_refused("material", "1:9: the line ends here, expected a name");
+    check_refused("sphere radius 1 material m", "1:26: 'm' is not defined, expected the name of a material");
+    check_refused("material m texture t", "1:20: 't' is not defined, expected the name of a texture");
+    check_refused(M "instance m material m", "2:10: 'm' is not defined, expected the name of a mesh or grid");
+    check_refused("mesh x\nend\ngrid x size 1 1 1\nrow 0\nend",
+                  "3:6: 'x' is defined for a second time, expected another name");
+    check_refused(M "light name x at 0 5 0\nsphere radius 1 material m name x",
+                  "3:33: 'x' is defined for a second time, expected another name");
+    check_refused("light name camera at 0 5 0", "1:12: 'camera' is the camera's name, expected another");
+    check_refused(M "sphere radius 1 material m name camera", "2:33: 'camera' is the camera's name, expected another");
+}
+
+TEST(looks)
+{
+    check_refused("material m color 1",
+                  "1:12: 'color' is nothing that a material has, expected colour, texture, specular, "
+                  "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
+    check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is here for a second time, expected it once");
+    check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker or image");
+    check_refused("texture t", "1:10: the line ends here, expected checker or image");
+    check_refused("texture t checker repeat 1 2 3",
+                  "1:30: '3' is nothing that a checker has, expected even, odd or repeat");
+    check_refused("texture t image", "1:16: the line ends here, expected an image's file");
+    check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");
+}
+
+TEST(shapes)
+{
+    check_refused(M "sphere material m", "2:18: the line ends here, expected radius");
+    check_refused(M "sphere radius 1", "2:16: the line ends here, expected material");
+    check_refused(M "plane point 0 0 0 normal 0 0 0 material m",
+                  "2:26: '0' begins a direction of no length, expected three numbers that are not all 0");
+    check_refused(M "plane point 0 0 0 normal 0 1 0 material m at 0 0 0",
+                  "2:43: 'at' is nothing that a plane has, expected material, point or normal");
+    check_refused(M "box min 0 0 0 max 1 1 1 1 material m",
+                  "2:25: '1' is nothing that a box has, expected material, name, at, rotate, scale, min or max");
+    check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 material m",
+                  "2:35: 'material' is no number, expected a number from -32768 to below 32768");
+}
+
+TEST(solids)
+{
+    check_refused("mesh a\nvertex 0 0 0\n",
+                  "3:1: the text ends within a block, expected vertex, normal, uv, face or end");
+    check_refused("mesh a\nvertex 0 0 0\nsphere radius 1\nend",
+                  "3:1: 'sphere' is no line of a mesh, expected vertex, normal, uv, face or end");
+    check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number from -32768 to below 32768");
+    check_refused("mesh a\nvertex 0 0 0\nface 1 2 1\nend",
+                  "3:8: '2' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nface 1 0 1\nend",
+                  "3:8: '0' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nface 1 -1 1\nend",
+                  "3:8: '-1' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nuv 0 0\nface 1/1 1/18446744073709551617\nend",
+                  "4:12: '18446744073709551617' is not there, expected the number of a uv of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nnormal 0 0 1\nface 1//2\nend",
+                  "4:9: '2' is not there, expected the number of a normal of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nnormal 0 0 1\nface 1//1 1//1 1\nend",
+                  "4:16: '1' is not like the first corner, expected uv and normal in all corners or in none");
+    check_refused("mesh a\nvertex 0 0 0\nface 1 1\nend",
+                  "3:9: the line ends here, expected the number of a vertex of the mesh, from 1 to 1");
+    check_refused("mesh a\nvertex 0 0 0\nface 1x\nend",
+                  "3:7: 'x' is too much, expected vertex, vertex/uv, vertex//normal or vertex/uv/normal");
+    check_refused("grid g size 1 1 1025", "1:17: '1025' is out of range, expected a whole number from 1 to 1024");
+    check_refused("grid g size 2 1 1\nrow 0\nend", "2:6: the line ends here, expected a whole number from 0 to 255");
+    check_refused("grid g size 1 1 1\nrow 256\nend",
+                  "2:5: '256' is out of range, expected a whole number from 0 to 255");
+    check_refused("grid g size 1 1 1\nend", "2:1: 'end' is not the next line of the grid, expected row");
+    check_refused("grid g size 1 1 1\nrow 0\nrow 0", "3:1: 'row' is not the next line of the grid, expected end");
+    check_refused("grid g size 1 1 1\nrow 0", "2:6: the text ends within a block, expected end");
+}
+
+TEST(lights)
+{
+    check_refused("light", "1:6: the line ends here, expected at");
+    check_refused("light ambient at 0 0 0",
+                  "1:15: 'at' is nothing that an ambient light has, expected name or emission");
+    check_refused("light spot at 0 0 0 direction 0 1 0", "1:36: the line ends here, expected outer");
+    check_refused("light disc at 0 5 0 direction 0 1 0 radius 1 samples 257",
+                  "1:54: '257' is out of range, expected a whole number from 1 to 256");
+    check_refused("key A light 1 at 0 0 0",
+                  "1:5: 'A' is no key, expected a small letter, a digit, left, right, up, down, "
+                  "page-up or page-down");
+    check_refused("key a lamp 1 at 0 0 0", "1:7: 'lamp' is nothing that a key puts, expected light");
+    check_refused("key a light 0 at 0 0 0", "1:13: '0' is out of range, expected a whole number from 1 to 65536");
+    check_refused("key a light 1 at 0 0 0 name x",
+                  "1:24: 'name' is nothing that a point light has, expected emission, at, attenuation or radius");
+}
+
+TEST(motion)
+{
+    check_refused("animate ball at 0: 0 0 0",
+                  "1:9: 'ball' is not defined, expected the name of a shape or light, or camera");
+    check_refused("light name l at 0 5 0\nanimate l scale 0: 1",
+                  "2:11: 'scale' is nothing that moves, expected at or direction, "
+                  "of a light");
+    check_refused("animate camera at 0: 0 0 0",
+                  "1:16: 'at' is nothing that moves, expected eye or look, of the camera");
+    check_refused("animate camera eye", "1:19: the line ends here, expected seconds and a colon, as in 2.5:");
+    check_refused("animate camera eye smooth 0 0 0", "1:27: '0' is no time, expected seconds and a colon, as in 2.5:");
+    check_refused("animate camera eye :", "1:20: ':' is no time, expected seconds and a colon, as in 2.5:");
+    check_refused("animate camera eye -1: 0 0 0", "1:20: '-1:' is out of range, expected 0 to below 32768 seconds");
+    check_refused("animate camera eye 32768: 0 0 0",
+                  "1:20: '32768:' is out of range, expected 0 to below 32768 seconds");
+    check_refused("animate camera eye 1: 0 0 0 1: 0 0 0",
+                  "1:29: '1:' is not after the time before it, expected rising times");
+    check_refused("animate camera eye 1: 0 0",
+                  "1:26: the line ends here, expected a number from -32768 to below 32768");
+}
+
+TEST(faults_of_the_scene)
+{
+    check_refused(M "\nsphere radius 1 material m\n  sphere radius 0 material m",
+                  "4:3: sphere: radius: must be at least 2^-10");
+    check_refused(M "sphere radius 0 material m name ball\nsphere radius 1 material m name other\n"
+                    "animate other at 0: 0 0 0",
+                  "2:1: sphere: radius: must be at least 2^-10");
+    check_refused(M "material n colour 0.5 1.5 0", "2:1: material: colour: each channel must be in 0..1");
+    check_refused("\n\nbackground -0.5", "3:1: scene: background: each channel must be in 0..1");
+    check_refused("samples 4\ncamera fov 200", "2:1: camera: fov: must be in 1..170 degrees");
+    check_refused("key a light 1 at 0 0 0 radius 0.0001", "1:1: key: radius: must be 0 or at least 2^-10");
+    check_refused(M "light ambient\nlight at 30000 30000 0",
+                  "3:1: light: centre: every point must be nearer to the eye than 32768");
+}
+
+TEST(bytes_that_are_no_text)
+{
+    static const char bytes[] = "\0\xff\xfe\x01\n";
+    char lengthy[5000];
+
+    read_bytes(bytes, sizeof bytes);
+    check_read_error(&now, "1:1: '?\?\?\?' is no statement, expected " STATEMENTS);
+    memset(lengthy, '9', sizeof lengthy);
+    memcpy(lengthy, "background ", 11);
+    read_bytes(lengthy, sizeof lengthy);
+    check_read_error(&now, "1:12: '9999999999999999999999999999999999999999...' is out of range, expected a number "
+                           "from -2 to below 2");
+    memset(lengthy, '\n', sizeof lengthy);
+    read_bytes(lengthy, sizeof lengthy);
+    CHECK_EQ(now.status, TIA_OK);
+}
+
+TEST(texts_that_are_cut_off)
+{
+    static const char text[] = M "mesh a\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nface 1 2 3\nend\n"
+                                 "grid g size 1 1 1\nrow 1\nend\ninstance a material m at 1 2 -3 name ball\n"
+                                 "animate ball at smooth 0: 0 0 0 \\\n 1: 0 3 0\nlight spot at 0 5 0 direction 0 -1 0 "
+                                 "outer 30\nkey a light 1 at 0 5 0\ntexture t checker even 1 odd 0\n";
+    struct tia_reader reader = {.format = TIA_FORMAT_TIA, .text = text, .length = sizeof text - 1};
+
+    check_truncated(&reader);
+}
+
+int main(void)
+{
+    RUN(statements);
+    RUN(names);
+    RUN(looks);
+    RUN(shapes);
+    RUN(solids);
+    RUN(lights);
+    RUN(motion);
+    RUN(faults_of_the_scene);
+    RUN(bytes_that_are_no_text);
+    RUN(texts_that_are_cut_off);
+    read_end(&now);
+    return check_status();
+}
