@@ -216,13 +216,14 @@ install: all
 	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
 	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
 	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
+	$(INSTALL) 644 man/tia-scene.5 $(DESTDIR)$(PREFIX)/share/man/man5/tia-scene.5
 	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
 	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
 uninstall:
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare lib/libtia.a lib/pkgconfig/tia.pc \
-	    share/man/man1/tia.1 share/man/man1/tia-compare.1)
+	    share/man/man1/tia.1 share/man/man1/tia-compare.1 share/man/man5/tia-scene.5)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
 

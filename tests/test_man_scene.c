@@ -1,0 +1,81 @@
+/* The examples of tia-scene(5): each is a scene, and together they show every statement. */
+#include "reading.h"
+
+static const uint8_t texels[3];
+
+static int fetch(void *ctx, const char *name, struct tia_texture *texture, const char **why)
+{
+    (void)ctx, (void)name, (void)why;
+    texture->width = texture->height = 1;
+    texture->texels = texels;
+    return TIA_OK;
+}
+
+static char examples[20000];
+
+/* Copies a line of an example as a reader of the page sees it: "\-" is "-", "\e" a backslash. */
+static char *copy_line(char *to, const char *line, size_t length)
+{
+    for (size_t i = 0; i < length; i++)
+        if (line[i] == '\\' && i + 1 < length)
+            *to++ = line[++i] == 'e' ? '\\' : line[i];
+        else
+            *to++ = line[i];
+    return to;
+}
+
+static void check_example(const char *example)
+{
+    struct reading r = {.reader = {.text = example, .length = strlen(example), .image = fetch}};
+
+    read_begin(&r);
+    CHECK_MSG(r.status == TIA_OK, "%u:%u: %s: %.60s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
+              r.reader.error.text, example);
+    read_end(&r);
+}
+
+static unsigned check_page(const char *page)
+{
+    unsigned count = 0;
+    char *start = NULL, *end = examples + 1;
+
+    examples[0] = '\n';
+    for (const char *line = page; *line; line += strcspn(line, "\n") + 1) {
+        if (!strncmp(line, ".Bd -literal", 12)) {
+            start = end;
+            count++;
+        } else if (!strncmp(line, ".Ed", 3) && start) {
+            *end = 0;
+            check_example(start);
+            start = NULL;
+        } else if (start) {
+            end = copy_line(end, line, strcspn(line, "\n") + 1);
+        }
+    }
+    return count;
+}
+
+TEST(examples_are_scenes)
+{
+    static const char *const words[] = {"camera",   "samples", "background", "depth", "material", "texture", "sphere",
+                                        "plane",    "disc",    "cylinder",   "cone",  "box",      "mesh",    "triangle",
+                                        "instance", "grid",    "light",      "key",   "animate"};
+    size_t length = 0;
+    char *page = load_file("man/tia-scene.5", &length), line[20];
+
+    CHECK(page && length < sizeof examples);
+    if (!page || length >= sizeof examples)
+        return;
+    CHECK(check_page(page) > 15);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        (void)snprintf(line, sizeof line, "\n%s ", words[i]);
+        CHECK_MSG(strstr(examples, line) != NULL, "no example of %s", words[i]);
+    }
+    free(page);
+}
+
+int main(void)
+{
+    RUN(examples_are_scenes);
+    return check_status();
+}
