@@ -4,41 +4,9 @@
 
 #include <tia/viewer.h>
 
+#include "common/dice.h"
+
 #define GROUND 10000
-
-/* SplitMix64 (Steele, Lea and Flood 2014): integers only, so that every machine makes the same scenes. */
-static uint64_t next(uint64_t *state)
-{
-    uint64_t z = *state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
-/* low..high, both included */
-static int32_t between(uint64_t *state, int32_t low, int32_t high)
-{
-    uint64_t count = (uint64_t)((int64_t)high - low + 1);
-
-    return (int32_t)(low + (int64_t)(next(state) % count));
-}
-
-static bool one_in(uint64_t *state, unsigned n)
-{
-    return next(state) % n == 0;
-}
-
-/* Each channel between low and high percent. */
-static struct tia_rgb random_rgb(uint64_t *state, int32_t low, int32_t high)
-{
-    struct tia_rgb c;
-
-    c.r = between(state, TIA_Q30_ONE / 100 * low, TIA_Q30_ONE / 100 * high);
-    c.g = between(state, TIA_Q30_ONE / 100 * low, TIA_Q30_ONE / 100 * high);
-    c.b = between(state, TIA_Q30_ONE / 100 * low, TIA_Q30_ONE / 100 * high);
-    return c;
-}
 
 /* Small sizes more often than large ones: some 350,000 pixels a scene on average. */
 static void random_size(uint64_t *state, struct corpus_scene *out)
@@ -46,7 +14,7 @@ static void random_size(uint64_t *state, struct corpus_scene *out)
     static const uint16_t sizes[][2] = {{320, 240}, {320, 240}, {321, 243}, {400, 300}, {400, 300},  {480, 270},
                                         {512, 384}, {512, 384}, {640, 360}, {640, 480}, {640, 480},  {799, 601},
                                         {854, 480}, {240, 320}, {320, 240}, {640, 480}, {1280, 720}, {1920, 1080}};
-    uint64_t i = next(state) % (sizeof sizes / sizeof sizes[0]);
+    uint64_t i = dice_next(state) % (sizeof sizes / sizeof sizes[0]);
 
     out->width = sizes[i][0];
     out->height = sizes[i][1];
@@ -54,11 +22,11 @@ static void random_size(uint64_t *state, struct corpus_scene *out)
 
 static void random_camera(uint64_t *state, struct tia_camera *camera)
 {
-    camera->eye.x = between(state, TIA_Q16(-50), TIA_Q16(50));
-    camera->eye.z = between(state, TIA_Q16(-50), TIA_Q16(50));
-    camera->eye.y =
-        one_in(state, 2) ? between(state, TIA_Q16(0.5), TIA_Q16(8)) : between(state, TIA_Q16(0.5), TIA_Q16(60));
-    camera->fov = between(state, TIA_Q16(10), TIA_Q16(90));
+    camera->eye.x = dice_between(state, TIA_Q16(-50), TIA_Q16(50));
+    camera->eye.z = dice_between(state, TIA_Q16(-50), TIA_Q16(50));
+    camera->eye.y = dice_one_in(state, 2) ? dice_between(state, TIA_Q16(0.5), TIA_Q16(8))
+                                          : dice_between(state, TIA_Q16(0.5), TIA_Q16(60));
+    camera->fov = dice_between(state, TIA_Q16(10), TIA_Q16(90));
 }
 
 /* How far from the axis a thing at `distance` may be to stay in sight, in units, roughly:
@@ -72,16 +40,16 @@ static tia_q16 sight(const struct tia_camera *camera, tia_q16 distance)
  * least as far off as the ground comes into sight. */
 static void place_ball(uint64_t *state, const struct tia_camera *camera, struct tia_sphere *ball)
 {
-    tia_q16 r = ball->radius, distance = between(state, r + TIA_Q16_ONE, r + TIA_Q16(50));
-    bool lying = one_in(state, 2);
+    tia_q16 r = ball->radius, distance = dice_between(state, r + TIA_Q16_ONE, r + TIA_Q16(50));
+    bool lying = dice_one_in(state, 2);
 
     if (lying)
         distance += camera->eye.y / (camera->fov >> 16) * 115;
     tia_q16 aside = sight(camera, distance) / 3 * 4;
     tia_q16 up = sight(camera, distance);
-    ball->centre.x = camera->eye.x + between(state, -aside, aside);
+    ball->centre.x = camera->eye.x + dice_between(state, -aside, aside);
     ball->centre.z = camera->eye.z - distance;
-    ball->centre.y = camera->eye.y + between(state, -up, up);
+    ball->centre.y = camera->eye.y + dice_between(state, -up, up);
     if (lying || ball->centre.y < -r)
         ball->centre.y = r;
 }
@@ -92,7 +60,7 @@ static void touch(uint64_t *state, const struct tia_sphere *before, struct tia_s
     tia_q16 reach = before->radius + ball->radius;
 
     ball->centre = before->centre;
-    switch (next(state) % 3) {
+    switch (dice_next(state) % 3) {
     case 0:
         ball->centre.x += reach;
         break;
@@ -106,20 +74,20 @@ static void touch(uint64_t *state, const struct tia_sphere *before, struct tia_s
 
 static void random_balls(uint64_t *state, struct corpus_scene *out, bool clear, bool glow)
 {
-    uint32_t count = 1 + (uint32_t)between(state, 1, CORPUS_BALLS);
+    uint32_t count = 1 + (uint32_t)dice_between(state, 1, CORPUS_BALLS);
 
     for (uint32_t i = 1; i < count; i++) {
         struct tia_sphere *ball = &out->spheres[i];
         ball->material = i;
-        ball->radius = between(state, TIA_Q16(0.25), one_in(state, 2) ? TIA_Q16(2) : TIA_Q16(6));
+        ball->radius = dice_between(state, TIA_Q16(0.25), dice_one_in(state, 2) ? TIA_Q16(2) : TIA_Q16(6));
         place_ball(state, &out->scene.camera, ball);
-        if (i > 1 && one_in(state, 3))
+        if (i > 1 && dice_one_in(state, 3))
             touch(state, ball - 1, ball);
-        out->materials[i].colour = random_rgb(state, 0, 100);
-        if (clear && one_in(state, 2))
-            out->materials[i].transmission = random_rgb(state, 0, 100);
-        if (glow && one_in(state, 2))
-            out->materials[i].emission = random_rgb(state, 0, 40);
+        out->materials[i].colour = dice_rgb(state, 0, 100);
+        if (clear && dice_one_in(state, 2))
+            out->materials[i].transmission = dice_rgb(state, 0, 100);
+        if (glow && dice_one_in(state, 2))
+            out->materials[i].emission = dice_rgb(state, 0, 40);
     }
     out->scene.sphere_count = out->scene.material_count = count;
 }
@@ -128,15 +96,15 @@ static void random_balls(uint64_t *state, struct corpus_scene *out, bool clear, 
 static void random_lights(uint64_t *state, struct corpus_scene *out)
 {
     const struct tia_vec3 *eye = &out->scene.camera.eye;
-    uint32_t count = (uint32_t)between(state, 1, CORPUS_LIGHTS);
+    uint32_t count = (uint32_t)dice_between(state, 1, CORPUS_LIGHTS);
 
     for (uint32_t i = 0; i < count; i++) {
         struct tia_light *light = &out->lights[i];
-        light->centre.x = eye->x + between(state, TIA_Q16(-40), TIA_Q16(40));
-        light->centre.y = between(state, TIA_Q16(2), TIA_Q16(60));
-        light->centre.z = eye->z - between(state, TIA_Q16(-30), TIA_Q16(50));
-        light->radius = one_in(state, 3) ? 0 : between(state, TIA_Q16(0.25), TIA_Q16(3));
-        light->emission = random_rgb(state, 20, 100);
+        light->centre.x = eye->x + dice_between(state, TIA_Q16(-40), TIA_Q16(40));
+        light->centre.y = dice_between(state, TIA_Q16(2), TIA_Q16(60));
+        light->centre.z = eye->z - dice_between(state, TIA_Q16(-30), TIA_Q16(50));
+        light->radius = dice_one_in(state, 3) ? 0 : dice_between(state, TIA_Q16(0.25), TIA_Q16(3));
+        light->emission = dice_rgb(state, 20, 100);
     }
     out->scene.light_count = count;
 }
@@ -152,14 +120,14 @@ void corpus_random(struct corpus_scene *out, uint64_t seed, unsigned index)
 {
     uint64_t state = seed;
 
-    state = next(&state) + index;
+    state = dice_next(&state) + index;
     memset(out, 0, sizeof *out);
     connect(out);
     random_size(&state, out);
     random_camera(&state, &out->scene.camera);
-    out->scene.background = random_rgb(&state, 0, 100);
+    out->scene.background = dice_rgb(&state, 0, 100);
     out->spheres[0] = (struct tia_sphere){TIA_VEC3(0, -GROUND, 0), TIA_Q16(GROUND), 0};
-    out->materials[0].colour = random_rgb(&state, 30, 100);
+    out->materials[0].colour = dice_rgb(&state, 30, 100);
     random_balls(&state, out, index % 4 == 3, index % 5 == 4);
     random_lights(&state, out);
 }
