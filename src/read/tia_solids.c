@@ -143,19 +143,18 @@ static int read_face(struct mesh_block *block)
     return TIA_OK;
 }
 
-static const struct {
-    const char *word;
-    int (*read)(struct mesh_block *block);
-} mesh_lines[] = {{"vertex", read_vertex}, {"normal", read_normal}, {"uv", read_uv}, {"face", read_face}};
 #define MESH_EXPECTED "vertex, normal, uv, face or end"
 
 static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
 {
-    for (unsigned i = 0; i < TIA_COUNT_OF(mesh_lines); i++)
-        if (tia_word_is(word, mesh_lines[i].word)) {
-            int status = mesh_lines[i].read(block);
-            return status ? status : tia_text_end(&block->job->text);
-        }
+    if (tia_word_is(word, "vertex"))
+        return read_vertex(block);
+    if (tia_word_is(word, "face"))
+        return read_face(block);
+    if (tia_word_is(word, "normal"))
+        return read_normal(block);
+    if (tia_word_is(word, "uv"))
+        return read_uv(block);
     return tia_text_error(&block->job->text, word, "is no line of a mesh", MESH_EXPECTED);
 }
 
@@ -189,6 +188,7 @@ int tia_line_mesh(struct tia_job *job)
         if (status || tia_word_is(&word, "end"))
             break;
         status = read_mesh_line(&block, &word);
+        status = status ? status : tia_text_end(&job->text);
     }
     if (!status)
         add_mesh(&block);
