@@ -13,6 +13,8 @@
  *   num_dot_x(a, d), num_dot_d   dot products, rounded once
  *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
  *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
+ *   num_within(r, p)             |p| <= r, exactly
+ *   num_beyond(p, r, k)          (|p|^2 - r^2)/k, at most NUM_X_MOST in size; |p| and r below 2^18
  *   num_length(p), num_sqrt_x(x), num_sqrt_d(d)
  *   num_over(x, d), num_ratio(x, y)  x/d, x/y as num_x, at most NUM_X_MOST in size
  *   num_fraction(x, y)           x/y as num_d, between -1 and 1
@@ -129,6 +131,16 @@ static inline struct num_dir num_dir_of(struct tia_dir3 v)
 static inline num_x num_leg(num_x r, struct num_point p)
 {
     return num_leg4(r, p.x, p.y, p.z);
+}
+
+static inline bool num_within(num_x r, struct num_point p)
+{
+    return num_within4(r, p.x, p.y, p.z);
+}
+
+static inline num_x num_beyond(struct num_point p, num_x r, num_x k)
+{
+    return num_beyond5(p.x, p.y, p.z, r, k);
 }
 
 static inline num_x num_length(struct num_point p)

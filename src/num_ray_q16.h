@@ -94,6 +94,29 @@ static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
     return wide_is_negative(rest) ? -1 : wide_sqrt(rest);
 }
 
+static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
+{
+    const int64_t p[3] = {x, y, z};
+
+    if (x > r || -x > r || y > r || -y > r || z > r || -z > r)
+        return false;
+    return !wide_is_negative(wide_difference(wide_product(r, r), wide_dot(p, p)));
+}
+
+/* The numerator exact, then its upper 63 bits. */
+static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
+{
+    const int64_t p[3] = {x, y, z};
+    wide square = wide_dot(p, p), other = wide_product(r, r), n = wide_difference(square, other);
+
+    if (wide_is_negative(n)) {
+        n = wide_difference(other, square);
+        k = -k;
+    }
+    int s = wide_bits(n) - 63;
+    return s > 0 ? wide_quotient(wide_down(n, (unsigned)s), k, s) : wide_quotient((int64_t)wide_low(n), k, 0);
+}
+
 static inline num_x num_length3(num_x x, num_x y, num_x z)
 {
     const int64_t p[3] = {x, y, z};

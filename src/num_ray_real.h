@@ -86,6 +86,11 @@ static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
     return rest < 0 ? -1 : num_root(rest);
 }
 
+static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
+{
+    return r >= 0 && x * x + y * y + z * z <= r * r;
+}
+
 static inline num_x num_sqrt_x(num_x x)
 {
     return num_root(x);
@@ -106,6 +111,11 @@ static inline num_x num_over(num_x x, num_d d)
     if (d == 0)
         return x < 0 ? -NUM_X_MOST : x > 0 ? NUM_X_MOST : 0;
     return num_bounded(x / d, NUM_X_MOST);
+}
+
+static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
+{
+    return num_over(x * x + y * y + z * z - r * r, k);
 }
 
 static inline num_x num_ratio(num_x x, num_x y)

@@ -54,7 +54,10 @@ struct prepared_cone {
     struct num_point base;
     struct num_dir axis, across[2]; /* of length 1, at right angles; across are B and A of light.h for `axis` */
     num_x length, base_radius, top_radius;
-    num_d slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see cone.c */
+    struct num_point anchor;        /* that end of the axis where it is thinner, */
+    num_x anchored;                 /* its height above the base, */
+    num_x reach;                    /* and how far its points are from there at most */
+    num_d slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
     bool capped;
 };
 

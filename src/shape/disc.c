@@ -1,0 +1,29 @@
+/* disc.c - planes within a radius. */
+#include "flat.h"
+
+static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+{
+    const struct prepared_plane *disc = &shape->plane;
+    struct num_point from = num_point_sub(ray->origin, disc->point);
+
+    crossing->element = 0;
+    return flat_meet(disc, ray, limit, &crossing->t) &&
+           num_within(disc->radius, num_point_at(from, ray->direction, crossing->t));
+}
+
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+{
+    (void)element;
+    flat_uv(&shape->plane, point, uv);
+    uv[0] = num_ratio(uv[0], shape->plane.radius);
+    uv[1] = num_ratio(uv[1], shape->plane.radius);
+}
+
+void shape_disc(struct shape *shape, const struct tia_disc *disc)
+{
+    static const struct shape_kind kind = {intersect, shape_occludes, flat_surface, uv_at};
+
+    shape->kind = &kind;
+    flat_prepare(&shape->plane, disc->centre, disc->normal);
+    shape->plane.radius = num_x_of(disc->radius);
+}

@@ -1,0 +1,35 @@
+/* flat.c - planes: t = (P - O).N / (D.N). A ray with |D.N| below 2^-42 is parallel: what it meets within
+ * 2^17 units it meets at less than 2^-25 above the plane. */
+#include "flat.h"
+
+void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal)
+{
+    plane->point = num_point_of(point);
+    plane->normal = num_dir_of(normal);
+    shape_axes(plane->normal, plane->axes);
+}
+
+bool flat_meet(const struct prepared_plane *plane, const struct ray *ray, num_x limit, num_x *t)
+{
+    num_d slope = num_dot_d(ray->direction, plane->normal);
+
+    if (slope < NUM_D_LEAST && slope > -NUM_D_LEAST)
+        return false;
+    *t = num_over(num_dot_x(num_point_sub(plane->point, ray->origin), plane->normal), slope);
+    return *t >= 0 && *t <= limit && *t < NUM_X_MOST;
+}
+
+void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
+{
+    (void)point;
+    (void)element;
+    surface->normal = surface->smooth = shape->plane.normal;
+}
+
+void flat_uv(const struct prepared_plane *plane, struct num_point point, num_x uv[2])
+{
+    struct num_point v = num_point_sub(point, plane->point);
+
+    uv[0] = num_dot_x(v, plane->axes[0]);
+    uv[1] = num_dot_x(v, plane->axes[1]);
+}

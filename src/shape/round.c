@@ -1,0 +1,244 @@
+/* round.c - cylinders and cones.
+ *
+ * With z the height of a point along the axis above one of its ends, the anchor, r the radius there, rho
+ * the point's distance from the axis, and the side at the angle whose cosine and sine are c = length/l,
+ * s = (top radius - base radius)/l, l being the side's length, the inside of the side is where
+ *
+ *     rho c <= g,   g = r c + z s                                                                    (1)
+ *
+ * and rho c - g is the distance from the side, so that all of this has the size of lengths. A cylinder
+ * has c = 1, s = 0.
+ *
+ * The ray's origin is first moved along it to the point nearest to the anchor: what is farther away than
+ * any point of the shape then misses, and no number below is much larger than the shape; the anchor is
+ * the thinner end because g, which errors are divided by, is smallest there. Let q be the
+ * length of the direction's part across the axis, d that along it, m how far along the former the ray
+ * comes nearest to the axis, and w its distance from it then: rho^2 = w^2 + (t q - m)^2. With
+ *
+ *     P = w c,   M = m c,   G = g at t = 0,   (sigma, gamma) n = (q c, d s), sigma^2 + gamma^2 = 1,
+ *
+ * and t n for t, (1) squared is
+ *
+ *     P^2 + (sigma t - M)^2 <= (G + gamma t)^2.
+ *
+ * The roots of  ab t^2 - 2 H t + C,  ab = sigma^2 - gamma^2,  H = M sigma + G gamma,  C = M^2 + P^2 - G^2
+ * are K/ab and C/K for K = H +- D, the sign being that of H: nothing cancels, and a ray parallel to the
+ * side (ab = 0) has the second one alone. The discriminant is
+ *
+ *     D^2 = H^2 - ab C = E^2 - ab P^2,   E = G sigma + M gamma:
+ *
+ * E is sigma g where the ray is nearest to the axis; again a perpendicular form.
+ *
+ * The square forgot the sign of g: (1) has no points with g < 0, but the other half of the double cone
+ * has. A ray that is flatter than the side (ab >= 0) is inside between its roots, with g of the same sign
+ * all the way, that of E. A steeper one (ab < 0) is inside before the first root in one half and after the
+ * second in the other; that half where g grows along the ray, the second when gamma > 0, is ours. */
+#include "round.h"
+
+/* Where along a ray something is true: nowhere when far < near. */
+struct span {
+    num_x near, far;
+};
+
+static const struct span everywhere = {-NUM_X_MOST, NUM_X_MOST}, nowhere = {NUM_X_MOST, -NUM_X_MOST};
+
+/* The ray as the axis sees it. */
+struct beam {
+    num_x start;            /* how far its origin was moved */
+    num_x height;           /* of that origin above the anchor */
+    num_d rise;             /* of the direction */
+    num_d pace;             /* q */
+    num_x nearest, passing; /* m, w */
+};
+
+/* False when the ray is never near. */
+static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_x limit, struct beam *b)
+{
+    const struct num_dir *a = cone->across;
+    struct num_point o = num_point_sub(ray->origin, cone->anchor);
+    num_d d[2] = {num_dot_d(ray->direction, a[0]), num_dot_d(ray->direction, a[1])};
+    struct num_dir q = num_dir_unit((struct num_dir){d[0], d[1], 0});
+
+    b->start = -num_dot_x(o, ray->direction);
+    if (b->start < -cone->reach || b->start - cone->reach > limit)
+        return false;
+    o = num_point_at(o, ray->direction, b->start);
+    if (!num_within(cone->reach, o))
+        return false;
+    if (q.x == 0 && q.y == 0) /* along the axis: across it any direction will do */
+        q.x = NUM_D_ONE;
+    num_x p[2] = {num_dot_x(o, a[0]), num_dot_x(o, a[1])};
+    b->height = num_dot_x(o, cone->axis);
+    b->rise = num_dot_d(ray->direction, cone->axis);
+    b->pace = num_times(d[0], q.x) + num_times(d[1], q.y);
+    b->nearest = -(num_times(p[0], q.x) + num_times(p[1], q.y));
+    b->passing = num_times(p[0], q.y) - num_times(p[1], q.x);
+    return true;
+}
+
+/* The quadratic at the top, once c and s are in it. */
+struct quadratic {
+    num_x g, m, p;
+    num_d sigma, gamma;
+};
+
+static struct span solve(const struct quadratic *u)
+{
+    num_d ab = num_times(u->sigma + u->gamma, u->sigma - u->gamma);
+    num_x h = num_times(u->m, u->sigma) + num_times(u->g, u->gamma);
+    num_x e = num_times(u->g, u->sigma) + num_times(u->m, u->gamma);
+    num_x p = num_times(u->p, num_sqrt_d(ab < 0 ? -ab : ab));
+    num_x d = ab < 0 ? num_length((struct num_point){e, p, 0}) : num_leg(e, (struct num_point){p, 0, 0});
+
+    if (ab >= 0 && (e <= 0 || d < 0))
+        return nowhere;
+    num_x k = h < 0 ? h - d : h + d;
+    num_x one = num_over(k, ab), other = k == 0 ? 0 : num_beyond((struct num_point){u->m, u->p, 0}, u->g, k);
+    struct span roots = one < other ? (struct span){one, other} : (struct span){other, one};
+    if (ab >= 0)
+        return roots;
+    return u->gamma > 0 ? (struct span){roots.far, NUM_X_MOST} : (struct span){-NUM_X_MOST, roots.near};
+}
+
+/* Where the ray is inside the side, that going on for ever in both directions. */
+static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
+{
+    num_d c = cone->slope_cosine, s = cone->slope_sine;
+    struct num_dir flat = {num_times(b->pace, c), num_times(b->rise, s), 0}, n = num_dir_unit(flat);
+    num_d pace = num_dot_d(flat, n);
+    num_x radius = cone->anchored > 0 ? cone->top_radius : cone->base_radius;
+    struct quadratic u = {num_times(radius, c) + num_times(b->height, s), num_times(b->nearest, c),
+                          num_times(b->passing, c), n.x, n.y};
+
+    if (pace == 0) /* the distance from the side stays the same */
+        return num_within(u.g, (struct num_point){u.m, u.p, 0}) ? everywhere : nowhere;
+    struct span span = solve(&u);
+    return (struct span){num_over(span.near, pace), num_over(span.far, pace)};
+}
+
+/* Where it is between the base and the top. An apex bounds nothing that the side does not. */
+static struct span height_span(const struct prepared_cone *cone, const struct beam *b)
+{
+    num_x base = cone->base_radius > 0 ? -cone->anchored - b->height : -NUM_X_MOST;
+    num_x top = cone->top_radius > 0 ? cone->length - cone->anchored - b->height : NUM_X_MOST;
+
+    if (b->rise == 0)
+        return base <= 0 && top >= 0 ? everywhere : nowhere;
+    num_x to_base = num_over(base, b->rise), to_top = num_over(top, b->rise);
+    return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
+}
+
+/* Whether t from the moved origin counts; nothing of the shape is beyond its reach. */
+static bool take(const struct prepared_cone *cone, const struct beam *b, num_x t, num_x limit, uint32_t element,
+                 struct crossing *crossing)
+{
+    if (t > cone->reach || t < -cone->reach)
+        return false;
+    crossing->t = b->start + t;
+    crossing->element = element;
+    return crossing->t >= 0 && crossing->t <= limit;
+}
+
+static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+{
+    const struct prepared_cone *cone = &shape->cone;
+    struct beam b;
+
+    if (!beam_of(cone, ray, limit, &b))
+        return false;
+    struct span side = side_span(cone, &b), height = height_span(cone, &b);
+    if (side.near > side.far || side.near > height.far || height.near > side.far)
+        return false;
+    bool enters = side.near >= height.near, leaves = side.far <= height.far;
+    if (cone->capped) {
+        uint32_t first = b.rise > 0 ? ROUND_BASE : ROUND_TOP, last = b.rise > 0 ? ROUND_TOP : ROUND_BASE;
+        return take(cone, &b, enters ? side.near : height.near, limit, enters ? ROUND_SIDE : first, crossing) ||
+               take(cone, &b, leaves ? side.far : height.far, limit, leaves ? ROUND_SIDE : last, crossing);
+    }
+    return (enters && take(cone, &b, side.near, limit, ROUND_SIDE, crossing)) ||
+           (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, crossing));
+}
+
+/* The direction from the axis to the point, in the axes across. */
+static void aside(const struct prepared_cone *cone, struct num_point v, num_d out[2])
+{
+    num_d none;
+
+    (void)num_normalise3(num_dot_x(v, cone->across[0]), num_dot_x(v, cone->across[1]), 0, &out[0], &out[1], &none);
+}
+
+/* The gradient of (1). At an apex what is left of it is the axis. */
+static struct num_dir side_normal(const struct prepared_cone *cone, struct num_point point)
+{
+    num_d out[2];
+
+    aside(cone, num_point_sub(point, cone->base), out);
+    struct num_dir a = num_dir_scaled(cone->across[0], num_times(out[0], cone->slope_cosine));
+    struct num_dir b = num_dir_scaled(cone->across[1], num_times(out[1], cone->slope_cosine));
+    struct num_dir up = num_dir_scaled(cone->axis, -cone->slope_sine);
+    return num_dir_unit(num_dir_add(num_dir_add(a, b), up));
+}
+
+static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
+{
+    const struct prepared_cone *cone = &shape->cone;
+
+    if (element == ROUND_SIDE)
+        surface->normal = side_normal(cone, point);
+    else
+        surface->normal = element == ROUND_TOP ? cone->axis : num_dir_turned(cone->axis);
+    surface->smooth = surface->normal;
+}
+
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+{
+    const struct prepared_cone *cone = &shape->cone;
+    struct num_point v = num_point_sub(point, cone->base);
+    num_d out[2];
+
+    if (element == ROUND_SIDE) {
+        aside(cone, v, out);
+        uv[0] = num_x_of_d(num_turn(out[1], out[0])) + NUM_X_ONE / 2;
+        uv[1] = num_ratio(num_dot_x(v, cone->axis), cone->length);
+        return;
+    }
+    num_x radius = element == ROUND_TOP ? cone->top_radius : cone->base_radius;
+    uv[0] = num_ratio(num_dot_x(v, cone->across[1]), radius); /* A */
+    uv[1] = num_ratio(num_dot_x(v, cone->across[0]), radius); /* B */
+}
+
+/* Lengths are rounded down: a reach of 2^-13 more hides no point. */
+static void set_anchor(struct prepared_cone *cone, struct num_point top)
+{
+    bool at_top = cone->top_radius < cone->base_radius;
+    num_x here = at_top ? cone->top_radius : cone->base_radius, there = at_top ? cone->base_radius : cone->top_radius;
+
+    cone->anchor = at_top ? top : cone->base;
+    cone->anchored = at_top ? cone->length : 0;
+    num_x far = num_length((struct num_point){cone->length, there, 0});
+    cone->reach = (far > here ? far : here) + NUM_X_BIAS;
+}
+
+void round_prepare(struct shape *shape, const struct round_ends *ends, bool capped)
+{
+    static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
+    struct prepared_cone *cone = &shape->cone;
+    struct num_point top = num_point_of(ends->top), along;
+    struct num_dir axes[2];
+    num_d none;
+
+    shape->kind = &kind;
+    cone->capped = capped;
+    cone->base = num_point_of(ends->base);
+    along = num_point_sub(top, cone->base);
+    (void)num_normalise(along, &cone->axis);
+    shape_axes(cone->axis, axes);
+    cone->across[0] = axes[1];
+    cone->across[1] = axes[0];
+    cone->length = num_length(along);
+    cone->base_radius = num_x_of(ends->base_radius);
+    cone->top_radius = num_x_of(ends->top_radius);
+    (void)num_normalise3(cone->length, cone->top_radius - cone->base_radius, 0, &cone->slope_cosine, &cone->slope_sine,
+                         &none);
+    set_anchor(cone, top);
+}

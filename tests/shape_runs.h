@@ -1,0 +1,83 @@
+/* shape_runs.h - the cases of test_shapes.c and test_shapes_f64.c. */
+#include "shape_box_cases.h"
+#include "shape_cases.h"
+
+static void start(void)
+{
+    hits = misses = undecided = 0;
+}
+
+/* That the cases were of both kinds and that the formulas had something to say. */
+static void check_counts(void)
+{
+    CHECK_MSG(hits > 1000 && misses > 300, "%d hits and %d misses", hits, misses);
+    CHECK_MSG(undecided < hits / 3, "%d of %d hits were left open", undecided, hits);
+}
+
+TEST(planes)
+{
+    start();
+    for (int i = 0; i < 40; i++)
+        check_flat(0, i < 10 ? 0 : any_length(1, 30000));
+    check_counts();
+}
+
+TEST(discs)
+{
+    start();
+    for (int i = 0; i < 80; i++)
+        check_flat(any_length(0x1p-10, 30000), any_length(1, 30000));
+    check_flat(0x1p-10, 30000);
+    check_flat(30000, 2000);
+    check_counts();
+}
+
+TEST(boxes)
+{
+    start();
+    for (int i = 0; i < 40; i++)
+        check_box(any_length(1, 10000), 0x1p-10, 10000);
+    check_box(30000, 0x1p-10, 0x1p-9);
+    check_box(100, 30000, 30001);
+    check_counts();
+}
+
+TEST(cylinders)
+{
+    start();
+    for (int i = 0; i < 40; i++) {
+        double radius = any_length(0x1p-10, 10000);
+        check_cone(any_cone(any_length(1, 10000), any_length(0x1p-10, 10000), radius, radius));
+    }
+    check_cone(any_cone(30000, 0x1p-9, 0x1p-10, 0x1p-10));
+    check_cone(any_cone(1000, 28000, 30000, 30000));
+    check_cone(any_cone(1000, 28000, 0x1p-10, 0x1p-10));
+    check_cone(any_cone(1000, 0x1p-9, 30000, 30000));
+    check_counts();
+}
+
+TEST(cones)
+{
+    start();
+    for (int i = 0; i < 40; i++) {
+        double radius = any_length(0x1p-10, 10000);
+        check_cone(any_cone(any_length(1, 10000), any_length(0x1p-10, 10000), radius, i & 1 ? 0 : radius / 3));
+        check_cone(any_cone(any_length(1, 10000), any_length(0x1p-10, 10000), i & 1 ? 0 : radius * 0.99, radius));
+    }
+    check_cone(any_cone(30000, 0x1p-9, 0x1p-10, 0));
+    check_cone(any_cone(1000, 28000, 30000, 0));
+    check_cone(any_cone(1000, 28000, 0x1p-10, 0));
+    check_cone(any_cone(1000, 0x1p-9, 30000, 0));
+    check_cone(any_cone(1000, 0x1p-9, 0, 30000));
+    check_counts();
+}
+
+int main(void)
+{
+    RUN(planes);
+    RUN(discs);
+    RUN(boxes);
+    RUN(cylinders);
+    RUN(cones);
+    return check_status();
+}

@@ -1,0 +1,2 @@
+/* Shapes as rays meet them, in integers. */
+#include "shape_runs.h"
