@@ -87,7 +87,7 @@ CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c sr
 PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c) \
              $(wildcard src/read/*.c src/check/*.c src/bvh/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
-PORT_DIRS := common memory none fbdev evdev terminal image $(if $(filter yes,$(DRM)),drm) \
+PORT_DIRS := common memory none fbdev evdev terminal image scene $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_DIRS += ps2 spi-panel
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
