@@ -83,9 +83,9 @@ HOSTED += -DTIA_HAVE_F64
 endif
 
 # ---- sources: one object per file and arithmetic ----
-CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c src/read/*.c src/check/*.c src/bvh/*.c))
+CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c))
 PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c) \
-             $(wildcard src/read/*.c src/check/*.c src/bvh/*.c)
+             $(wildcard src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image scene $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)

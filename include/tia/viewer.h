@@ -5,6 +5,10 @@
  * press, and while a key is held, after TIA_HOLD_DELAY_US, once every TIA_HOLD_STEP_US. Ambient
  * lights, which are nowhere, are passed over; of a directional light the point at the distance 1
  * from which it comes moves by 1/16. Keys of the scene's bindings put lights. Every other key quits.
+ *
+ * A scene with tracks plays, from `time` to its last keyframe and then again; at most once every
+ * TIA_PLAY_STEP_US a frame is drawn. A light that a key has put or moved stays where the key left it,
+ * the others follow their tracks.
  */
 #ifndef TIA_VIEWER_H
 #define TIA_VIEWER_H
@@ -13,6 +17,7 @@
 
 #define TIA_HOLD_DELAY_US 250000u
 #define TIA_HOLD_STEP_US 33333u
+#define TIA_PLAY_STEP_US 16666u
 
 /* One frame, told after it was presented. */
 struct tia_frame {
@@ -29,10 +34,14 @@ struct tia_viewer {
     const struct tia_scene *scene;
     struct tia_light *lights; /* room for light_capacity lights, the scene's among them */
     uint32_t light_capacity;
+    bool *held;                 /* with tracks, room for as many flags: lights that a key holds */
     struct tia_options options; /* `reached` must be NULL */
     uint32_t frame_limit;       /* stop after so many frames; 0: no limit */
     const uint16_t *keys;       /* pressed before the first frame; NULL: none */
     size_t key_count;
+    tia_q16 time;     /* of the scene's tracks, at the first frame */
+    uint32_t rate[2]; /* frame n is drawn at time + n rate[1]/rate[0], each 1..1000000: for films, with a
+                         frame_limit; 0: by the clock */
 
     /* Where to draw, what to listen to. input may be NULL with a frame_limit: then frames are
      * drawn one after the other. clock may be NULL: then held keys do not repeat. */
@@ -67,5 +76,9 @@ int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t 
 /* Which light a key puts or moves: its index, `count` when it adds one, TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
+
+/* The time of frame `frame` of a film with rate[0]/rate[1] frames a second, each 1..1000000: from `start`, to
+ * the nearest 2^-16 s, at most INT32_MAX. */
+tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
 
 #endif

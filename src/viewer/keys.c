@@ -1,0 +1,76 @@
+/* keys.c - keys that are pressed, released and held. */
+#include "viewer/loop.h"
+
+int viewer_press(struct loop *loop, uint16_t key)
+{
+    const struct tia_viewer *v = loop->viewer;
+    uint32_t light = tia_key_light(loop->scene, v->lights, loop->light_count, key);
+    int status = tia_press(loop->scene, v->lights, &loop->light_count, v->light_capacity, key);
+
+    if (status < 0)
+        return VIEWER_QUIT;
+    if (status > 0 && loop->plays)
+        v->held[light] = true;
+    loop->changed = loop->changed || status > 0;
+    return TIA_OK;
+}
+
+static bool is_held_key(uint16_t key)
+{
+    return key >= TIA_KEY_LEFT && key <= TIA_KEY_PAGE_DOWN;
+}
+
+static int take_event(struct loop *loop, const struct tia_event *event)
+{
+    uint64_t *repeat = is_held_key(event->key) ? &loop->repeat_us[event->key - TIA_KEY_LEFT] : NULL;
+
+    if (event->kind == TIA_EVENT_RELEASE) {
+        if (repeat)
+            *repeat = 0;
+        return TIA_OK;
+    }
+    if (repeat && event->kind == TIA_EVENT_PRESS && loop->viewer->clock)
+        *repeat = viewer_now(loop) + TIA_HOLD_DELAY_US;
+    if (event->time_us && (!loop->key_us || event->time_us < loop->key_us))
+        loop->key_us = event->time_us;
+    return viewer_press(loop, event->key);
+}
+
+int viewer_take_events(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_event event;
+    int status = 0;
+
+    while (v->input && (status = v->input->poll(v->input_ctx, &event)) > 0) {
+        status = take_event(loop, &event);
+        if (status)
+            return status;
+    }
+    return status;
+}
+
+/* Moves the light for held keys whose time has come. After a pause that long that a person would
+ * see a jump, steps that were missed are dropped. */
+void viewer_repeat_held(struct loop *loop)
+{
+    uint64_t time = viewer_now(loop);
+
+    for (uint16_t i = 0; i < VIEWER_HELD_KEYS; i++) {
+        uint64_t *repeat = &loop->repeat_us[i];
+        if (*repeat && time > *repeat + 1000000)
+            *repeat = time;
+        for (; *repeat && time >= *repeat; *repeat += TIA_HOLD_STEP_US)
+            viewer_press(loop, (uint16_t)(TIA_KEY_LEFT + i));
+    }
+}
+
+uint64_t viewer_repeat_us(const struct loop *loop)
+{
+    uint64_t next = 0;
+
+    for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++)
+        if (loop->repeat_us[i] && (!next || loop->repeat_us[i] < next))
+            next = loop->repeat_us[i];
+    return next;
+}

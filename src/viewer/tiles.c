@@ -1,0 +1,137 @@
+/* tiles.c - memory and a view for the display's mode, and a frame's tiles. */
+#include <tia/bvh.h>
+
+#include "viewer/loop.h"
+
+#define ALIGN(size) (((size) + 7) & ~(size_t)7)
+
+static void lay_tiles(struct loop *loop, unsigned height)
+{
+    const struct tia_mode *m = &loop->mode;
+
+    loop->tile_width = m->tile_width && m->tile_width < m->width ? m->tile_width : m->width;
+    loop->tile_height = m->tile_height && m->tile_height < height ? m->tile_height : height;
+    loop->columns = (m->width + loop->tile_width - 1) / loop->tile_width;
+    loop->tiles = loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
+}
+
+/* Asks the caller for memory, for what moves, its boxes, the view, a status for each tile, and hits. */
+static bool take_memory(struct loop *loop, struct tia_tile hits)
+{
+    const struct tia_viewer *v = loop->viewer;
+    size_t sizes[] = {loop->moment_size, loop->boxes_size, loop->view_size, loop->tiles, loop->core->hits_size(hits)};
+    size_t sum = 0;
+    char *parts[5] = {NULL}, *memory;
+
+    for (int i = 0; i < 5; i++) {
+        if (sizes[i] >= SIZE_MAX / 8)
+            return false;
+        sum += ALIGN(sizes[i]);
+    }
+    memory = v->memory(v->memory_ctx, sum);
+    for (int i = 0; memory && i < 5; i++) {
+        parts[i] = memory;
+        memory += ALIGN(sizes[i]);
+    }
+    if (!memory)
+        return false;
+    loop->moment_memory = parts[0];
+    loop->boxes_memory = parts[1];
+    loop->view = (struct tia_view *)(void *)parts[2];
+    loop->status = (int8_t *)parts[3];
+    loop->hits_memory = parts[4];
+    loop->hits_size = sizes[4];
+    return true;
+}
+
+/* Room for the whole frame's hits, or for those of one tile, as many rows of it as fit. */
+static bool find_memory(struct loop *loop)
+{
+    struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
+
+    lay_tiles(loop, VIEWER_STRIP);
+    loop->whole = take_memory(loop, frame);
+    if (loop->whole)
+        return true;
+    for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
+        lay_tiles(loop, rows);
+        struct tia_tile tile = {0, 0, (uint16_t)loop->tile_width, (uint16_t)loop->tile_height};
+        if (take_memory(loop, tile))
+            return true;
+    }
+    return false;
+}
+
+int viewer_prepare(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+
+    loop->view_ready = false;
+    loop->view_size = loop->core->view_size(v->scene, v->light_capacity);
+    loop->boxes_size = loop->plays && v->scene->bvh ? tia_bvh_size(v->scene) : 0;
+    return find_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
+}
+
+int viewer_prepare_view(struct loop *loop)
+{
+    struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
+    int status = loop->core->view_init(&loop->view, loop->view, loop->view_size, loop->scene,
+                                       loop->viewer->light_capacity, loop->mode.width, loop->mode.height);
+
+    if (!status && loop->whole)
+        status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, frame);
+    loop->view_ready = !status;
+    loop->traced = false;
+    loop->changed = true;
+    return status;
+}
+
+static struct tia_tile tile_at(const struct loop *loop, unsigned index)
+{
+    unsigned x = index % loop->columns * loop->tile_width, y = index / loop->columns * loop->tile_height;
+    unsigned width = loop->mode.width - x, height = loop->mode.height - y;
+    struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(width < loop->tile_width ? width : loop->tile_width),
+                            (uint16_t)(height < loop->tile_height ? height : loop->tile_height)};
+
+    return tile;
+}
+
+static int draw_tile(struct loop *loop, struct tia_tile tile)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_hits *hits = loop->hits;
+    struct tia_surface surface;
+    int status = TIA_OK;
+
+    if (!loop->whole)
+        status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, tile);
+    if (!status && !loop->traced)
+        status = loop->core->trace(loop->view, hits, tile);
+    if (!status)
+        status = v->display->acquire(v->display_ctx, tile, &surface);
+    if (!status)
+        status = loop->core->light(loop->view, hits, tile, &surface, &v->options);
+    return status ? status : v->display->submit(v->display_ctx, tile);
+}
+
+static void tile_job(void *arg, unsigned index)
+{
+    struct loop *loop = arg;
+    loop->status[index] = (int8_t)draw_tile(loop, tile_at(loop, index));
+}
+
+int viewer_draw_tiles(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    int status = TIA_OK;
+
+    if (v->workers && loop->mode.concurrent && loop->whole) {
+        v->workers->run(v->workers_ctx, tile_job, loop, loop->tiles);
+        for (unsigned i = 0; !status && i < loop->tiles; i++)
+            status = loop->status[i];
+    } else {
+        for (unsigned i = 0; !status && i < loop->tiles; i++)
+            status = draw_tile(loop, tile_at(loop, i));
+    }
+    return status;
+}
