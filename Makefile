@@ -100,7 +100,7 @@ LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare
+all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
 $(BUILD)/q16/%.o: %.c
@@ -143,6 +143,8 @@ $(BUILD)/$(1): $(call obj,host,tools/$(1).c $(sort $(wildcard tools/$(1)/*.c))) 
 	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(LIBS)
 endef
 $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,$(p))))
+
+$(BUILD)/tia-join: $(BUILD)/host/tools/tia/signals.o
 
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
@@ -212,18 +214,20 @@ lint:
 INSTALL := install -D -m
 install: all
 	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
+	$(INSTALL) 755 $(BUILD)/tia-join $(DESTDIR)$(PREFIX)/bin/tia-join
 	$(if $(LIBF64),$(INSTALL) 755 $(BUILD)/tia-compare $(DESTDIR)$(PREFIX)/bin/tia-compare)
 	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
 	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
 	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
 	$(INSTALL) 644 man/tia-scene.5 $(DESTDIR)$(PREFIX)/share/man/man5/tia-scene.5
+	$(INSTALL) 644 man/tia-join.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-join.1
 	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
 	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
 uninstall:
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare lib/libtia.a lib/pkgconfig/tia.pc \
-	    share/man/man1/tia.1 share/man/man1/tia-compare.1 share/man/man5/tia-scene.5)
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join lib/libtia.a lib/pkgconfig/tia.pc \
+	    share/man/man1/tia.1 share/man/man1/tia-compare.1 share/man/man1/tia-join.1 share/man/man5/tia-scene.5)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
 

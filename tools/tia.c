@@ -55,6 +55,9 @@ int main(int argc, char **argv)
     fill_descriptors();
     signals_prepare();
     int status = options_parse(&options, argc, argv);
+    if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW)) {
+        status = options_load(&options);
+    }
     if (status == EXIT_FINE) {
         status = act(&options);
     }

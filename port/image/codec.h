@@ -20,18 +20,23 @@ struct image_codec {
 
 struct image {
     const struct image_codec *codec;
-    unsigned width, height;
-    unsigned rows;       /* so far */
-    int status;          /* the first error */
-    unsigned char *line; /* room for one row: 3 bytes a pixel and padding */
-    void *state;         /* the codec's own */
+    struct image_film film;
+    unsigned width, height; /* of what is written of each frame */
+    uint64_t rows;          /* so far, of all frames */
+    int status;             /* the first error */
+    unsigned char *line;    /* room for one row: 3 bytes a pixel and padding */
+    void *state;            /* the codec's own */
     struct sink sink;
 };
 
 extern const struct image_codec image_codec_ppm, image_codec_bmp, image_codec_565;
+extern const struct image_codec image_codec_y4m, image_codec_part;
 #ifdef TIA_HAVE_PNG
 extern const struct image_codec image_codec_png;
 #endif
+
+/* Little-endian bytes of `count` pixels; returns how many bytes. */
+size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count);
 
 /* Red, green and blue of `count` pixels with 8 bits each: the high bits are repeated below the
  * low ones, so that 0 stays 0 and full becomes 255. */

@@ -1,5 +1,6 @@
 #include "image/image.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,19 +10,19 @@
 #include "ports.h"
 
 static const char *const names[] = {
-    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png", [IMAGE_PPM] = "ppm", [IMAGE_BMP] = "bmp", [IMAGE_565] = "565"};
+    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png", [IMAGE_PPM] = "ppm",     [IMAGE_BMP] = "bmp",
+    [IMAGE_565] = "565",  [IMAGE_Y4M] = "y4m", [IMAGE_PART] = "tiapart"};
 
 static const struct image_codec *const codecs[] = {
 #ifdef TIA_HAVE_PNG
     [IMAGE_PNG] = &image_codec_png,
 #endif
-    [IMAGE_PPM] = &image_codec_ppm,
-    [IMAGE_BMP] = &image_codec_bmp,
-    [IMAGE_565] = &image_codec_565};
+    [IMAGE_PPM] = &image_codec_ppm, [IMAGE_BMP] = &image_codec_bmp,  [IMAGE_565] = &image_codec_565,
+    [IMAGE_Y4M] = &image_codec_y4m, [IMAGE_PART] = &image_codec_part};
 
 enum image_format image_format_called(const char *name)
 {
-    for (enum image_format format = IMAGE_PNG; format <= IMAGE_565; format++) {
+    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PART; format++) {
         if (strcasecmp(name, names[format]) == 0) {
             return format;
         }
@@ -45,6 +46,11 @@ bool image_format_built(enum image_format format)
     return codecs[format] != NULL;
 }
 
+bool image_format_films(enum image_format format)
+{
+    return format == IMAGE_Y4M || format == IMAGE_PART;
+}
+
 bool image_bottom_up(const struct image *image)
 {
     return image->codec->bottom_up;
@@ -62,10 +68,10 @@ static void release(struct image *image)
 }
 
 /* The picture with room for a row, or NULL and the reason. */
-static struct image *allocate(enum image_format format, unsigned width, unsigned height, char *why)
+static struct image *allocate(enum image_format format, const struct image_film *film, char *why)
 {
     struct image *image = calloc(1, sizeof *image);
-    unsigned char *line = malloc((size_t)width * 3 + 4);
+    unsigned char *line = malloc((size_t)film->width * 3 + 4);
     if (image == NULL || line == NULL) {
         (void)snprintf(why, PORT_WHY, "memory: exhausted");
         free(image);
@@ -73,19 +79,27 @@ static struct image *allocate(enum image_format format, unsigned width, unsigned
         return NULL;
     }
     image->codec = codecs[format];
-    image->width = width;
-    image->height = height;
+    image->film = *film;
+    image->width = film->width;
+    image->height = film->rows;
     image->line = line;
     return image;
 }
 
 struct image *image_create(const char *path, enum image_format format, unsigned width, unsigned height, char *why)
 {
+    const struct image_film picture = {
+        .width = width, .height = height, .rows = height, .frames = 1, .all_frames = 1, .rate = {1, 1}};
+    return image_create_film(path, format, &picture, why);
+}
+
+struct image *image_create_film(const char *path, enum image_format format, const struct image_film *film, char *why)
+{
     if (!image_format_built(format)) {
         (void)snprintf(why, PORT_WHY, "%.150s: this build writes no %s files (use .ppm)", path, names[format]);
         return NULL;
     }
-    struct image *image = allocate(format, width, height, why);
+    struct image *image = allocate(format, film, why);
     if (image == NULL) {
         return NULL;
     }
@@ -112,9 +126,10 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count)
 
 int image_finish(struct image *image)
 {
-    if (image->status == TIA_OK && image->rows != image->height) {
-        (void)snprintf(image->sink.why, PORT_WHY, "%.150s: %u rows of %u were drawn", image->sink.name, image->rows,
-                       image->height);
+    uint64_t rows = (uint64_t)image->height * image->film.frames;
+    if (image->status == TIA_OK && image->rows != rows) {
+        (void)snprintf(image->sink.why, PORT_WHY, "%.150s: %" PRIu64 " rows of %" PRIu64 " were drawn",
+                       image->sink.name, image->rows, rows);
         image->status = TIA_ERR_ARGUMENT;
     }
     if (image->status == TIA_OK) {

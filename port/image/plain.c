@@ -44,7 +44,7 @@ const struct image_codec image_codec_ppm = {
 
 /* ---- RGB565, little endian, row by row ---- */
 
-static size_t put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
+size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         line[2 * i] = (unsigned char)(pixels[i] & 255u);
@@ -55,7 +55,7 @@ static size_t put565(unsigned char *line, const tia_rgb565 *pixels, size_t count
 
 static int raw_row(struct image *image, const tia_rgb565 *pixels)
 {
-    size_t bytes = put565(image->line, pixels, image->width);
+    size_t bytes = image_put565(image->line, pixels, image->width);
     return sink_write(&image->sink, image->line, bytes);
 }
 
@@ -101,7 +101,7 @@ static int bmp_begin(struct image *image)
 
 static int bmp_row(struct image *image, const tia_rgb565 *pixels)
 {
-    size_t bytes = put565(image->line, pixels, image->width);
+    size_t bytes = image_put565(image->line, pixels, image->width);
     while (bytes < bmp_pitch(image->width)) {
         image->line[bytes++] = 0;
     }

@@ -6,17 +6,36 @@
 
 #include "bytes.h"
 #include "tools/tia/fail.h"
+#include "tools/tia/film.h"
 #include "tools/tia/options.h"
 
 #define ARGUMENTS 24
 
 static void must_keep_limits(const struct options *o)
 {
-    MUST(o->scene && o->core && o->display && o->input);
+    MUST(o->core && o->display && o->input);
     MUST(!o->width == !o->height && o->width <= TIA_SIZE_MAX && o->height <= TIA_SIZE_MAX);
     MUST(o->action != ACTION_DRAW || o->output);
     MUST(o->threads >= 1);
     MUST(!o->key_count || o->keys);
+    MUST(!o->scene_path || o->scene_format != SCENE_UNKNOWN);
+    MUST(o->samples <= TIA_SAMPLES_MAX && o->time >= 0 && o->rate[0] >= 1 && o->rate[1] >= 1);
+    MUST(o->first_frame <= o->last_frame && o->first_row <= o->last_row);
+    MUST(!o->tile_rows || o->format == IMAGE_PART);
+}
+
+/* The built-in scene's keys are read, and what is drawn lies in the film. */
+static void must_plan(struct options *o)
+{
+    struct image_film film;
+
+    if (options_load(o) != EXIT_FINE || o->action != ACTION_DRAW || film_plan(o, &film) != EXIT_FINE)
+        return;
+    MUST(!o->key_count || o->keys);
+    MUST(film.width && film.width <= TIA_SIZE_MAX && film.height && film.height <= TIA_SIZE_MAX);
+    MUST(film.rows && film.first_row + film.rows <= film.height);
+    MUST(film.frames && (uint64_t)film.first_frame + film.frames <= film.all_frames);
+    MUST(film_time(o, film.first_frame + film.frames - 1) >= o->time);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -36,6 +55,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     MUST(status == EXIT_FINE || status == EXIT_USAGE || status == EXIT_DISPLAY || status == EXIT_RUNNING);
     if (status == EXIT_FINE && options.action != ACTION_HELP && options.action != ACTION_VERSION)
         must_keep_limits(&options);
+    if (status == EXIT_FINE && !options.scene_path && options.action <= ACTION_DRAW)
+        must_plan(&options);
     options_free(&options);
     free(text);
     return 0;

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <tia/fixed.h>
+
 static void say(const char *format, va_list values)
 {
     char text[1024];
@@ -27,9 +29,28 @@ int fail(int status, const char *format, ...)
     return status;
 }
 
+int wrong(const char *option, const char *value, const char *rule)
+{
+    return fail(EXIT_USAGE, "%s '%.200s': %s", option, value, rule);
+}
+
 int fail_output(void)
 {
     return fail(EXIT_RUNNING, "standard output: %s", strerror(errno));
+}
+
+const char *fail_reason(int status)
+{
+    switch (status) {
+    case TIA_ERR_MEMORY:
+        return "memory: exhausted";
+    case TIA_ERR_RANGE:
+        return "scene: a value is out of range";
+    case TIA_ERR_UNSUPPORTED:
+        return "scene: this build draws no such scenes";
+    default:
+        return "display: failed";
+    }
 }
 
 void note(const char *format, ...)

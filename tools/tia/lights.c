@@ -11,7 +11,8 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
     lights->count = scene->light_count;
     lights->capacity = scene->light_count + scene->binding_count + 1;
     lights->array = calloc(lights->capacity, sizeof *lights->array);
-    if (lights->array == NULL) {
+    lights->held = calloc(lights->capacity, sizeof *lights->held);
+    if (lights->array == NULL || lights->held == NULL) {
         return false;
     }
     if (lights->count > 0) {
@@ -20,9 +21,27 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
     return true;
 }
 
+void lights_free(struct lights *lights)
+{
+    free(lights->array);
+    free(lights->held);
+}
+
 void lights_press(struct lights *lights, const struct tia_scene *scene, const uint16_t *keys, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        (void)tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]);
+        uint32_t light = tia_key_light(scene, lights->array, lights->count, keys[i]);
+        if (tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0) {
+            lights->held[light] = true;
+        }
+    }
+}
+
+void lights_follow(struct lights *lights, const struct tia_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        if (!lights->held[i]) {
+            lights->array[i] = scene->lights[i];
+        }
     }
 }

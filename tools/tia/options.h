@@ -5,12 +5,17 @@
 #include <tia/tia.h>
 
 #include "image/image.h"
+#include "scene/scene.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 
 struct options {
     enum action action;
-    const struct tia_scene *scene;
+    const char *scene_path; /* NULL: the built-in scene */
+    int scene_format;       /* enum tia_format, or SCENE_UNKNOWN */
+    struct scene_file file; /* when there is a path */
+    struct tia_scene scene; /* what is drawn: loaded, with the samples asked for */
+    uint32_t samples;       /* 0: the scene's own */
     const struct tia_core *core;
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;
@@ -18,9 +23,14 @@ struct options {
     const char *output;           /* NULL: a display */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
-    uint16_t *keys;         /* pressed first; options_free frees them */
+    const char *key_text;   /* NULL: not given */
+    uint16_t *keys;         /* pressed first */
     size_t key_count;
-    uint32_t frames; /* 0: no limit */
+    uint32_t frames;  /* 0: no limit */
+    tia_q16 time;     /* of the first frame, seconds */
+    uint32_t rate[2]; /* frames a second: numerator, denominator */
+    bool rate_given, frame_range, tile_rows;
+    uint32_t first_frame, last_frame, first_row, last_row; /* with frame_range, tile_rows */
     uint32_t threads;
     uint32_t rotate; /* degrees, clockwise */
     bool dither, checksum, stats;
@@ -28,6 +38,11 @@ struct options {
 
 /* EXIT_FINE; or EXIT_USAGE, EXIT_DISPLAY, EXIT_RUNNING after one line that says what is wrong. */
 int options_parse(struct options *options, int argc, char **argv);
+
+/* Then, where something is to be drawn, reads the scene and its keys. Results as above. */
+int options_load(struct options *options);
+
+/* Safe at any time after options_parse. */
 void options_free(struct options *options);
 
 extern const char options_help[];

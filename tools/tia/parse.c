@@ -50,6 +50,58 @@ bool parse_mode(const char *text)
     return *rest == '\0' || (*rest == '@' && parse_number(rest + 1, NULL, 1, 1000, &hertz));
 }
 
+enum { FRACTION_DIGITS = 40 };
+
+/* 0.DIGITS in 1/65536, to nearest, halves up: the decimal digits are doubled bit by bit, exactly. */
+static uint32_t fraction(const char *text, size_t count)
+{
+    unsigned char digits[FRACTION_DIGITS];
+    uint32_t bits = 0;
+    for (size_t i = 0; i < count; i++) {
+        digits[i] = (unsigned char)(text[i] - '0');
+    }
+    for (unsigned bit = 0; bit < 17; bit++) {
+        unsigned carry = 0;
+        for (size_t i = count; i-- > 0;) {
+            unsigned twice = digits[i] * 2u + carry;
+            digits[i] = (unsigned char)(twice % 10);
+            carry = twice / 10;
+        }
+        bits = bits * 2 + carry;
+    }
+    return (bits + 1) / 2;
+}
+
+bool parse_seconds(const char *text, tia_q16 *seconds)
+{
+    uint32_t whole, part = 0;
+    const char *rest;
+    if (!parse_number(text, &rest, 0, 32767, &whole)) {
+        return false;
+    }
+    if (*rest == '.') {
+        size_t count = strspn(rest + 1, "0123456789");
+        if (count == 0 || count > FRACTION_DIGITS) {
+            return false;
+        }
+        part = fraction(rest + 1, count);
+        rest += 1 + count;
+    }
+    uint64_t sum = (uint64_t)whole * 65536 + part;
+    *seconds = (tia_q16)(sum & INT32_MAX);
+    return *rest == '\0' && sum <= INT32_MAX;
+}
+
+bool parse_rate(const char *text, uint32_t rate[2])
+{
+    const char *rest;
+    rate[1] = 1;
+    if (!parse_number(text, &rest, 1, 1000000, &rate[0])) {
+        return false;
+    }
+    return *rest == '\0' || (*rest == '/' && parse_number(rest + 1, NULL, 1, 1000000, &rate[1]));
+}
+
 static const struct {
     const char *name;
     uint16_t key;

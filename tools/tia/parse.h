@@ -14,6 +14,12 @@ bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *widt
 /* "preferred", "WxH" or "WxH@R" with R in hertz. */
 bool parse_mode(const char *text);
 
+/* "1.25": seconds below 32768, with at most 40 digits behind the point, to the nearest 2^-16. */
+bool parse_seconds(const char *text, tia_q16 *seconds);
+
+/* "25" or "30000/1001", each number 1..1000000. */
+bool parse_rate(const char *text, uint32_t rate[2]);
+
 /* "ad<left>" as key codes, at most one for each character; only keys that put a light of `scene`
  * or move it. *bad gets where the text is wrong. */
 bool parse_keys(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);

@@ -8,22 +8,42 @@
 /* What is done within half a second needs no word; then ten times a second is smooth enough. */
 enum { FIRST_US = 500000, STEP_US = 100000 };
 
-void progress_begin(struct progress *progress)
+void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames)
 {
-    *progress = (struct progress){.terminal = isatty(STDERR_FILENO) == 1, .start_us = clock_now_us()};
-    progress->next_us = progress->start_us + FIRST_US;
+    progress->terminal = isatty(STDERR_FILENO) == 1;
+    progress->frame_pixels = frame_pixels;
+    progress->frames = frames;
+    atomic_init(&progress->done, 0);
+    atomic_flag_clear(&progress->busy);
+    progress->next_us = clock_now_us() + FIRST_US;
 }
 
-void progress_update(struct progress *progress, unsigned done, unsigned total)
+static void tell(const struct progress *progress, uint64_t done)
 {
-    uint64_t now = clock_now_us();
-    if (!progress->terminal || now < progress->next_us) {
+    if (progress->frames > 1) {
+        (void)fprintf(stderr, "\rdrawing: %u of %u frames, %u %% of the next",
+                      (unsigned)(done / progress->frame_pixels), (unsigned)progress->frames,
+                      (unsigned)(done % progress->frame_pixels * 100 / progress->frame_pixels));
+    } else {
+        (void)fprintf(stderr, "\rdrawing: %3u %%", (unsigned)(done * 100 / progress->frame_pixels));
+    }
+    (void)fputs("\033[K", stderr);
+    (void)fflush(stderr);
+}
+
+void progress_add(struct progress *progress, uint64_t pixels)
+{
+    uint64_t done = atomic_fetch_add(&progress->done, pixels) + pixels;
+    if (!progress->terminal || atomic_flag_test_and_set(&progress->busy)) {
         return;
     }
-    (void)fprintf(stderr, "\rdrawing: %3u %%", (unsigned)((uint64_t)done * 100 / total));
-    (void)fflush(stderr);
-    progress->shown = true;
-    progress->next_us = now + STEP_US;
+    uint64_t now = clock_now_us();
+    if (now >= progress->next_us) {
+        tell(progress, done);
+        progress->shown = true;
+        progress->next_us = now + STEP_US;
+    }
+    atomic_flag_clear(&progress->busy);
 }
 
 void progress_end(struct progress *progress)

@@ -2,16 +2,24 @@
 #ifndef TOOLS_TIA_PROGRESS_H
 #define TOOLS_TIA_PROGRESS_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 struct progress {
-    bool terminal, shown;
-    uint64_t start_us, next_us;
+    bool terminal;
+    uint64_t frame_pixels;
+    uint32_t frames;
+    atomic_uint_least64_t done; /* pixels */
+    atomic_flag busy;           /* one thread tells at a time; what follows is its */
+    bool shown;
+    uint64_t next_us;
 };
 
-void progress_begin(struct progress *progress);
-void progress_update(struct progress *progress, unsigned done, unsigned total);
+void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames);
+
+/* From any thread: so many pixels more are done. */
+void progress_add(struct progress *progress, uint64_t pixels);
 
 /* Erases the line. */
 void progress_end(struct progress *progress);

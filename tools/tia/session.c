@@ -152,13 +152,16 @@ static struct tia_viewer viewer_of(struct session *session)
 {
     const struct options *options = session->options;
     return (struct tia_viewer){.core = options->core,
-                               .scene = options->scene,
+                               .scene = &options->scene,
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,
+                               .held = session->lights.held,
                                .options = {.dither = options->dither},
                                .frame_limit = options->frames,
                                .keys = options->keys,
                                .key_count = options->key_count,
+                               .time = options->time,
+                               .rate = {options->rate_given ? options->rate[0] : 0, options->rate[1]},
                                .display = &stage_display,
                                .input = session->input->ops,
                                .clock = &clock_monotonic,
@@ -173,25 +176,13 @@ static struct tia_viewer viewer_of(struct session *session)
                                .stop = &signals_caught};
 }
 
-static const char *reason(int status)
-{
-    switch (status) {
-    case TIA_ERR_MEMORY:
-        return "memory: exhausted";
-    case TIA_ERR_RANGE:
-        return "scene: a value is out of range";
-    default:
-        return "display: failed";
-    }
-}
-
 /* The pool is made after the display was opened: opening may fork, which threads do not survive. */
 int session_run(struct session *session)
 {
     int status = TIA_ERR_MEMORY;
     session->why[0] = '\0';
     session->pool = threads_create(session->options->threads);
-    if (session->pool != NULL && lights_copy(&session->lights, session->options->scene) &&
+    if (session->pool != NULL && lights_copy(&session->lights, &session->options->scene) &&
         open_lines(session) == TIA_OK) {
         struct tia_viewer viewer = viewer_of(session);
         status = tia_viewer_run(&viewer);
@@ -203,9 +194,9 @@ int session_run(struct session *session)
     session->stats.height = session->stage.turn.height;
     session->stats.threads = session->pool != NULL ? threads_count(session->pool) : 1;
     if (status < 0 && session->why[0] == '\0') {
-        (void)snprintf(session->why, PORT_WHY, "%s", reason(status));
+        (void)snprintf(session->why, PORT_WHY, "%s", fail_reason(status));
     }
-    return status < 0 ? EXIT_RUNNING : EXIT_FINE;
+    return status == TIA_ERR_RANGE ? EXIT_USAGE : status < 0 ? EXIT_RUNNING : EXIT_FINE;
 }
 
 int session_end(struct session *session, int status)
@@ -217,7 +208,7 @@ int session_end(struct session *session, int status)
         stats_print(&session->stats);
     }
     threads_destroy(session->pool);
-    free(session->lights.array);
+    lights_free(&session->lights);
     free(session->memory);
     free(session);
     return signals_end(status);

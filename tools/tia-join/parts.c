@@ -1,0 +1,222 @@
+#include "parts.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "image/part.h"
+
+__attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    (void)vsnprintf(parts->why, PARTS_WHY, format, values);
+    va_end(values);
+    return -1;
+}
+
+/* ---- one part ---- */
+
+static uint64_t frame_bytes(const struct part *part)
+{
+    return (uint64_t)part->film.width * part->film.rows * sizeof(tia_rgb565);
+}
+
+static int read_at(struct parts *parts, const struct part *part, int fd, void *bytes, size_t count, uint64_t offset)
+{
+    for (size_t done = 0; done < count;) {
+        ssize_t got = pread(fd, (char *)bytes + done, count - done, (off_t)(offset + done));
+        if (got <= 0) {
+            return failed(parts, "%.300s: %s", part->path, got == 0 ? "ends too early" : strerror(errno));
+        }
+        done += (size_t)got;
+    }
+    return 0;
+}
+
+/* Only regular files: parts are read in any order, and a FIFO would wait. */
+static int open_part(struct parts *parts, const struct part *part, uint64_t *length)
+{
+    struct stat status;
+    int fd = open(part->path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (fd < 0 || fstat(fd, &status) != 0) {
+        (void)failed(parts, "%.300s: %s", part->path, strerror(errno));
+    } else if (!S_ISREG(status.st_mode)) {
+        (void)failed(parts, "%.300s: not a regular file", part->path);
+    } else {
+        *length = (uint64_t)status.st_size;
+        return fd;
+    }
+    if (fd >= 0) {
+        (void)close(fd);
+    }
+    return -1;
+}
+
+static int check_header(struct parts *parts, struct part *part, int fd, uint64_t length)
+{
+    char text[IMAGE_PART_HEADER];
+    size_t count = length < sizeof text ? (size_t)length : sizeof text;
+    if (read_at(parts, part, fd, text, count, 0) != 0) {
+        return -1;
+    }
+    part->header = image_part_parse(&part->film, text, count);
+    if (part->header == 0) {
+        return failed(parts, "%.300s: not a part (tia --tile-rows or --frame-range, -o FILE.tiapart)", part->path);
+    }
+    if (length != part->header + frame_bytes(part) * part->film.frames) {
+        return failed(parts, "%.300s: %llu bytes, not the %llu of its header", part->path, (unsigned long long)length,
+                      (unsigned long long)(part->header + frame_bytes(part) * part->film.frames));
+    }
+    return 0;
+}
+
+static int read_part(struct parts *parts, struct part *part)
+{
+    uint64_t length = 0;
+    int fd = open_part(parts, part, &length);
+    if (fd < 0) {
+        return -1;
+    }
+    int result = check_header(parts, part, fd, length);
+    (void)close(fd);
+    return result;
+}
+
+/* ---- all of them ---- */
+
+static int check_same(struct parts *parts, const struct part *part)
+{
+    const struct part *first = &parts->array[0];
+    const struct image_film *a = &first->film, *b = &part->film;
+    if (a->width != b->width || a->height != b->height) {
+        return failed(parts, "%.150s: of pictures of %ux%u, %.150s of %ux%u", part->path, b->width, b->height,
+                      first->path, a->width, a->height);
+    }
+    if (a->all_frames != b->all_frames || a->rate[0] != b->rate[0] || a->rate[1] != b->rate[1]) {
+        return failed(parts, "%.150s: of a film of %u frames at %u/%u, %.150s of %u at %u/%u", part->path,
+                      (unsigned)b->all_frames, (unsigned)b->rate[0], (unsigned)b->rate[1], first->path,
+                      (unsigned)a->all_frames, (unsigned)a->rate[0], (unsigned)a->rate[1]);
+    }
+    if (a->crc != b->crc) {
+        return failed(parts, "%.150s: of another scene, or drawn with other options, than %.150s", part->path,
+                      first->path);
+    }
+    return 0;
+}
+
+static bool overlap(const struct image_film *a, const struct image_film *b)
+{
+    return a->first_row < b->first_row + b->rows && b->first_row < a->first_row + a->rows &&
+           a->first_frame < (uint64_t)b->first_frame + b->frames &&
+           b->first_frame < (uint64_t)a->first_frame + a->frames;
+}
+
+static const struct part *part_of(const struct parts *parts, uint32_t frame, unsigned row)
+{
+    const struct image_film pixel = {.first_row = row, .rows = 1, .first_frame = frame, .frames = 1};
+    for (unsigned i = 0; i < parts->count; i++) {
+        if (overlap(&parts->array[i].film, &pixel)) {
+            return &parts->array[i];
+        }
+    }
+    return NULL;
+}
+
+/* Parts that do not overlap and have as many rows as the film leave no gap. Where they have fewer, one is
+ * looked for: at the first frame and row, or behind the end of some part. */
+static int check_gaps(struct parts *parts)
+{
+    const struct image_film *film = &parts->array[0].film;
+    uint64_t rows = 0;
+    for (unsigned i = 0; i < parts->count; i++) {
+        rows += (uint64_t)parts->array[i].film.rows * parts->array[i].film.frames;
+    }
+    if (rows == (uint64_t)film->height * film->all_frames) {
+        return 0;
+    }
+    for (uint32_t frame = 0; frame < film->all_frames; frame++) {
+        for (unsigned row = 0; row < film->height;) {
+            const struct part *part = part_of(parts, frame, row);
+            if (part == NULL) {
+                return failed(parts, "row %u of frame %u is in no part", row, (unsigned)frame);
+            }
+            row = part->film.first_row + part->film.rows;
+        }
+    }
+    return failed(parts, "the parts do not fit together");
+}
+
+static int check_overlaps(struct parts *parts)
+{
+    for (unsigned i = 0; i < parts->count; i++) {
+        for (unsigned j = 0; j < i; j++) {
+            const struct part *a = &parts->array[i], *b = &parts->array[j];
+            if (overlap(&a->film, &b->film)) {
+                return failed(parts, "%.200s and %.200s: both have the same rows", b->path, a->path);
+            }
+        }
+    }
+    return 0;
+}
+
+int parts_open(struct parts *parts, char *const *paths, unsigned count)
+{
+    *parts = (struct parts){.array = calloc(count, sizeof *parts->array), .count = count};
+    if (parts->array == NULL) {
+        return failed(parts, "memory: exhausted");
+    }
+    for (unsigned i = 0; i < count; i++) {
+        struct part *part = &parts->array[i];
+        part->path = paths[i];
+        if (read_part(parts, part) != 0 || check_same(parts, part) != 0) {
+            return -1;
+        }
+    }
+    return check_overlaps(parts) != 0 ? -1 : check_gaps(parts);
+}
+
+void parts_close(struct parts *parts)
+{
+    free(parts->array);
+    parts->array = NULL;
+}
+
+/* ---- pixels ---- */
+
+static int read_rows(struct parts *parts, const struct part *part, uint32_t frame, tia_rgb565 *pixels)
+{
+    const struct image_film *film = &part->film;
+    size_t count = (size_t)film->width * film->rows;
+    tia_rgb565 *rows = pixels + (size_t)film->first_row * film->width;
+    unsigned char *bytes = (unsigned char *)rows;
+    uint64_t length;
+    int fd = open_part(parts, part, &length);
+    if (fd < 0) {
+        return -1;
+    }
+    int result = read_at(parts, part, fd, bytes, count * sizeof *rows,
+                         part->header + frame_bytes(part) * (frame - film->first_frame));
+    (void)close(fd);
+    for (size_t i = 0; i < count; i++) { /* little endian, in place */
+        rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
+    }
+    return result;
+}
+
+int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels)
+{
+    for (unsigned i = 0; i < parts->count; i++) {
+        const struct image_film *film = &parts->array[i].film;
+        if (frame >= film->first_frame && frame - film->first_frame < film->frames &&
+            read_rows(parts, &parts->array[i], frame, pixels) != 0) {
+            return -1;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,85 @@
+#include "film.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "fail.h"
+#include "image/series.h"
+
+enum { DEFAULT_WIDTH = 640, DEFAULT_HEIGHT = 480 };
+
+tia_q16 film_time(const struct options *options, uint32_t frame)
+{
+    return tia_frame_time(options->time, frame, options->rate);
+}
+
+struct turn film_turn(const struct options *options)
+{
+    return (struct turn){options->rotate, options->width ? options->width : DEFAULT_WIDTH,
+                         options->height ? options->height : DEFAULT_HEIGHT};
+}
+
+/* As many as begin before the last keyframe, and one where nothing moves. */
+static uint32_t count_frames(const struct options *options)
+{
+    int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
+    if (options->frames != 0) {
+        return options->frames;
+    }
+    if (left <= 0) {
+        return 1;
+    }
+    uint64_t whole = (uint64_t)options->rate[1] * 65536;
+    return (uint32_t)(((uint64_t)left * options->rate[0] + whole - 1) / whole);
+}
+
+/* All that the pixels depend on besides the size: parts of one film say the same. */
+static uint32_t identify(const struct options *options)
+{
+    char text[120];
+    const char *keys = options->key_text != NULL ? options->key_text : "";
+    int length = snprintf(text, sizeof text, "%s %d %u %u %d %u/%u", options->core->name, options->dither,
+                          (unsigned)options->rotate, (unsigned)options->samples, (int)options->time,
+                          (unsigned)options->rate[0], (unsigned)options->rate[1]);
+    return scene_crc(scene_crc(options->file.crc, text, (size_t)length), keys, strlen(keys));
+}
+
+static int plan_frames(const struct options *options, struct image_film *film)
+{
+    bool is_film = image_format_films(options->format) || series_is_pattern(options->output);
+    film->all_frames = is_film ? count_frames(options) : 1;
+    film->frames = film->all_frames;
+    if (!is_film && options->frames > 1) {
+        return fail(EXIT_USAGE, "%.200s: one picture for %u frames (name it .y4m, or with %%04d in its name)",
+                    options->output, (unsigned)options->frames);
+    }
+    if (options->frame_range) {
+        if (options->last_frame >= film->all_frames) {
+            return fail(EXIT_USAGE, "--frame-range %u-%u: the film ends with frame %u", (unsigned)options->first_frame,
+                        (unsigned)options->last_frame, (unsigned)film->all_frames - 1);
+        }
+        film->first_frame = options->first_frame;
+        film->frames = options->last_frame - options->first_frame + 1;
+    }
+    return EXIT_FINE;
+}
+
+int film_plan(const struct options *options, struct image_film *film)
+{
+    struct turn turn = film_turn(options);
+    struct turn back = turn_back(&turn);
+    *film = (struct image_film){.width = back.width,
+                                .height = back.height,
+                                .rows = back.height,
+                                .rate = {options->rate[0], options->rate[1]},
+                                .crc = identify(options)};
+    if (options->tile_rows) {
+        if (options->last_row >= film->height) {
+            return fail(EXIT_USAGE, "--tile-rows %u-%u: the picture ends with row %u", (unsigned)options->first_row,
+                        (unsigned)options->last_row, film->height - 1);
+        }
+        film->first_row = options->first_row;
+        film->rows = options->last_row - options->first_row + 1;
+    }
+    return plan_frames(options, film);
+}

@@ -1,0 +1,152 @@
+#include "picture.h"
+
+#include <stdlib.h>
+
+#include "crc.h"
+#include "film.h"
+#include "signals.h"
+
+/* Enough pixels that the threads seldom wait for the last of them, and little memory: a band's
+ * hits are some tens of bytes a pixel. A job is some full rows: the core works by rows. */
+enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
+
+static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
+{
+    struct turn back = turn_back(&picture->turn);
+    struct tia_tile rows = {0, (uint16_t)band->y, (uint16_t)picture->width, (uint16_t)band->rows};
+    return turn_tile(&back, rows);
+}
+
+/* ---- jobs ---- */
+
+static void write_band(struct picture *picture, const struct picture_band *band)
+{
+    size_t count = (size_t)band->rows * picture->width;
+    if (picture->checksum && image_bottom_up(picture->image)) {
+        picture->crc = crc_join(tia_crc32(0, band->pixels, count), picture->crc, picture->crc_bytes);
+    } else if (picture->checksum) {
+        picture->crc = tia_crc32(picture->crc, band->pixels, count);
+    }
+    picture->crc_bytes += count * sizeof *band->pixels;
+    int status = image_band(picture->image, band->pixels, band->rows);
+    if (status != TIA_OK) {
+        atomic_store(&picture->status, status);
+    }
+}
+
+static void draw_rows(struct picture *picture, unsigned job)
+{
+    unsigned first = job * picture->job_rows, left = picture->tile.height - first;
+    struct tia_tile tile = picture->tile;
+    tile.y = (uint16_t)(tile.y + first);
+    tile.height = (uint16_t)(left < picture->job_rows ? left : picture->job_rows);
+
+    struct tia_tile place = turn_tile(&picture->turn, tile);
+    const struct picture_band *band = &picture->band[0];
+    struct tia_surface rows = {band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
+                               sizeof(tia_rgb565), (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
+    struct tia_surface surface = turn_surface(&picture->turn, &rows, place.width, place.height);
+
+    int status = picture->core->trace(picture->view, picture->hits, tile);
+    if (status == TIA_OK) {
+        status = picture->core->light(picture->view, picture->hits, tile, &surface, &picture->pixel_options);
+    }
+    if (status != TIA_OK) {
+        atomic_store(&picture->status, status);
+    }
+    progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
+}
+
+static void work(void *arg, unsigned index)
+{
+    struct picture *picture = arg;
+    if (index > 0) {
+        draw_rows(picture, index - 1);
+    } else if (picture->band[1].rows > 0) {
+        write_band(picture, &picture->band[1]);
+    }
+}
+
+/* ---- the picture ---- */
+
+static int draw_band(struct picture *picture)
+{
+    struct picture_band *band = &picture->band[0];
+    unsigned jobs = 0;
+    if (band->rows > 0) {
+        picture->tile = tile_of(picture, band);
+        jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
+        int status = picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->tile);
+        if (status != TIA_OK) {
+            return status;
+        }
+    }
+    threads_workers.run(picture->pool, work, picture, jobs + 1);
+
+    struct picture_band written = picture->band[1];
+    picture->band[1] = picture->band[0];
+    picture->band[0] = written;
+    return atomic_load(&picture->status);
+}
+
+/* All bands, in the order that the file needs; one empty band more writes the last. */
+int picture_draw(struct picture *picture)
+{
+    unsigned count = (picture->rows + picture->band_rows - 1) / picture->band_rows;
+    int status = TIA_OK;
+    picture->crc = 0;
+    picture->crc_bytes = 0;
+    for (unsigned i = 0; i <= count && status == TIA_OK && signals_caught == 0; i++) {
+        struct picture_band *band = &picture->band[0];
+        band->rows = 0;
+        if (i < count) {
+            unsigned first = (image_bottom_up(picture->image) ? count - 1 - i : i) * picture->band_rows;
+            unsigned left = picture->rows - first;
+            band->y = picture->first_row + first;
+            band->rows = left < picture->band_rows ? left : picture->band_rows;
+        }
+        status = draw_band(picture);
+    }
+    return status;
+}
+
+/* ---- memory ---- */
+
+int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
+{
+    const struct tia_core *core = options->core;
+    *picture = (struct picture){.core = core,
+                                .pixel_options = {.dither = options->dither},
+                                .turn = film_turn(options),
+                                .width = film->width,
+                                .first_row = film->first_row,
+                                .rows = film->rows,
+                                .checksum = options->checksum};
+    picture->band_rows = BAND_PIXELS / film->width < film->rows ? BAND_PIXELS / film->width : film->rows;
+
+    struct picture_band whole = {0, picture->band_rows, NULL};
+    struct tia_tile tile = tile_of(picture, &whole);
+    picture->job_rows = tile.width < JOB_PIXELS ? (unsigned)JOB_PIXELS / tile.width : 1;
+    picture->hits_bytes = core->hits_size(tile);
+    picture->hits_memory = malloc(picture->hits_bytes);
+    for (unsigned i = 0; i < 2; i++) {
+        picture->band[i].pixels = malloc((size_t)picture->band_rows * film->width * sizeof(tia_rgb565));
+    }
+    picture->pool = threads_create(options->threads);
+    progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames);
+    if (picture->hits_memory == NULL || picture->pool == NULL || picture->band[0].pixels == NULL ||
+        picture->band[1].pixels == NULL) {
+        return TIA_ERR_MEMORY;
+    }
+    return TIA_OK;
+}
+
+void picture_end(struct picture *picture)
+{
+    progress_end(&picture->progress);
+    threads_destroy(picture->pool);
+    for (unsigned i = 0; i < 2; i++) {
+        free(picture->band[i].pixels);
+    }
+    free(picture->hits_memory);
+}
