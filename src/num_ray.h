@@ -23,6 +23,9 @@
  *   num_turn(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_d
  *   num_floor(x), num_int(n)     the integer part, rounded down; an integer as num_x
  *   num_steep(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
+ *   num_slab_start(s)            such a distance as num_x, a little less than it is
+ *   num_divide(v, s, d)          the direction and length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled(t, length)
+ *                                and num_unscaled: t times it and over it, at most NUM_X_MOST
  *   num_shown(x)                 a colour as what num_quantise takes, clamped to 0..1
  */
 #ifndef TIA_NUM_RAY_H
@@ -151,6 +154,17 @@ static inline num_x num_length(struct num_point p)
 static inline num_x num_x_clamp(num_x x, num_x least, num_x most)
 {
     return x < least ? least : x > most ? most : x;
+}
+
+/* See num_divide3. */
+static inline struct num_scale num_divide(struct num_dir v, const num_x s[3], struct num_dir *d)
+{
+    const num_d from[3] = {v.x, v.y, v.z};
+    num_d to[3];
+    struct num_scale k = num_divide3(from, s, to);
+
+    *d = (struct num_dir){to[0], to[1], to[2]};
+    return k;
 }
 
 #ifdef TIA_NUM_CHK

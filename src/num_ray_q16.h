@@ -206,12 +206,12 @@ static inline num_d num_power(num_d d, tia_q16 e)
     return power;
 }
 
-/* 1/d with 42 bits behind the point, below 2^62: d is taken as 2^-20 at least. */
+#define NUM_D_LEVEL ((num_d)1 << 42) /* 2^-20 */
+
+/* 1/d with 42 bits behind the point, below 2^62: d is taken as NUM_D_LEVEL at least. */
 static inline num_x num_steep(num_d d)
 {
-    const num_d least = NUM_D_ONE >> 20;
-
-    d = d < 0 ? (d > -least ? -least : d) : d < least ? least : d;
+    d = d < 0 ? (d > -NUM_D_LEVEL ? -NUM_D_LEVEL : d) : d < NUM_D_LEVEL ? NUM_D_LEVEL : d;
     return wide_quotient(NUM_X_ONE >> 3, d, 62);
 }
 
@@ -228,6 +228,50 @@ static inline num_x num_slab(num_x x, num_x steep)
 static inline num_x num_slab_of(num_x t)
 {
     return t >> 22;
+}
+
+/* What num_slab says as a distance, a little less than it is. */
+static inline num_x num_slab_start(num_x slab)
+{
+    return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_x)1 << 22);
+}
+
+/* mantissa 2^exponent */
+struct num_scale {
+    num_d mantissa;
+    int exponent;
+};
+
+/* The vector (x/s[0], y/s[1], z/s[2]): its length, and the direction, within 2^-57. |x|, |y|, |z| <= 1, one of
+ * them not below 2^-1, s in 2^-10..2^10: quotients below 2^62 are found first with 51 bits behind the point, then
+ * with as many as fit. */
+static inline struct num_scale num_divide3(const num_d v[3], const num_x s[3], num_d d[3])
+{
+    int64_t q[3], most = 0;
+
+    for (int i = 0; i < 3; i++) {
+        q[i] = wide_quotient(v[i], s[i], 45 - 11);
+        most |= q[i] < 0 ? -q[i] : q[i];
+    }
+    int more = 61 - wide_bits(wide_product(most, 1));
+    for (int i = 0; i < 3; i++)
+        q[i] = wide_quotient(v[i], s[i], 45 - 11 + more);
+    (void)wide_normalise(q, d);
+    return (struct num_scale){wide_sqrt(wide_dot(q, q)), 11 - more};
+}
+
+/* t times the scale and over it, at most NUM_X_MOST. t >= 0 */
+static inline num_x num_scaled(num_x t, struct num_scale k)
+{
+    wide p = wide_product(t, k.mantissa);
+    int shift = 62 - k.exponent;
+
+    return wide_bits(p) - shift > 62 ? NUM_X_MOST : wide_round(p, (unsigned)shift);
+}
+
+static inline num_x num_unscaled(num_x t, struct num_scale k)
+{
+    return wide_quotient(t, k.mantissa, 62 - k.exponent);
 }
 
 /* CORDIC: the vector is turned to the x axis by angles with the tangents 1, 1/2, 1/4, ...; within 2^-55. */

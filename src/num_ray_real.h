@@ -172,11 +172,11 @@ static inline num_d num_power(num_d d, tia_q16 e)
     return power;
 }
 
+#define NUM_D_LEVEL ((num_real)1 / 1048576)
+
 static inline num_x num_steep(num_d d)
 {
-    const num_real least = (num_real)1 / 1048576;
-
-    return 1 / (d < 0 ? (d > -least ? -least : d) : d < least ? least : d);
+    return 1 / (d < 0 ? (d > -NUM_D_LEVEL ? -NUM_D_LEVEL : d) : d < NUM_D_LEVEL ? NUM_D_LEVEL : d);
 }
 
 static inline num_x num_slab(num_x x, num_x steep)
@@ -190,6 +190,33 @@ static inline num_x num_slab(num_x x, num_x steep)
 static inline num_x num_slab_of(num_x t)
 {
     return t;
+}
+
+static inline num_x num_slab_start(num_x slab)
+{
+    return slab <= NUM_SLAB_ERROR ? 0 : slab - NUM_SLAB_ERROR;
+}
+
+struct num_scale {
+    num_real mantissa;
+};
+
+static inline struct num_scale num_divide3(const num_d v[3], const num_x s[3], num_d d[3])
+{
+    const num_real x = v[0] / s[0], y = v[1] / s[1], z = v[2] / s[2];
+
+    (void)num_normalise3(x, y, z, &d[0], &d[1], &d[2]);
+    return (struct num_scale){num_length3(x, y, z)};
+}
+
+static inline num_x num_scaled(num_x t, struct num_scale k)
+{
+    return num_bounded(t * k.mantissa, NUM_X_MOST);
+}
+
+static inline num_x num_unscaled(num_x t, struct num_scale k)
+{
+    return num_over(t, k.mantissa);
 }
 
 static inline num_d num_turn(num_d y, num_d x)

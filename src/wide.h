@@ -199,7 +199,7 @@ static inline int64_t wide_reciprocal(uint64_t b)
 }
 
 /* a/b * 2^e, within 2^-59 of itself and half a unit; at most 2^62 in size, also where b is 0. |a|, |b| <
- * 2^63, e in 0..62. */
+ * 2^63, e in 0..126. */
 static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
 {
     uint64_t divisor = b < 0 ? 0 - (uint64_t)b : (uint64_t)b;

@@ -95,6 +95,11 @@ static inline long double length(real3 a)
     return sqrtl(dot(a, a));
 }
 
+static inline real3 unit(real3 v)
+{
+    return plus((real3){0, 0, 0}, v, 1 / length(v));
+}
+
 static inline real3 random_real3(long double most)
 {
     return (real3){random_real() * most, random_real() * most, random_real() * most};

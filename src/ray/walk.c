@@ -1,24 +1,14 @@
 #include "walk.h"
 
-/* Where a ray is between two planes across an axis. */
-static void clip(num_x origin, num_x steep, bool backward, tia_q16 min, tia_q16 max, num_x *near, num_x *far)
-{
-    num_x enter = num_slab(num_x_of(backward ? max : min) - origin, steep);
-    num_x leave = num_slab(num_x_of(backward ? min : max) - origin, steep);
-
-    *near = enter > *near ? enter : *near;
-    *far = leave < *far ? leave : *far;
-}
-
 /* Whether the ray may meet the box before `limit`, and where it enters. */
 static bool enters(const struct walk *w, const struct tia_bounds *b, num_x limit, num_x *near)
 {
     num_x far = num_slab_of(limit);
 
     *near = 0;
-    clip(w->origin.x, w->steep[0], w->backward[0], b->min.x, b->max.x, near, &far);
-    clip(w->origin.y, w->steep[1], w->backward[1], b->min.y, b->max.y, near, &far);
-    clip(w->origin.z, w->steep[2], w->backward[2], b->min.z, b->max.z, near, &far);
+    slab_clip(&w->slabs[0], num_x_of(b->min.x), num_x_of(b->max.x), near, &far);
+    slab_clip(&w->slabs[1], num_x_of(b->min.y), num_x_of(b->max.y), near, &far);
+    slab_clip(&w->slabs[2], num_x_of(b->min.z), num_x_of(b->max.z), near, &far);
     return *near <= far + NUM_SLAB_ERROR;
 }
 
@@ -31,12 +21,9 @@ static void push(struct walk *w, uint32_t node, num_x near)
 void walk_start(struct walk *w, const struct tia_bvh_tree *tree, const struct ray *ray)
 {
     w->tree = tree;
-    w->origin = ray->origin;
-    w->steep[0] = num_steep(ray->direction.x);
-    w->steep[1] = num_steep(ray->direction.y);
-    w->steep[2] = num_steep(ray->direction.z);
-    for (int i = 0; i < 3; i++)
-        w->backward[i] = w->steep[i] < 0;
+    w->slabs[0] = slab_of(ray->origin.x, ray->direction.x);
+    w->slabs[1] = slab_of(ray->origin.y, ray->direction.y);
+    w->slabs[2] = slab_of(ray->origin.z, ray->direction.z);
     w->depth = 0;
     if (tree->node_count)
         push(w, 0, 0);

@@ -7,12 +7,11 @@
 #define TIA_RAY_WALK_H
 
 #include "shape/shape.h"
+#include "shape/slab.h"
 
 struct walk {
     const struct tia_bvh_tree *tree;
-    struct num_point origin;
-    num_x steep[3]; /* 1/direction, see num_steep */
-    bool backward[3];
+    struct slab slabs[3];
     num_x near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
     int depth;

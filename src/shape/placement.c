@@ -1,76 +1,81 @@
 #include "placement.h"
 
+#include "slab.h"
 #include "turn.h"
 
-static num_x largest(num_x a, num_x b)
+/* From Q47.16, |q| < 2^33. */
+static num_x of_wide(int64_t q)
 {
-    return a > b ? a : b;
+    return 2 * num_x_of((tia_q16)(q >> 1)) + num_x_of((tia_q16)(q & 1));
 }
 
-void placement_prepare(struct placement *placement, const struct tia_transform *transform, struct tia_bounds bounds)
+void placement_prepare(struct placement *placement, const struct tia_transform *transform, const int64_t min[3],
+                       const int64_t max[3])
 {
-    num_x scale[3] = {num_x_of(transform->scale.x), num_x_of(transform->scale.y), num_x_of(transform->scale.z)};
+    const tia_q16 scale[3] = {transform->scale.x, transform->scale.y, transform->scale.z};
     int64_t axes[3][3];
 
     turn_axes(transform->rotation, axes);
     placement->position = num_point_of(transform->position);
-    placement->least = scale[0] < scale[1] ? scale[0] : scale[1];
-    placement->least = scale[2] < placement->least ? scale[2] : placement->least;
     for (int i = 0; i < 3; i++) {
         placement->axes[i] = (struct num_dir){num_d_of62(axes[i][0]), num_d_of62(axes[i][1]), num_d_of62(axes[i][2])};
-        placement->ratio[i] = num_fraction(placement->least, scale[i]);
+        placement->scale[i] = num_x_of(scale[i]);
+        placement->min[i] = num_product(of_wide(min[i]), placement->scale[i]);
+        placement->max[i] = num_product(of_wide(max[i]), placement->scale[i]);
     }
-    struct num_point min = num_point_of(bounds.min), max = num_point_of(bounds.max);
-    struct num_point half = {(max.x - min.x) / 2, (max.y - min.y) / 2, (max.z - min.z) / 2};
-    placement->centre = num_point_add(min, half);
-    placement->radius = largest(num_length(half), NUM_X_BIAS);
-}
-
-/* The components along the axes, times m/s. */
-static struct num_point into_axes(const struct placement *p, struct num_point v)
-{
-    return (struct num_point){num_times(num_dot_x(v, p->axes[0]), p->ratio[0]),
-                              num_times(num_dot_x(v, p->axes[1]), p->ratio[1]),
-                              num_times(num_dot_x(v, p->axes[2]), p->ratio[2])};
 }
 
 struct num_point placement_point(const struct placement *p, struct num_point point)
 {
-    struct num_point v = into_axes(p, num_point_sub(point, p->position));
+    struct num_point v = num_point_sub(point, p->position);
 
-    return (struct num_point){num_ratio(v.x, p->least), num_ratio(v.y, p->least), num_ratio(v.z, p->least)};
+    return (struct num_point){num_ratio(num_dot_x(v, p->axes[0]), p->scale[0]),
+                              num_ratio(num_dot_x(v, p->axes[1]), p->scale[1]),
+                              num_ratio(num_dot_x(v, p->axes[2]), p->scale[2])};
+}
+
+/* Where the ray, whose direction is d along the axes, comes to the box. */
+static num_x start_of(const struct placement *p, const struct ray *ray, struct num_dir d)
+{
+    const num_d along[3] = {d.x, d.y, d.z};
+    struct num_point v = num_point_sub(ray->origin, p->position);
+    num_x near = 0, far = num_slab_of(NUM_X_MOST);
+
+    for (int i = 0; i < 3; i++) {
+        struct slab slab = slab_of(num_dot_x(v, p->axes[i]), along[i]);
+        slab_clip(&slab, p->min[i], p->max[i], &near, &far);
+    }
+    return near > far + NUM_SLAB_ERROR ? NUM_X_MOST + NUM_X_ONE : num_slab_start(near);
 }
 
 void placement_ray(const struct placement *p, const struct ray *ray, struct placed_ray *placed)
 {
-    num_x nearest = num_dot_x(num_point_sub(p->centre, ray->origin), ray->direction);
-    struct num_dir d = {num_times(num_dot_d(ray->direction, p->axes[0]), p->ratio[0]),
-                        num_times(num_dot_d(ray->direction, p->axes[1]), p->ratio[1]),
-                        num_times(num_dot_d(ray->direction, p->axes[2]), p->ratio[2])};
+    struct num_dir d = {num_dot_d(ray->direction, p->axes[0]), num_dot_d(ray->direction, p->axes[1]),
+                        num_dot_d(ray->direction, p->axes[2])};
 
-    placed->start = nearest > p->radius ? nearest - p->radius : 0;
+    placed->start = start_of(p, ray, d);
+    if (placed->start > NUM_X_MOST)
+        return;
     placed->ray.origin = placement_point(p, num_point_at(ray->origin, ray->direction, placed->start));
-    placed->ray.direction = num_dir_unit(d);
-    placed->shrink = num_dot_d(d, placed->ray.direction);
+    placed->scale = num_divide(d, p->scale, &placed->ray.direction);
 }
 
-num_x placement_distance(const struct placement *p, const struct placed_ray *placed, num_x t)
+num_x placement_distance(const struct placed_ray *placed, num_x t)
 {
-    if (t < placed->start)
-        return -1;
-    return num_ratio(num_times(t - placed->start, placed->shrink), p->least);
+    return t < placed->start ? -1 : num_scaled(t - placed->start, placed->scale);
 }
 
-num_x placement_distance_back(const struct placement *p, const struct placed_ray *placed, num_x t)
+num_x placement_distance_back(const struct placed_ray *placed, num_x t)
 {
-    return placed->start + num_over(num_product(t, p->least), placed->shrink);
+    return placed->start + num_unscaled(t, placed->scale);
 }
 
-struct num_dir placement_normal(const struct placement *p, struct num_dir n)
+/* By the inverse transpose: n_i / s_i along the axes. */
+struct num_dir placement_normal(const struct placement *p, struct num_dir normal)
 {
-    struct num_dir x = num_dir_scaled(p->axes[0], num_times(n.x, p->ratio[0]));
-    struct num_dir y = num_dir_scaled(p->axes[1], num_times(n.y, p->ratio[1]));
-    struct num_dir z = num_dir_scaled(p->axes[2], num_times(n.z, p->ratio[2]));
+    struct num_dir n;
 
-    return num_dir_unit(num_dir_add(num_dir_add(x, y), z));
+    (void)num_divide(normal, p->scale, &n);
+    return num_dir_unit(num_dir_add(num_dir_add(num_dir_scaled(p->axes[0], n.x), num_dir_scaled(p->axes[1], n.y)),
+                                    num_dir_scaled(p->axes[2], n.z)));
 }

@@ -1,12 +1,11 @@
 /* placement.h - shapes that are scaled, rotated and moved.
  *
- * With the scale s, its smallest component m, the axes a (where the shape's x, y and z point) and the
- * position p, a world point P is ((P - p).a_i) / s_i in the shape's axes, taken as ((P - p).a_i)(m/s_i)/m:
- * then a direction's components do not grow, and a distance t in the world is t k/m there, k being the
- * length of what a direction of length 1 becomes.
+ * With the scale s, the axes a (where the shape's x, y and z point) and the position p, a world point P is
+ * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i; of length k, so that a distance
+ * t in the world is k t there.
  *
- * The ray is first moved along itself to where it comes near the shape; so nothing grows beyond what
- * tia_scene_check allows, however small the scale.
+ * A ray is first moved along itself to the box around the shape; then what is computed there is as large as the
+ * shape at most, however small the scale, and a ray that misses the box misses the shape.
  */
 #ifndef TIA_SHAPE_PLACEMENT_H
 #define TIA_SHAPE_PLACEMENT_H
@@ -16,26 +15,26 @@
 struct placement {
     struct num_point position;
     struct num_dir axes[3];
-    num_d ratio[3];          /* m/s_i */
-    num_x least;             /* m */
-    struct num_point centre; /* of a sphere around the shape, in the world */
-    num_x radius;
+    num_x scale[3];
+    num_x min[3], max[3]; /* of the box, along the axes in the world's units */
 };
 
-void placement_prepare(struct placement *placement, const struct tia_transform *transform, struct tia_bounds bounds);
+/* `min` and `max` are those of the shape in its own axes, Q47.16. */
+void placement_prepare(struct placement *placement, const struct tia_transform *transform, const int64_t min[3],
+                       const int64_t max[3]);
 
 /* A ray in the shape's axes. */
 struct placed_ray {
     struct ray ray;
-    num_x start;  /* the world's t of the local 0 */
-    num_d shrink; /* k */
+    num_x start;            /* the world's t of the local 0; beyond NUM_X_MOST where the ray misses the box */
+    struct num_scale scale; /* k */
 };
 
 void placement_ray(const struct placement *placement, const struct ray *ray, struct placed_ray *placed);
 
-/* Distances from one to the other. */
-num_x placement_distance(const struct placement *placement, const struct placed_ray *placed, num_x t);
-num_x placement_distance_back(const struct placement *placement, const struct placed_ray *placed, num_x t);
+/* Distances from the world's, below 0 when it lies before the local 0 or the ray misses; and back. */
+num_x placement_distance(const struct placed_ray *placed, num_x t);
+num_x placement_distance_back(const struct placed_ray *placed, num_x t);
 
 /* A world point on the shape in the shape's axes, and a normal back in the world. */
 struct num_point placement_point(const struct placement *placement, struct num_point point);

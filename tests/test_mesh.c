@@ -1,0 +1,2 @@
+/* Meshes in integers. */
+#include "mesh_cases.h"

@@ -1,0 +1,10 @@
+/* Meshes in double precision. */
+#ifdef TIA_HAVE_F64
+#define TIA_NUM_F64
+#include "mesh_cases.h"
+#else
+int main(void)
+{
+    return 0;
+}
+#endif

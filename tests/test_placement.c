@@ -1,0 +1,2 @@
+/* Placements in integers. */
+#include "placement_cases.h"
