@@ -256,11 +256,24 @@ static void around_sphere(const struct tia_sphere *s, struct bounds_wide *bounds
     }
 }
 
+static bool around_shape(const struct frame *frame, const struct tia_scene *scene, const struct tia_shape *shape,
+                         const struct tia_bounds *own, struct bounds_wide *bounds)
+{
+    struct hull hull = {frame, {INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+
+    if (!include_shape(&hull, scene, shape, own))
+        return false;
+    for (int k = 0; k < 3; k++) {
+        bounds->min[k] = hull.min[k] >> 16;
+        bounds->max[k] = (hull.max[k] + 0xffff) >> 16;
+    }
+    return true;
+}
+
 bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
                      struct bounds_wide *bounds)
 {
     struct frame frame;
-    struct hull hull = {&frame, {INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
 
     if (object < scene->sphere_count) {
         around_sphere(&scene->spheres[object], bounds);
@@ -271,13 +284,17 @@ bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struc
         prepare(&frame, &scene->transforms[shape->transform - 1]);
     else
         frame = no_transform;
-    if (!include_shape(&hull, scene, shape, own))
-        return false;
+    return around_shape(&frame, scene, shape, own, bounds);
+}
+
+void bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
+{
+    *bounds = (struct bounds_wide){{0, 0, 0}, {0, 0, 0}};
+    (void)around_shape(&no_transform, scene, shape, NULL, bounds);
     for (int k = 0; k < 3; k++) {
-        bounds->min[k] = hull.min[k] >> 16;
-        bounds->max[k] = (hull.max[k] + 0xffff) >> 16;
+        bounds->min[k]--;
+        bounds->max[k]++;
     }
-    return true;
 }
 
 /* x as Q16.16, if need be cut off. */
