@@ -32,7 +32,7 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
-        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
@@ -83,7 +83,10 @@ HOSTED += -DTIA_HAVE_F64
 endif
 
 # ---- sources: one object per file and arithmetic ----
-CORE_SRC  := $(sort $(wildcard src/*.c src/span/*.c src/ray/*.c src/shape/*.c src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c))
+CORE_DIRS := src src/span src/ray src/shape src/read src/bvh src/check src/viewer
+CORE_SRC  := $(sort $(filter-out src/no_rays.c,$(wildcard $(CORE_DIRS:%=%/*.c))))
+# Boards without the room for general rays and scene files.
+SMALL_SRC := $(filter-out src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) src/no_rays.c
 PLAIN_SRC := $(addprefix src/,scene.c crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c) \
              $(wildcard src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
@@ -100,7 +103,7 @@ LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join $(BUILD)/tia-compile $(BUILD)/tia-pov
+all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
 $(BUILD)/q16/%.o: %.c
@@ -140,10 +143,9 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 # A program of tools/ is NAME.c and, where it has more files, those of tools/NAME/.
 define program
 $(BUILD)/$(1): $(call obj,host,tools/$(1).c $(sort $(wildcard tools/$(1)/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $$(filter %.a,$$^) $$(LIBS)
+	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(LIBS)
 endef
 $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,$(p))))
-$(BUILD)/tia-compile $(BUILD)/tia-pov: $(call obj,host,tools/convert/convert.c)
 
 $(BUILD)/tia-join: $(BUILD)/host/tools/tia/signals.o
 
@@ -153,19 +155,6 @@ $(BUILD)/tests/test_ranges: $(BUILD)/libtia-chk.a
 $(BUILD)/tests/test_ranges: LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
-
-# Scenes as const tables: for a test, and for boards without files.
-COMPILED := every $(filter-out thesis,$(patsubst scenes/%.tia,%,$(wildcard scenes/*.tia)))
-$(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
-	@mkdir -p $(@D)
-	$(BUILD)/tia-compile $< -o $@ --name compiled_$*
-$(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
-	@mkdir -p $(@D)
-	$(BUILD)/tia-compile $< -o $@ --name compiled_every
-$(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c
-	$(CC) $(COMMON) $(CFLAGS) -c -o $@ $<
-$(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
-.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive prove check-arch check-mutants fuzz
@@ -230,13 +219,9 @@ install: all
 	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
 	$(INSTALL) 755 $(BUILD)/tia-join $(DESTDIR)$(PREFIX)/bin/tia-join
 	$(if $(LIBF64),$(INSTALL) 755 $(BUILD)/tia-compare $(DESTDIR)$(PREFIX)/bin/tia-compare)
-	$(INSTALL) 755 $(BUILD)/tia-compile $(DESTDIR)$(PREFIX)/bin/tia-compile
-	$(INSTALL) 755 $(BUILD)/tia-pov $(DESTDIR)$(PREFIX)/bin/tia-pov
 	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
 	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
 	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
-	$(INSTALL) 644 man/tia-compile.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compile.1
-	$(INSTALL) 644 man/tia-pov.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-pov.1
 	$(INSTALL) 644 man/tia-scene.5 $(DESTDIR)$(PREFIX)/share/man/man5/tia-scene.5
 	$(INSTALL) 644 man/tia-join.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-join.1
 	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
@@ -244,9 +229,8 @@ install: all
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
 	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
 uninstall:
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join bin/tia-compile bin/tia-pov \
-	    lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1 share/man/man1/tia-compare.1 \
-	    share/man/man1/tia-join.1 share/man/man1/tia-compile.1 share/man/man1/tia-pov.1 share/man/man5/tia-scene.5)
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join lib/libtia.a lib/pkgconfig/tia.pc \
+	    share/man/man1/tia.1 share/man/man1/tia-compare.1 share/man/man1/tia-join.1 share/man/man5/tia-scene.5)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
 
@@ -275,7 +259,7 @@ rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
 # of the core in another arithmetic lie in a folder of its name.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(5) port/boards/$(4).ld port/boards/sections.ld
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) port/boards/$(4).ld port/boards/sections.ld
 	$$($(1)_CC) $$(BARE_LD) -T port/boards/$(4).ld -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
@@ -296,7 +280,7 @@ define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	@mkdir -p $$(@D)
 	$$($(1)_CC) $$(BARE) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4) -c -o $$@ $$<
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter-out $(PLAIN_SRC),$(SMALL_SRC)))))
 endef
 # Those boards whose compiler is there; the tests name the others.
 BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(shell command -v $(firstword $($(b)_CC))),$(b)))

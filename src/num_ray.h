@@ -9,7 +9,7 @@
  *   num_x_of(q), num_d_of(q)     from Q16.16, from Q2.30; num_d_of62(n): from Q1.62
  *   num_x_of_d, num_d_of_x       from one to the other
  *   num_times(a, d)              a d, a of either kind, rounded to nearest
- *   num_product(x, y)            x y, below 2^17
+ *   num_product(x, y)            x y, below 2^17; num_product_within(x, y): or 2^17, x, y >= 0
  *   num_dot_x(a, d), num_dot_d   dot products, rounded once
  *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
  *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
@@ -21,6 +21,7 @@
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_parts: see there
  *   num_power(d, e)              d^e, 0 <= d <= 1, e a Q16.16
  *   num_turn(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_d
+ *   num_tile(x, n, &cell)        floor(n x) in cell and n x - floor(n x), n a Q16.16 of at most 1024
  *   num_floor(x), num_int(n)     the integer part, rounded down; an integer as num_x
  *   num_steep(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
  *   num_slab_start(s)            such a distance as num_x, a little less than it is

@@ -63,6 +63,24 @@ static inline num_x num_product(num_x a, num_x b)
     return wide_round(wide_product(a, b), 45);
 }
 
+static inline num_x num_product_within(num_x a, num_x b)
+{
+    wide product = wide_product(a, b);
+
+    NUM_CHECK(a >= 0 && b >= 0);
+    return wide_bits(product) > 62 + 45 ? NUM_X_MOST : wide_round(product, 45);
+}
+
+static inline num_x num_tile(num_x x, tia_q16 n, int32_t *cell)
+{
+    wide product = wide_product(x, n);
+    int64_t floor = wide_down(product, 61);
+
+    NUM_CHECK(floor < INT32_MAX && floor > -INT32_MAX);
+    *cell = (int32_t)floor;
+    return (num_x)(wide_low(product) & ((UINT64_C(1) << 61) - 1)) >> 16;
+}
+
 static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_d bx, num_d by, num_d bz)
 {
     wide sum = wide_sum(wide_sum(wide_product(ax, bx), wide_product(ay, by)), wide_product(az, bz));

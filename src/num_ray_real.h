@@ -43,6 +43,7 @@ static inline num_x num_int(int32_t n)
     return (num_real)n;
 }
 
+/* x below 2^31. */
 static inline int32_t num_floor(num_x x)
 {
     int32_t n = (int32_t)x;
@@ -57,6 +58,19 @@ static inline num_x num_times(num_x a, num_d d)
 static inline num_x num_product(num_x a, num_x b)
 {
     return a * b;
+}
+
+static inline num_x num_product_within(num_x a, num_x b)
+{
+    return a * b < NUM_X_MOST ? a * b : NUM_X_MOST;
+}
+
+static inline num_x num_tile(num_x x, tia_q16 n, int32_t *cell)
+{
+    num_real product = x * ((num_real)n / 65536);
+
+    *cell = num_floor(product);
+    return product - (num_real)*cell;
 }
 
 static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_d bx, num_d by, num_d bz)

@@ -96,15 +96,14 @@ class Calls:
         for caller, called in re.findall(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', text):
             self.calls.setdefault(caller, set()).add(called)
 
-    def depth(self, function, indirect=(), path=()):
-        """(bytes, the deepest chain). `indirect` is what a call through a pointer may reach; what these
-        call through pointers in turn is the caller's."""
+    def depth(self, function, indirect, path=()):
+        """(bytes, the deepest chain). `indirect` tells what a function's calls through pointers may reach."""
         if function in path:
             raise ValueError("recursion: " + " > ".join(path[path.index(function):] + (function,)))
         called = self.calls.get(function, set())
-        pointed = set(indirect) if "__indirect_call" in called else set()
+        if "__indirect_call" in called:
+            called = called - {"__indirect_call"} | set(indirect(function))
         best = (0, ())
-        for other in sorted(called - {"__indirect_call"} | pointed):
-            below = self.depth(other, () if other in pointed else indirect, path + (function,))
-            best = max(best, below, key=lambda d: d[0])
+        for other in sorted(called):
+            best = max(best, self.depth(other, indirect, path + (function,)), key=lambda d: d[0])
         return self.stack.get(function, 0) + best[0], (function.split(":")[-1],) + best[1]

@@ -2,9 +2,10 @@
  *
  * Every light but the ambient one lights by L, the direction from the lit point to it, over the
  * distance d, with the attenuation 1/(constant + linear d + quadratic d^2) - none when all three are 0,
- * and none from a directional light - and casts shadows. Lights themselves cast none. Those with a shape
- * and a radius or sides that are not 0 are seen by all but shadow rays, from all sides, as a surface of
- * their emission. An area light is the mean of its samples, each of which lights like a point.
+ * and none from a directional light; nothing is left when the sum is 2^17 or more - and casts shadows.
+ * Lights themselves cast none. Those with a shape and a radius or sides that are not 0 are seen by all but
+ * shadow rays, from all sides, as a surface of their emission. An area light is the mean of its samples,
+ * each of which lights like a point.
  */
 #ifndef TIA_LIGHT_H
 #define TIA_LIGHT_H

@@ -1,0 +1,33 @@
+/* shade.h - a point on a surface: the light that it sends back, and the rays that it asks for. */
+#ifndef TIA_RAY_SHADE_H
+#define TIA_RAY_SHADE_H
+
+#include "whitted.h"
+
+struct shading {
+    const struct tia_material *material;
+    struct num_point point;
+    struct num_dir geometric, normal; /* G and N, turned to the viewer */
+    struct num_dir viewer;            /* V */
+    num_d facing;                     /* N.V */
+    bool back;                        /* the ray meets the surface's back: it leaves the object */
+    num_x colour[3];                  /* the diffuse one, with the texture */
+};
+
+/* What one ray meets, prepared. */
+void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
+
+/* Adds weight times what the surface sends along V by itself: emission, facing ratio and lights. */
+void shade_light(struct path *path, const struct shading *s, const num_x weight[3], num_x colour[3]);
+
+/* The reflected and the refracted ray and their kr and kt; a ray whose weight is black is not set. */
+struct bounces {
+    struct ray reflected, refracted;
+    num_x reflects[3], refracts[3];
+};
+
+void shade_bounce(const struct shading *s, struct bounces *bounces);
+
+void path_note(struct path *path, uint32_t word);
+
+#endif
