@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "common/corpus.h"
+#include "common/corpus_rays.h"
 #include "common/threads.h"
 #include "ports.h"
+#include "scene/scene.h"
 #include "tia-compare/heatmap.h"
 #include "tia-compare/options.h"
 #include "tia-compare/report.h"
@@ -49,16 +51,16 @@ static int draw_heatmap(const struct run *run, const struct heatmap *map)
     return 1;
 }
 
-static int run_frame(struct run *run, const char *name, struct corpus_scene *c)
+static int run_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width, unsigned height)
 {
     struct measure what = run->what;
     struct tally tallies[MEASURE_CORES];
     struct heatmap map = {0};
     int status = TIA_OK, result = 0;
 
-    what.scene = &c->scene;
-    what.width = run->options.width > 0 ? run->options.width : c->width;
-    what.height = run->options.width > 0 ? run->options.height : c->height;
+    what.scene = scene;
+    what.width = run->options.width > 0 ? run->options.width : width;
+    what.height = run->options.width > 0 ? run->options.height : height;
     if (run->options.heatmap != NULL) {
         status = heatmap_alloc(&map, what.width, what.height, what.core_count) ? TIA_OK : TIA_ERR_MEMORY;
         what.picture = map.picture;
@@ -85,7 +87,41 @@ static int run_thesis(struct run *run, const char *keys)
     if (corpus_thesis(&c, keys, 1920, 1080) < 0)
         return failed(keys, "one of these keys would quit");
     (void)snprintf(name, sizeof name, "thesis %s", *keys != '\0' ? keys : "none");
-    return run_frame(run, name, &c);
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_random(struct run *run, unsigned i)
+{
+    struct corpus_scene c;
+    char name[24];
+
+    corpus_random(&c, run->options.seed, i);
+    (void)snprintf(name, sizeof name, "random %u", i);
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_rays_random(struct run *run, unsigned i)
+{
+    struct corpus_rays c;
+    char name[24];
+
+    corpus_random_rays(&c, run->options.seed, i);
+    (void)snprintf(name, sizeof name, "rays %u", i);
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_file(struct run *run, const char *path)
+{
+    struct scene_file file;
+    const char *slash = strrchr(path, '/');
+
+    if (scene_open(&file, path, scene_format_of(path)) != TIA_OK) {
+        (void)fprintf(stderr, "tia-compare: %s\n", file.why);
+        return 2;
+    }
+    int result = run_frame(run, slash != NULL ? slash + 1 : path, &file.scene, 640, 480);
+    scene_close(&file);
+    return result;
 }
 
 static int run_frames(struct run *run)
@@ -95,16 +131,15 @@ static int run_frames(struct run *run)
     unsigned thesis = !o->thesis ? 0 : o->keys != NULL ? 1 : 5;
     int result = 0;
 
-    run->frame_count = thesis + o->random;
+    run->frame_count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
     for (unsigned i = 0; i < thesis && result == 0; i++)
         result = run_thesis(run, o->keys != NULL ? o->keys : all_keys[i]);
-    for (unsigned i = 0; i < o->random && result == 0; i++) {
-        struct corpus_scene c;
-        char name[24];
-        corpus_random(&c, o->seed, i);
-        (void)snprintf(name, sizeof name, "random %u", i);
-        result = run_frame(run, name, &c);
-    }
+    for (unsigned i = 0; i < o->random && result == 0; i++)
+        result = run_random(run, i);
+    for (unsigned i = 0; i < o->rays_random && result == 0; i++)
+        result = run_rays_random(run, i);
+    for (int i = 0; i < o->scene_count && result == 0; i++)
+        result = run_file(run, o->scenes[i]);
     return result;
 }
 
@@ -123,6 +158,11 @@ static int check_bounds(const struct run *run)
     if (o->max_flips >= 0 && sum->flips > (uint64_t)o->max_flips) {
         (void)fprintf(stderr, "tia-compare: q16: %llu flips: more than %lld\n", (unsigned long long)sum->flips,
                       (long long)o->max_flips);
+        result = 1;
+    }
+    if (o->max_levels >= 0 && sum->astray > (uint64_t)o->max_levels) {
+        (void)fprintf(stderr, "tia-compare: q16: a pixel of the same state is off by %llu levels: more than %lld\n",
+                      (unsigned long long)sum->astray, (long long)o->max_levels);
         result = 1;
     }
     return result;

@@ -138,7 +138,7 @@ struct tia_mesh {
 struct tia_grid {
     struct tia_vec3 corner; /* the smallest coordinates */
     tia_q16 cell;           /* a cube's edge, TIA_RADIUS_MIN or more */
-    uint16_t size[3];       /* 1..TIA_GRID_MAX */
+    uint16_t size[3];       /* 1..TIA_GRID_MAX; at most 2^28 cells in all */
     const uint8_t *cells;   /* 0: empty; n: of the material n - 1 after the shape's own */
 };
 

@@ -35,6 +35,7 @@ void tally_add(struct tally *sum, const struct tally *part)
     sum->flips += part->flips;
     sum->stray += part->stray;
     sum->largest = part->largest > sum->largest ? part->largest : sum->largest;
+    sum->astray = part->astray > sum->astray ? part->astray : sum->astray;
     sum->squares += part->squares;
 }
 
@@ -64,6 +65,7 @@ static enum verdict judge(struct tally *tally, tia_rgb565 want, tia_rgb565 got, 
     tally->flips += flip;
     tally->stray += largest > 1 && !flip;
     tally->largest = largest > tally->largest ? largest : tally->largest;
+    tally->astray = !flip && largest > tally->astray ? largest : tally->astray;
     tally->squares += (uint64_t)((r * r + b * b) * 63 * 63 + g * g * 31 * 31);
     return flip ? FLIP : largest > 1 ? MORE : largest == 1 ? ONE_LEVEL : SAME;
 }

@@ -17,6 +17,7 @@ struct tally {
     uint64_t flips;   /* another object is hit or other lights reach it, whatever its colour */
     uint64_t stray;   /* off by more than one level and no flip */
     uint64_t largest; /* difference of a channel, in its levels */
+    uint64_t astray;  /* the same, of pixels that are no flips */
     uint64_t squares; /* of all channels' differences, full being 31 x 63 */
 };
 

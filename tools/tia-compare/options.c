@@ -9,12 +9,14 @@
 #include <tia/tia.h>
 
 #include "common/threads.h"
+#include "scene/scene.h"
 
-enum { THESIS = 256, RANDOM, SEED, JSON, SUMMARY, HEATMAP, IDENTICAL, FLIPS };
+enum { THESIS = 256, RANDOM, SEED, JSON, SUMMARY, HEATMAP, IDENTICAL, FLIPS, RAYS_RANDOM, LEVELS };
 
 static const struct option long_options[] = {{"keys", required_argument, NULL, 'k'},
                                              {"thesis", no_argument, NULL, THESIS},
                                              {"random", required_argument, NULL, RANDOM},
+                                             {"rays-random", required_argument, NULL, RAYS_RANDOM},
                                              {"seed", required_argument, NULL, SEED},
                                              {"size", required_argument, NULL, 's'},
                                              {"threads", required_argument, NULL, 'j'},
@@ -23,20 +25,22 @@ static const struct option long_options[] = {{"keys", required_argument, NULL, '
                                              {"heatmap", required_argument, NULL, HEATMAP},
                                              {"require-identical", required_argument, NULL, IDENTICAL},
                                              {"max-flips", required_argument, NULL, FLIPS},
+                                             {"max-levels", required_argument, NULL, LEVELS},
                                              {"help", no_argument, NULL, 'h'},
                                              {"version", no_argument, NULL, 'V'},
                                              {0}};
 
 static const char usage[] =
-    "Usage: tia-compare [options]\n"
+    "Usage: tia-compare [options] [SCENE...]\n"
     "Draws scenes in integers (q16), in single (f32) and in double precision (f64), and counts how\n"
     "q16 and f32 differ from f64.\n"
     "\n"
     "  -k, --keys STRING            the built-in scene after these keys; default: as it is, a, d, s, w\n"
-    "      --random N               N random scenes instead\n"
+    "      --random N               N random scenes of balls instead\n"
+    "      --rays-random N          N random scenes of all shapes, mirrors, glass and lights instead\n"
     "      --seed S                 of this series (default 1)\n"
-    "      --thesis                 the built-in scene's frames besides the random ones\n"
-    "  -s, --size WxH               default 1920x1080, random scenes their own\n"
+    "      --thesis                 the built-in scene's frames besides the others\n"
+    "  -s, --size WxH               default 1920x1080, files 640x480, random scenes their own\n"
     "  -j, --threads N              default: all processors\n"
     "      --json                   one JSON object instead of the table\n"
     "      --summary                the sums alone\n"
@@ -45,6 +49,7 @@ static const char usage[] =
     "                               FILE-1.png, FILE-2.png, ...\n"
     "      --require-identical P    fail when less than P percent of q16's pixels are identical\n"
     "      --max-flips N            fail when more than N of q16's pixels show another object or shadow\n"
+    "      --max-levels N           fail when another of q16's pixels is off by more than N levels\n"
     "  -h, --help, -V, --version\n"
     "\n"
     "Exit status: 0 fine, 1 a bound is not met or something failed, 2 wrong usage.\n";
@@ -93,6 +98,24 @@ static bool size(const char *text, struct options *options)
     return true;
 }
 
+static bool count(const char *text, unsigned *out)
+{
+    uint64_t n = 0;
+    bool ok = number(text, 1, 1000000, &n);
+
+    *out = (unsigned)n;
+    return ok;
+}
+
+static bool bound(const char *text, int64_t *out)
+{
+    uint64_t n = 0;
+    bool ok = number(text, 0, INT64_MAX, &n);
+
+    *out = (int64_t)n;
+    return ok;
+}
+
 /* The options that take numbers. */
 static int set_number(struct options *options, int option, const char *text)
 {
@@ -100,10 +123,9 @@ static int set_number(struct options *options, int option, const char *text)
 
     switch (option) {
     case RANDOM:
-        if (!number(text, 1, 1000000, &n))
-            return mistake("--random", "must be a number from 1 to 1000000");
-        options->random = (unsigned)n;
-        return 0;
+        return count(text, &options->random) ? 0 : mistake("--random", "must be a number from 1 to 1000000");
+    case RAYS_RANDOM:
+        return count(text, &options->rays_random) ? 0 : mistake("--rays-random", "must be a number from 1 to 1000000");
     case SEED:
         return number(text, 0, UINT64_MAX, &options->seed) ? 0 : mistake("--seed", "must be a number");
     case 'j':
@@ -115,11 +137,10 @@ static int set_number(struct options *options, int option, const char *text)
         return percentage(text, &options->require_identical)
                    ? 0
                    : mistake("--require-identical", "must be a percentage from 0 to 100");
+    case LEVELS:
+        return bound(text, &options->max_levels) ? 0 : mistake("--max-levels", "must be a number");
     default:
-        if (!number(text, 0, INT64_MAX, &n))
-            return mistake("--max-flips", "must be a number");
-        options->max_flips = (int64_t)n;
-        return 0;
+        return bound(text, &options->max_flips) ? 0 : mistake("--max-flips", "must be a number");
     }
 }
 
@@ -164,12 +185,17 @@ int options_parse(struct options *options, int argc, char **argv)
 {
     int option, result = 0;
 
-    *options = (struct options){.seed = 1, .threads = threads_processors(), .require_identical = -1, .max_flips = -1};
+    *options = (struct options){
+        .seed = 1, .threads = threads_processors(), .require_identical = -1, .max_flips = -1, .max_levels = -1};
     opterr = 0;
     while (result == 0 && (option = getopt_long(argc, argv, ":k:s:j:hV", long_options, NULL)) != -1)
         result = option == '?' || option == ':' ? reject(option, argv) : set(options, option, optarg);
-    if (result == 0 && optind < argc)
-        result = mistake(argv[optind], "unexpected argument (see --help)");
-    options->thesis |= options->random == 0 || options->keys != NULL;
+    options->scenes = argv + optind;
+    options->scene_count = argc - optind;
+    for (int i = 0; i < options->scene_count && result == 0; i++)
+        if (scene_format_of(options->scenes[i]) == SCENE_UNKNOWN)
+            result = mistake(options->scenes[i], "not a scene: must end in .tia, .nff or .obj");
+    options->thesis |=
+        options->random + options->rays_random + (unsigned)options->scene_count == 0 || options->keys != NULL;
     return result;
 }

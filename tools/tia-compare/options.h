@@ -6,16 +6,18 @@
 #include <stdint.h>
 
 struct options {
-    const char *keys; /* NULL: the built-in scene as it is and after each of its keys */
-    bool thesis;      /* the built-in scene's frames */
-    unsigned random;  /* how many random scenes */
+    const char *keys;             /* NULL: the built-in scene as it is and after each of its keys */
+    bool thesis;                  /* the built-in scene's frames */
+    unsigned random, rays_random; /* how many random scenes, of balls and for general rays */
     uint64_t seed;
-    unsigned width, height; /* 0: 1920x1080 for the built-in scene, their own for random ones */
+    char **scenes; /* files, scene_count of them */
+    int scene_count;
+    unsigned width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random ones their own */
     unsigned threads;
     bool json, summary;
     const char *heatmap;
-    double require_identical; /* percent; negative: not asked */
-    int64_t max_flips;        /* negative: not asked */
+    double require_identical;      /* percent; negative: not asked */
+    int64_t max_flips, max_levels; /* negative: not asked */
 };
 
 /* 0: go on; 1: done (--help); -1: a mistake, named on standard error. */

@@ -20,8 +20,8 @@ static void json_tally(const char *core, const struct tally *t)
 {
     printf("\"%s\": {\"pixels\": %" PRIu64 ", \"identical\": %" PRIu64 ", \"identical_percent\": %.7f, "
            "\"one_level\": %" PRIu64 ", \"more\": %" PRIu64 ", \"flips\": %" PRIu64 ", \"more_same_state\": %" PRIu64
-           ", \"largest\": %" PRIu64 ", \"psnr\": ",
-           core, t->pixels, t->identical, tally_percent(t), t->one, t->more, t->flips, t->stray, t->largest);
+           ", \"largest\": %" PRIu64 ", \"largest_same_state\": %" PRIu64 ", \"psnr\": ",
+           core, t->pixels, t->identical, tally_percent(t), t->one, t->more, t->flips, t->stray, t->largest, t->astray);
     if (t->squares > 0)
         printf("%.4f}", tally_psnr(t));
     else
@@ -34,6 +34,20 @@ static void json_tallies(const struct report *report, const struct tally *tallie
         (void)fputs(i > 0 ? ", " : "", stdout);
         json_tally(report->what->cores[i]->name, &tallies[i]);
     }
+}
+
+/* A frame's name may be a file's: any bytes. */
+static void json_string(const char *text)
+{
+    putchar('"');
+    for (; *text != '\0'; text++)
+        if (*text == '"' || *text == '\\')
+            printf("\\%c", *text);
+        else if ((unsigned char)*text < ' ')
+            printf("\\u%04x", (unsigned char)*text);
+        else
+            putchar(*text);
+    putchar('"');
 }
 
 void report_begin(struct report *report)
@@ -51,8 +65,9 @@ void report_frame(struct report *report, const char *name, unsigned width, unsig
 
     (void)snprintf(size, sizeof size, "%ux%u", width, height);
     if (report->json && !report->summary) {
-        printf("%s\n{\"frame\": \"%s\", \"width\": %u, \"height\": %u, ", report->frames > 0 ? "," : "", name, width,
-               height);
+        printf("%s\n{\"frame\": ", report->frames > 0 ? "," : "");
+        json_string(name);
+        printf(", \"width\": %u, \"height\": %u, ", width, height);
         json_tallies(report, tallies);
         printf("}");
     }
