@@ -179,13 +179,13 @@ TEST(meshes)
 
     check_reads(
         SOME
-        "mesh one\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nface 1 2 3\nend\n"
+        "mesh one\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nnormal 1 0 0\nuv 5 6\nface 1 2 3\nend\n"
         "instance two material m at 0 0 -5\ninstance one material m\n"
         "mesh two # a quadrilateral\nvertex 0 0 0\n vertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
         "normal 0 0 2\nuv 0 0.5\nuv 1 0\nface 1/1/1 2/2/1 3/1/1 4/2/1\nface 4//1 2//1 1//1\nface 1/2 2/1 3/1\nend\n");
     m = scene.meshes;
-    CHECK(scene.mesh_count == 2 && m[0].vertex_count == 3 && m[0].face_count == 1 && !m[0].normal_count &&
-          !m[0].uv_count);
+    CHECK(scene.mesh_count == 2 && m[0].vertex_count == 3 && m[0].face_count == 1 && m[0].normal_count == 1 &&
+          m[0].uv_count == 1);
     CHECK(is_vec3(m[0].vertices[2], 0, 1, 0) && m[0].faces[0].corner[2].vertex == 2);
     CHECK(m[0].faces[0].corner[0].normal == TIA_NO_INDEX && m[0].faces[0].corner[0].uv == TIA_NO_INDEX);
     CHECK(m[1].vertex_count == 4 && m[1].face_count == 4 && m[1].normal_count == 1 && m[1].uv_count == 2);

@@ -100,6 +100,8 @@ TEST(solids)
                   "4:9: '2' is not there, expected the number of a normal of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nnormal 0 0 1\nface 1//1 1//1 1\nend",
                   "4:16: '1' is not like the first corner, expected uv and normal in all corners or in none");
+    check_refused("mesh a\nvertex 0 0 0\nuv 0 0\nface 1 1/1 1/1\nend",
+                  "4:8: '1/1' is not like the first corner, expected uv and normal in all corners or in none");
     check_refused("mesh a\nvertex 0 0 0\nface 1 1\nend",
                   "3:9: the line ends here, expected the number of a vertex of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nface 1x\nend",
@@ -178,6 +180,9 @@ TEST(bytes_that_are_no_text)
     read_bytes(lengthy, sizeof lengthy);
     check_read_error(&now, "1:12: '9999999999999999999999999999999999999999...' is out of range, expected a number "
                            "from -2 to below 2");
+    now.reader.length = UINT32_MAX; /* refused before a byte is read */
+    CHECK_EQ(tia_read(&now.reader, &now.scene, NULL, 0, &now.need), TIA_ERR_RANGE);
+    CHECK(!strcmp(now.reader.error.text, "the text is too long, expected less than 4 GiB"));
     memset(lengthy, '\n', sizeof lengthy);
     read_bytes(lengthy, sizeof lengthy);
     CHECK_EQ(now.status, TIA_OK);

@@ -30,7 +30,9 @@ struct tia_reader {
     size_t length; /* any bytes; nothing is taken for granted about them */
 
     /* Fetch what the text names, or return a negative status and *why, a static string. The memory stays
-     * the caller's and must outlast the scene. NULL: the scene's format may not refer to such files. */
+     * the caller's and must outlast the scene. NULL: the scene's format may not refer to such files. The
+     * same library may be asked for more than once and must not change; an image is asked for once for
+     * each texture that shows it, and not before the memory is known to suffice. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     void *ctx;
