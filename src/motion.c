@@ -85,33 +85,25 @@ static void turn(struct tia_dir3 *direction, struct tia_vec3 to)
         *direction = tia_normalise(to.x, to.y, to.z);
 }
 
-static bool moves_lights(const struct tia_track *track)
+/* Bytes for `count` things, if a track moves any of them, that is has a target of first..last. */
+static uint64_t copy_size(const struct tia_scene *scene, enum tia_target first, enum tia_target last, uint32_t count,
+                          size_t size)
 {
-    return track->target == TIA_MOVES_LIGHT || track->target == TIA_TURNS_LIGHT;
-}
-
-static bool moves_transforms(const struct tia_track *track)
-{
-    return track->target >= TIA_MOVES_TRANSFORM;
-}
-
-static bool any(const struct tia_scene *scene, bool (*moves)(const struct tia_track *))
-{
-    bool found = false;
-
-    for (uint32_t i = 0; !found && i < scene->track_count; i++)
-        found = moves(&scene->tracks[i]);
-    return found;
+    for (uint32_t i = 0; i < scene->track_count; i++)
+        if (scene->tracks[i].target >= first && scene->tracks[i].target <= last)
+            return ALIGN(count * (uint64_t)size);
+    return 0;
 }
 
 static uint64_t lights_size(const struct tia_scene *scene)
 {
-    return any(scene, moves_lights) ? ALIGN(scene->light_count * (uint64_t)sizeof(struct tia_light)) : 0;
+    return copy_size(scene, TIA_MOVES_LIGHT, TIA_TURNS_LIGHT, scene->light_count, sizeof(struct tia_light));
 }
 
 static uint64_t transforms_size(const struct tia_scene *scene)
 {
-    return any(scene, moves_transforms) ? ALIGN(scene->transform_count * (uint64_t)sizeof(struct tia_transform)) : 0;
+    return copy_size(scene, TIA_MOVES_TRANSFORM, TIA_SCALES_TRANSFORM, scene->transform_count,
+                     sizeof(struct tia_transform));
 }
 
 size_t tia_scene_at_size(const struct tia_scene *scene)

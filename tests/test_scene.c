@@ -1,12 +1,9 @@
 /* tia_scene_check: every field just inside and just outside its range, and what the fault says. */
-#include <tia/scene.h>
-
-#include "check.h"
+#include "refusals.h"
 
 #define BALLS 3
 
 /* A scene of a bit of everything, that is accepted; each case changes one thing of it. */
-static struct tia_scene scene;
 static struct tia_material materials[BALLS];
 static struct tia_sphere spheres[BALLS];
 static struct tia_light lights[BALLS];
@@ -34,51 +31,6 @@ static void set_up(void)
         .light_count = BALLS,
         .binding_count = BALLS,
     };
-}
-
-static void check_accepted(void)
-{
-    CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
-}
-
-static void check_refused(const char *thing, uint32_t index, const char *field, const char *rule)
-{
-    struct tia_fault f = {"", 0, "", ""};
-
-    CHECK_EQ(tia_scene_check(&scene, NULL), TIA_ERR_RANGE);
-    CHECK_EQ(tia_scene_check(&scene, &f), TIA_ERR_RANGE);
-    CHECK_MSG(!strcmp(f.thing, thing) && f.index == index && !strcmp(f.field, field) && !strcmp(f.rule, rule),
-              "\"%s %u: %s: %s\", not \"%s %u: %s: %s\"", f.thing, (unsigned)f.index, f.field, f.rule, thing,
-              (unsigned)index, field, rule);
-}
-
-/* `value` is a field of the scene that must stay in first..last: tries the ends, the values beside
- * them, the extremes, and puts it back. */
-static void check_range(int32_t *value, int32_t first, int32_t last, const char *thing, uint32_t index,
-                        const char *field, const char *rule)
-{
-    const int32_t good[] = {first, last}, old = *value;
-    const int64_t bad[] = {(int64_t)first - 1, (int64_t)last + 1, INT32_MIN, INT32_MAX};
-
-    for (int i = 0; i < 2; i++) {
-        *value = good[i];
-        check_accepted();
-    }
-    for (int i = 0; i < 4; i++) {
-        if (bad[i] >= INT32_MIN && bad[i] <= INT32_MAX && (bad[i] < first || bad[i] > last)) {
-            *value = (int32_t)bad[i];
-            check_refused(thing, index, field, rule);
-        }
-    }
-    *value = old;
-}
-
-static void check_colour(struct tia_rgb *colour, int32_t last, const char *thing, uint32_t index, const char *field,
-                         const char *rule)
-{
-    check_range(&colour->r, 0, last, thing, index, field, rule);
-    check_range(&colour->g, 0, last, thing, index, field, rule);
-    check_range(&colour->b, 0, last, thing, index, field, rule);
 }
 
 TEST(accepted)
@@ -140,8 +92,6 @@ TEST(material_of_a_sphere)
     scene.materials = NULL;
     check_refused("sphere", 0, "material", "must be the index of a material");
 }
-
-#define FAR "every point must be nearer to the eye than 32768"
 
 TEST(radii)
 {

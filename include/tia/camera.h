@@ -34,14 +34,16 @@ enum tia_projection { TIA_PERSPECTIVE, TIA_FRUSTUM, TIA_ORTHOGRAPHIC };
 struct tia_window {
     tia_q16 left, right, bottom, top; /* bottom < top; left < right, or both 0 */
     tia_q16 near;                     /* of a frustum, above 0 */
+    /* An orthographic window's corners are nearer to the eye than 32768. */
 };
 
 struct tia_camera {
     struct tia_vec3 eye;
     tia_q16 fov; /* vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX; of TIA_PERSPECTIVE only */
     enum tia_projection projection;
-    struct tia_vec3 reference; /* the point looked at; not the eye */
-    struct tia_vec3 up;        /* not along the line of sight; (0, 0, 0): the camera looks along -z */
+    struct tia_vec3 reference; /* the point looked at; nearer than 32768, and not the eye */
+    struct tia_vec3 up;        /* its angle with the line of sight has a sine of 2^-10 (0.056 degrees) or more;
+                                  (0, 0, 0): the camera looks along -z */
     struct tia_window window;  /* of TIA_FRUSTUM and TIA_ORTHOGRAPHIC */
     uint32_t samples;          /* rays a pixel: 1, 4 or 16; 0: 1 */
 };

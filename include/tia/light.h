@@ -33,7 +33,7 @@ struct tia_light {
     enum tia_light_kind kind;
     struct tia_dir3 direction;           /* its length in 0.5..1.5: it is normalised */
     tia_q16 inner, outer;                /* degrees from the axis: 0 <= inner <= outer <= 90, outer >= 1 */
-    struct tia_vec3 side[2];             /* half the sides of a rectangle */
+    struct tia_vec3 side[2];             /* half the sides of a rectangle: both 0, or not on one line */
     tia_q16 constant, linear, quadratic; /* each 0..TIA_Q16(32767) */
     uint16_t samples;                    /* of an area light, 1..TIA_LIGHT_SAMPLES_MAX; 0: TIA_LIGHT_SAMPLES */
 };

@@ -21,7 +21,11 @@ struct tia_keyframe {
 
 /* Before its first keyframe a track holds the first value, after its last the last. Between two it runs
  * along the line; when smooth, along the cubic Hermite curve through all of them whose tangent at an inner
- * keyframe is the slope between its neighbours (Catmull-Rom), and 0 at the first and last. */
+ * keyframe is the slope between its neighbours (Catmull-Rom), and 0 at the first and last.
+ *
+ * Keyframes keep the ranges of what they set: they bring lights, reference points and transforms no
+ * farther than 32768 from any place of the eye, and a direction is not 0; but where a transform takes its
+ * shapes, and a smooth curve what it moves, tia_scene_check tells only of the scene at that time. */
 struct tia_track {
     enum tia_target target;
     uint32_t index; /* of the light or transform */

@@ -1,7 +1,8 @@
 /* scene.h - what is drawn: the caller's const arrays, never copied, never changed.
  *
- * A scene is accepted by tia_scene_check when every point of it, lights included, stays nearer
- * to the eye than 32768; then no computation in tia overflows. All ranges are where the fields are.
+ * A scene is accepted by tia_scene_check when every point of it, lights included, stays nearer to every
+ * place that the eye takes than 32768, of shapes the boxes around them (tia_object_bounds, without its
+ * margin); then no computation in tia overflows. All ranges are where the fields are.
  *
  * An object's index, where a function asks or tells one, counts the spheres and then the shapes.
  *
@@ -62,7 +63,8 @@ struct tia_fault {
     const char *rule; /* the range that the field must keep */
 };
 
-/* TIA_OK, or TIA_ERR_RANGE with *fault filled in (fault may be NULL). Time: one pass. */
+/* TIA_OK, or TIA_ERR_RANGE with *fault filled in (fault may be NULL). Time: one pass, and another
+ * over the shapes for each 16 meshes or grids. */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 
 /* The scene shown when no other is named, scenes/thesis.tia: a ball on a ground sphere, no light; keys

@@ -73,7 +73,7 @@ struct tia_cylinder {
 
 struct tia_cone {
     struct tia_vec3 base, top;
-    tia_q16 base_radius, top_radius; /* not equal; one of them may be 0 */
+    tia_q16 base_radius, top_radius; /* not equal; each 0, or TIA_RADIUS_MIN or more */
     bool capped;
 };
 
@@ -105,7 +105,8 @@ struct tia_shape {
     };
 };
 
-/* An instance: scaled along the shape's axes, rotated, moved. Not for planes. */
+/* An instance: scaled along the shape's axes, rotated, moved. Not for planes. Not too flat for its size: half
+ * the diagonal of the box around what is placed, over the smallest component of scale, is below 32768. */
 struct tia_transform {
     struct tia_vec3 position;
     struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */
@@ -136,7 +137,7 @@ struct tia_mesh {
 
 /* Cubes in rows: cell (x, y, z) is at cells[(z * size[1] + y) * size[0] + x]. */
 struct tia_grid {
-    struct tia_vec3 corner; /* the smallest coordinates */
+    struct tia_vec3 corner; /* the smallest coordinates; the largest are below 32768 */
     tia_q16 cell;           /* a cube's edge, TIA_RADIUS_MIN or more */
     uint16_t size[3];       /* 1..TIA_GRID_MAX; at most 2^28 cells in all */
     const uint8_t *cells;   /* 0: empty; n: of the material n - 1 after the shape's own */

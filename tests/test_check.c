@@ -1,0 +1,237 @@
+/* tia_scene_check on what a scene has, cameras, materials and textures: each rule at its limit and one step beyond. */
+#include "refusals.h"
+
+#define ONE 65536
+#define UNIT "each channel must be in 0..1"
+
+static struct tia_material material;
+static struct tia_texture texture;
+static const uint8_t texels[3];
+
+static void set_up(void)
+{
+    material = (struct tia_material){0};
+    texture = (struct tia_texture){.repeat = {ONE, ONE}, .width = 1, .height = 1, .texels = texels};
+    scene = (struct tia_scene){.camera = {.fov = 25 * ONE},
+                               .materials = &material,
+                               .material_count = 1,
+                               .textures = &texture,
+                               .texture_count = 1};
+}
+
+TEST(arrays)
+{
+    const char *rule = "an array with a count must not be NULL";
+
+    set_up();
+    scene.shape_count = 1;
+    check_refused("scene", 0, "arrays", rule);
+    set_up();
+    scene.transform_count = 1;
+    check_refused("scene", 0, "arrays", rule);
+    set_up();
+    scene.textures = NULL;
+    check_refused("scene", 0, "arrays", rule);
+    set_up();
+    scene.mesh_count = 1;
+    check_refused("scene", 0, "arrays", rule);
+    set_up();
+    scene.grid_count = 1;
+    check_refused("scene", 0, "arrays", rule);
+    set_up();
+    scene.track_count = 1;
+    check_refused("scene", 0, "arrays", rule);
+}
+
+TEST(depth)
+{
+    set_up();
+    scene.depth = 16;
+    check_accepted();
+    scene.depth = 17;
+    check_refused("scene", 0, "depth", "must be in 1..16");
+}
+
+/* Of another scene. */
+TEST(bvh)
+{
+    struct tia_bvh bvh = {.plane_count = 1};
+
+    set_up();
+    scene.bvh = &bvh;
+    check_refused("scene", 0, "bvh", "must be of this scene");
+    bvh.plane_count = 0;
+    check_accepted();
+    bvh.objects.item_count = UINT32_MAX;
+    bvh.plane_count = 1; /* 2^32 in all */
+    check_refused("scene", 0, "bvh", "must be of this scene");
+}
+
+TEST(samples)
+{
+    set_up();
+    for (uint32_t n = 0; n < 300; n++) {
+        scene.camera.samples = n;
+        if (n == 0 || n == 1 || n == 4 || n == 16)
+            check_accepted();
+        else
+            check_refused("camera", 0, "samples", "must be 1, 4 or 16");
+    }
+}
+
+TEST(projections)
+{
+    const char *rule = "must be perspective, frustum or orthographic";
+
+    set_up();
+    scene.camera.window = (struct tia_window){-ONE, ONE, -ONE, ONE, 1};
+    scene.camera.projection = (enum tia_projection)3;
+    check_refused("camera", 0, "projection", rule);
+    scene.camera.projection = (enum tia_projection)255;
+    check_refused("camera", 0, "projection", rule);
+    scene.camera.fov = 0; /* is a perspective's alone */
+    scene.camera.projection = TIA_FRUSTUM;
+    check_accepted();
+    scene.camera.window.near = 0;
+    check_refused("camera", 0, "window", "near must be above 0");
+    scene.camera.projection = TIA_ORTHOGRAPHIC;
+    check_accepted();
+}
+
+TEST(windows)
+{
+    for (int ortho = 0; ortho < 2; ortho++) {
+        set_up();
+        scene.camera.projection = ortho ? TIA_ORTHOGRAPHIC : TIA_FRUSTUM;
+        scene.camera.window = (struct tia_window){-5, -4, 7, 8, ONE};
+        check_accepted();
+        scene.camera.window.top = 7;
+        check_refused("camera", 0, "window", "bottom must be below top");
+        scene.camera.window.top = 8;
+        scene.camera.window.right = -5;
+        check_refused("camera", 0, "window", "left must be below right, or both 0");
+        scene.camera.window.left = scene.camera.window.right = 0;
+        check_accepted();
+        scene.camera.window.left = 1;
+        check_refused("camera", 0, "window", "left must be below right, or both 0");
+    }
+}
+
+/* 3, 4, 5: the corner at 5 k is 2^31 - 3. */
+TEST(orthographic_corners)
+{
+    const tia_q16 k = INT32_MAX / 5;
+
+    set_up();
+    scene.camera.projection = TIA_ORTHOGRAPHIC;
+    scene.camera.window = (struct tia_window){-3 * k, 0, 0, 4 * k, 0};
+    check_accepted();
+    scene.camera.window = (struct tia_window){-3 * k, 0, -4 * k - 4, 4 * k, 0};
+    check_refused("camera", 0, "window", FAR);
+    scene.camera.window = (struct tia_window){INT32_MIN, 0, 0, 1, 0};
+    check_refused("camera", 0, "window", FAR);
+    scene.camera.projection = TIA_FRUSTUM;
+    scene.camera.window.near = 1;
+    check_accepted();
+}
+
+TEST(line_of_sight)
+{
+    const char *rule = "must be at least 0.056 degrees off the line of sight";
+
+    set_up();
+    check_accepted(); /* the reference is the eye, but nothing looks at it */
+    scene.camera.up = (struct tia_vec3){0, 0, 1};
+    check_refused("camera", 0, "reference", "must not be the eye");
+    scene.camera.reference = (struct tia_vec3){0, 1, 0};
+    check_accepted();
+    scene.camera.reference = (struct tia_vec3){0, 0, -7};
+    check_refused("camera", 0, "up", rule);
+    /* The tangent and the sine of such an angle are the same to 2^-31: 1/1024, and a thousandth less. */
+    scene.camera.up = (struct tia_vec3){0, 1001, 1024000};
+    check_accepted();
+    scene.camera.up = (struct tia_vec3){0, 999, -1024000};
+    check_refused("camera", 0, "up", rule);
+    scene.camera.up = (struct tia_vec3){-999, 0, 1024000};
+    check_refused("camera", 0, "up", rule);
+    scene.camera.up = (struct tia_vec3){-1001, 0, 1024000};
+    check_accepted();
+    scene.camera.reference = (struct tia_vec3){INT32_MAX, 0, 0};
+    check_refused("camera", 0, "reference", FAR);
+    scene.camera.reference.x = INT32_MAX - 1;
+    check_accepted();
+    scene.camera.eye.x = -1;
+    check_refused("camera", 0, "reference", FAR);
+}
+
+TEST(materials)
+{
+    set_up();
+    material.specular.r = 1;
+    check_refused("material", 0, "exponent", "must be in 1..10000");
+    material.exponent = ONE;
+    check_accepted();
+    material.refraction.r = 1;
+    check_refused("material", 0, "index", "must be in 0.25..4");
+    material.index = ONE;
+    check_accepted();
+    check_colour(&material.specular, TIA_Q30_ONE, "material", 0, "specular", UNIT);
+    check_colour(&material.mirror, TIA_Q30_ONE, "material", 0, "mirror", UNIT);
+    check_colour(&material.refraction, TIA_Q30_ONE, "material", 0, "refraction", UNIT);
+    check_colour(&material.facing, TIA_Q30_ONE, "material", 0, "facing", UNIT);
+    material.specular.b = material.refraction.g = 1;
+    check_range(&material.exponent, ONE, 10000 * ONE, "material", 0, "exponent", "must be in 1..10000");
+    check_range(&material.index, ONE / 4, 4 * ONE, "material", 0, "index", "must be in 0.25..4");
+    material.texture = 1;
+    check_accepted();
+    material.texture = 2;
+    check_refused("material", 0, "texture", "must be 0 or the number of a texture");
+}
+
+TEST(textures)
+{
+    set_up();
+    texture.kind = (enum tia_texture_kind)2;
+    check_refused("texture", 0, "kind", "must be a checker or an image");
+    for (int kind = 0; kind < 2; kind++) {
+        texture.kind = kind ? TIA_IMAGE : TIA_CHECKER;
+        for (int i = 0; i < 2; i++)
+            check_range(&texture.repeat[i], 64, 1024 * ONE, "texture", 0, "repeat", "must be in 1/1024..1024");
+    }
+    texture.cells[0].r = -1; /* a checker's alone */
+    check_accepted();
+    texture.cells[0].r = 0;
+    texture.width = 16384;
+    texture.height = 16384;
+    check_accepted();
+    texture.width = 16385;
+    check_refused("texture", 0, "width", "must be in 1..16384");
+    texture.width = 0;
+    check_refused("texture", 0, "width", "must be in 1..16384");
+    texture.width = 1;
+    texture.height = 0;
+    check_refused("texture", 0, "height", "must be in 1..16384");
+    texture.height = 16385;
+    check_refused("texture", 0, "height", "must be in 1..16384");
+    texture.height = 1;
+    texture.texels = NULL;
+    check_refused("texture", 0, "texels", "must not be NULL");
+    texture.kind = TIA_CHECKER;
+    check_colour(&texture.cells[0], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
+    check_colour(&texture.cells[1], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
+}
+
+int main(void)
+{
+    RUN(arrays);
+    RUN(depth);
+    RUN(bvh);
+    RUN(samples);
+    RUN(projections);
+    RUN(windows);
+    RUN(orthographic_corners);
+    RUN(line_of_sight);
+    RUN(materials);
+    RUN(textures);
+    return check_status();
+}
