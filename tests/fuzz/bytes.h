@@ -100,7 +100,7 @@ static inline void take_scene(struct bytes *b, struct fuzz_scene *s)
     s->scene.camera.fov = fov < 171 ? fov << 16 : take_number(b);
     s->scene.background = take_rgb(b);
     for (uint32_t i = 0; i < FUZZ_MATERIALS; i++) {
-        s->materials[i].colour = take_rgb(b);
+        s->materials[i] = (struct tia_material){.colour = take_rgb(b)};
         s->materials[i].transmission = counts & 64 ? take_rgb(b) : (struct tia_rgb){0, 0, 0};
         s->materials[i].emission = counts & 128 ? take_rgb(b) : (struct tia_rgb){0, 0, 0};
     }
