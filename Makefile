@@ -32,7 +32,7 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
-        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
@@ -103,7 +103,7 @@ LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join
+all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join $(BUILD)/tia-compile $(BUILD)/tia-pov
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
 $(BUILD)/q16/%.o: %.c
@@ -143,9 +143,10 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 # A program of tools/ is NAME.c and, where it has more files, those of tools/NAME/.
 define program
 $(BUILD)/$(1): $(call obj,host,tools/$(1).c $(sort $(wildcard tools/$(1)/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$^ $$(LIBS)
+	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $$(filter %.a,$$^) $$(LIBS)
 endef
 $(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,$(p))))
+$(BUILD)/tia-compile $(BUILD)/tia-pov: $(call obj,host,tools/convert/convert.c)
 
 $(BUILD)/tia-join: $(BUILD)/host/tools/tia/signals.o
 
@@ -155,6 +156,19 @@ $(BUILD)/tests/test_ranges: $(BUILD)/libtia-chk.a
 $(BUILD)/tests/test_ranges: LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
+
+# Scenes as const tables: for a test, and for boards without files.
+COMPILED := every $(filter-out thesis,$(patsubst scenes/%.tia,%,$(wildcard scenes/*.tia)))
+$(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
+	@mkdir -p $(@D)
+	$(BUILD)/tia-compile $< -o $@ --name compiled_$*
+$(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
+	@mkdir -p $(@D)
+	$(BUILD)/tia-compile $< -o $@ --name compiled_every
+$(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c
+	$(CC) $(COMMON) $(CFLAGS) -c -o $@ $<
+$(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
+.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive prove check-arch check-mutants fuzz
@@ -219,9 +233,13 @@ install: all
 	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
 	$(INSTALL) 755 $(BUILD)/tia-join $(DESTDIR)$(PREFIX)/bin/tia-join
 	$(if $(LIBF64),$(INSTALL) 755 $(BUILD)/tia-compare $(DESTDIR)$(PREFIX)/bin/tia-compare)
+	$(INSTALL) 755 $(BUILD)/tia-compile $(DESTDIR)$(PREFIX)/bin/tia-compile
+	$(INSTALL) 755 $(BUILD)/tia-pov $(DESTDIR)$(PREFIX)/bin/tia-pov
 	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
 	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
 	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
+	$(INSTALL) 644 man/tia-compile.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compile.1
+	$(INSTALL) 644 man/tia-pov.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-pov.1
 	$(INSTALL) 644 man/tia-scene.5 $(DESTDIR)$(PREFIX)/share/man/man5/tia-scene.5
 	$(INSTALL) 644 man/tia-join.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-join.1
 	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
@@ -229,8 +247,9 @@ install: all
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
 	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
 uninstall:
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join lib/libtia.a lib/pkgconfig/tia.pc \
-	    share/man/man1/tia.1 share/man/man1/tia-compare.1 share/man/man1/tia-join.1 share/man/man5/tia-scene.5)
+	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join bin/tia-compile bin/tia-pov \
+	    lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1 share/man/man1/tia-compare.1 \
+	    share/man/man1/tia-join.1 share/man/man1/tia-compile.1 share/man/man1/tia-pov.1 share/man/man5/tia-scene.5)
 	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
 	-rmdir $(DESTDIR)$(PREFIX)/include/tia
 

@@ -256,7 +256,7 @@ static void around_sphere(const struct tia_sphere *s, struct bounds_wide *bounds
     }
 }
 
-static bool around_shape(const struct tia_scene *scene, const struct tia_shape *shape, const struct frame *frame,
+static bool around_shape(const struct frame *frame, const struct tia_scene *scene, const struct tia_shape *shape,
                          const struct tia_bounds *own, struct bounds_wide *bounds)
 {
     struct hull hull = {frame, {INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
@@ -270,11 +270,6 @@ static bool around_shape(const struct tia_scene *scene, const struct tia_shape *
     return true;
 }
 
-bool bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
-{
-    return around_shape(scene, shape, &no_transform, NULL, bounds);
-}
-
 bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
                      struct bounds_wide *bounds)
 {
@@ -285,10 +280,21 @@ bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struc
         return true;
     }
     const struct tia_shape *shape = &scene->shapes[object - scene->sphere_count];
-    if (!shape->transform)
-        return around_shape(scene, shape, &no_transform, own, bounds);
-    prepare(&frame, &scene->transforms[shape->transform - 1]);
-    return around_shape(scene, shape, &frame, own, bounds);
+    if (shape->transform)
+        prepare(&frame, &scene->transforms[shape->transform - 1]);
+    else
+        frame = no_transform;
+    return around_shape(&frame, scene, shape, own, bounds);
+}
+
+void bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
+{
+    *bounds = (struct bounds_wide){{0, 0, 0}, {0, 0, 0}};
+    (void)around_shape(&no_transform, scene, shape, NULL, bounds);
+    for (int k = 0; k < 3; k++) {
+        bounds->min[k]--;
+        bounds->max[k]++;
+    }
 }
 
 /* x as Q16.16, if need be cut off. */

@@ -30,8 +30,8 @@ struct tia_bounds bounds_of_mesh(const struct tia_mesh *mesh);
 bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
                      struct bounds_wide *bounds);
 
-/* The shape's box as it is before its transform; false as above. */
-bool bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds);
+/* As if the shape had no transform, a unit of 2^-16 larger on every side; around 0 when there is nothing of it. */
+void bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds);
 
 /* A unit of 2^-16 larger on every side. False: Q16.16 does not hold it, and it is cut off. */
 bool bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out);

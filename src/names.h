@@ -61,6 +61,7 @@
 #define triangle_parts NAMES(triangle_parts)
 #define shape_mesh NAMES(shape_mesh)
 #define shape_grid NAMES(shape_grid)
+#define shape_grid_kind NAMES(shape_grid_kind)
 #define shape_occludes NAMES(shape_occludes)
 #define shape_material NAMES(shape_material)
 #define shape_axes NAMES(shape_axes)

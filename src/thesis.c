@@ -1,35 +1,33 @@
-/* thesis.c - the built-in scene: a white ball on a grey ground, and the four keys of its light. */
+/* thesis.tia, as tia-compile wrote it: do not edit. */
+// clang-format off
 #include <tia/scene.h>
 
-#define WHITE                                                                                                          \
-    {                                                                                                                  \
-        TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE                                                                          \
-    }
+extern const struct tia_scene tia_thesis_scene;
 
-static const struct tia_material materials[] = {
-    {.colour = TIA_RGB(0.6, 0.6, 0.6)},
-    {.colour = WHITE},
+static const struct tia_material tia_thesis_scene_materials[] = {
+    {.colour = {644245094, 644245094, 644245094},},
+    {.colour = {1073741824, 1073741824, 1073741824},},
 };
 
-static const struct tia_sphere spheres[] = {
-    {TIA_VEC3(0, -10004, -20), TIA_Q16(10000), 0},
-    {TIA_VEC3(0, -1, -20), TIA_Q16(3), 1},
+static const struct tia_sphere tia_thesis_scene_spheres[] = {
+    {{0, -655622144, -1310720}, 655360000, 0u}, {{0, -65536, -1310720}, 196608, 1u},
 };
 
-static const struct tia_binding bindings[] = {
-    {'a', 0, {.centre = TIA_VEC3(-20, 20, -20), .radius = TIA_Q16(3), .emission = WHITE}}, /* above left */
-    {'d', 0, {.centre = TIA_VEC3(20, 20, -20), .radius = TIA_Q16(3), .emission = WHITE}},  /* above right */
-    {'s', 0, {.centre = TIA_VEC3(0, 20, -8), .radius = TIA_Q16(3), .emission = WHITE}},    /* above, near the eye */
-    {'w', 0, {.centre = TIA_VEC3(0, 20, -32), .radius = TIA_Q16(3), .emission = WHITE}},   /* above, far from the eye */
+static const struct tia_binding tia_thesis_scene_bindings[] = {
+    {.key = 'a', .state = {.kind = TIA_POINT_LIGHT, .centre = {-1310720, 1310720, -1310720}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824},}},
+    {.key = 'd', .state = {.kind = TIA_POINT_LIGHT, .centre = {1310720, 1310720, -1310720}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824},}},
+    {.key = 's', .state = {.kind = TIA_POINT_LIGHT, .centre = {0, 1310720, -524288}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824},}},
+    {.key = 'w', .state = {.kind = TIA_POINT_LIGHT, .centre = {0, 1310720, -2097152}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824},}},
 };
 
 const struct tia_scene tia_thesis_scene = {
-    .camera = {.eye = TIA_VEC3(0, 0, 0), .fov = TIA_Q16(25)},
-    .background = TIA_RGB(0.8, 0.8, 0.8),
-    .materials = materials,
-    .spheres = spheres,
-    .bindings = bindings,
-    .material_count = 2,
-    .sphere_count = 2,
-    .binding_count = 4,
+    .camera = {.projection = TIA_PERSPECTIVE, .fov = 1638400,},
+    .background = {858993459, 858993459, 858993459},
+    .materials = tia_thesis_scene_materials, .material_count = 2u,
+    .spheres = tia_thesis_scene_spheres, .sphere_count = 2u,
+    .bindings = tia_thesis_scene_bindings, .binding_count = 4u,
 };

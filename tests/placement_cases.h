@@ -17,7 +17,7 @@ struct matrix {
     struct tia_transform transform;
     real3 axes[3], position;
     long double scale[3];
-    int64_t min[3], max[3]; /* Q47.16 */
+    struct bounds_wide box;
     struct placement placement;
 };
 
@@ -45,10 +45,10 @@ static void make(struct matrix *m, const tia_q16 scale[3], long double reach)
         m->scale[i] = scale[i] / 65536.0L;
         long double most = reach / m->scale[i] < 32767 ? reach / m->scale[i] : 32767;
         int64_t a = (int64_t)(random_real() * most * 65536), b = (int64_t)(random_real() * most * 65536);
-        m->min[i] = a < b ? a : b;
-        m->max[i] = (a < b ? b : a) + 1;
+        m->box.min[i] = a < b ? a : b;
+        m->box.max[i] = (a < b ? b : a) + 1;
     }
-    placement_prepare(&m->placement, &m->transform, m->min, m->max);
+    placement_prepare(&m->placement, &m->transform, &m->box);
 }
 
 /* Scales of all sizes, often the extremes. */
@@ -91,9 +91,10 @@ static real3 in_box(const struct matrix *m, int64_t beyond)
     int64_t out[3];
 
     for (int i = 0; i < 3; i++)
-        out[i] = beyond * (m->max[i] - m->min[i]);
-    return (real3){between(m->min[0] - out[0], m->max[0] + out[0]), between(m->min[1] - out[1], m->max[1] + out[1]),
-                   between(m->min[2] - out[2], m->max[2] + out[2])};
+        out[i] = beyond * (m->box.max[i] - m->box.min[i]);
+    return (real3){between(m->box.min[0] - out[0], m->box.max[0] + out[0]),
+                   between(m->box.min[1] - out[1], m->box.max[1] + out[1]),
+                   between(m->box.min[2] - out[2], m->box.max[2] + out[2])};
 }
 
 static bool is_seen(real3 p)
@@ -151,7 +152,7 @@ static void check_placed(const struct matrix *m, const struct ray *ray, real3 q)
                                  : local.z,
                     slack = (0.0001L + 1e-3L * (t - start)) / m->scale[i];
         if (start > 0)
-            CHECK_MSG(x > m->min[i] / 65536.0L - slack && x < m->max[i] / 65536.0L + slack, "starts at %Lg", x);
+            CHECK_MSG(x > m->box.min[i] / 65536.0L - slack && x < m->box.max[i] / 65536.0L + slack, "starts at %Lg", x);
     }
 }
 
@@ -177,8 +178,8 @@ static long double passes(const struct matrix *m, const struct ray *ray, long do
     long double near = 0, far = 131072;
 
     for (int i = 0; i < 3; i++) {
-        long double a = (m->min[i] / 65536.0L - grown / m->scale[i] - from[i]) / along[i];
-        long double b = (m->max[i] / 65536.0L + grown / m->scale[i] - from[i]) / along[i];
+        long double a = (m->box.min[i] / 65536.0L - grown / m->scale[i] - from[i]) / along[i];
+        long double b = (m->box.max[i] / 65536.0L + grown / m->scale[i] - from[i]) / along[i];
         near = fmaxl(near, fminl(a, b));
         far = fminl(far, fmaxl(a, b));
     }
@@ -245,6 +246,8 @@ TEST(normals_are_placed_by_the_inverse_transpose)
 TEST(ellipsoids_are_met_where_they_are)
 {
     static const struct tia_vec3 centre = TIA_VEC3(1, 2, 3);
+    static const struct tia_scene scene;
+    const struct tia_shape sphere = {.transform = 1, .sphere = {centre, TIA_Q16(2)}};
     unsigned hits[2] = {0, 0};
 
     for (int i = 0; i < 20000; i++) {
@@ -253,11 +256,9 @@ TEST(ellipsoids_are_met_where_they_are)
         struct shape shape;
         struct crossing crossing;
         make_random(&m);
-        for (int k = 0; k < 3; k++) {
-            m.min[k] = (k + 1 - 2) * 65536;
-            m.max[k] = (k + 1 + 2) * 65536;
-        }
-        placement_prepare(&m.placement, &m.transform, m.min, m.max);
+        bounds_in_own_axes(&scene, &sphere, &m.box);
+        CHECK(m.box.min[1] == -1 && m.box.max[2] == TIA_Q16(5) + 1);
+        placement_prepare(&m.placement, &m.transform, &m.box);
         shape_sphere(&shape, centre, TIA_Q16(2));
         struct ray ray = ray_at(to_world(&m, in_box(&m, 0)));
         placement_ray(&m.placement, &ray, &placed);

@@ -1,4 +1,4 @@
-/* shape_box_cases.h - boxes, see shape_check.h. */
+/* shape_box_cases.h - boxes and grids, see shape_check.h. */
 #include "shape_check.h"
 
 struct box {
@@ -127,4 +127,161 @@ static void check_box(double far, double smallest, double largest)
     shape_box(&s.shape, &(struct tia_box){min, max});
     for (uint32_t i = 0; i < 18; i++)
         check_rays_through(&s, any_of_face(&box, i % 6, i > 8), axis_of(i % 6), scale);
+}
+
+/* ---- grids ---- */
+#define CELLS_MAX 4096
+
+struct grid {
+    struct tia_grid grid;
+    uint8_t cells[CELLS_MAX];
+};
+
+/* What fills cell (x, y, z): 0 outside. */
+static unsigned filling(const struct grid *g, int x, int y, int z)
+{
+    const uint16_t *n = g->grid.size;
+
+    return x < 0 || y < 0 || z < 0 || x >= n[0] || y >= n[1] || z >= n[2] ? 0 : g->cells[(z * n[1] + y) * n[0] + x];
+}
+
+static struct box cell_box(const struct grid *g, uint32_t cell)
+{
+    const uint16_t *n = g->grid.size;
+    const unsigned at[3] = {cell % n[0], cell / n[0] % n[1], cell / n[0] / n[1]};
+    struct vec corner = position(g->grid.corner);
+    struct box box;
+
+    for (int i = 0; i < 3; i++) {
+        box.min[i] = part(corner, i) + (real)at[i] * g->grid.cell / 65536;
+        box.max[i] = part(corner, i) + (real)(at[i] + 1) * g->grid.cell / 65536;
+    }
+    return box;
+}
+
+/* Whether a ray along d meets the face: a front where something else is beyond it, a back where nothing is. */
+static bool is_surface(const struct grid *g, uint32_t cell, uint32_t face, struct vec d)
+{
+    const uint16_t *n = g->grid.size;
+    int at[3] = {(int)(cell % n[0]), (int)(cell / n[0] % n[1]), (int)(cell / n[0] / n[1])};
+    unsigned here = filling(g, at[0], at[1], at[2]);
+
+    at[face / 2] += face & 1 ? 1 : -1;
+    unsigned beyond = filling(g, at[0], at[1], at[2]);
+    return here && beyond != here && (dot(d, axis_of(face)) < 0 || !beyond);
+}
+
+static int grid_candidates(const struct subject *s, struct vec o, struct vec d, struct candidate found[])
+{
+    const struct grid *g = s->what;
+    uint32_t cells = (uint32_t)g->grid.size[0] * g->grid.size[1] * g->grid.size[2];
+    int count = 0;
+
+    for (uint32_t i = 0; i < 6 * cells; i++) {
+        struct box box = cell_box(g, i / 6);
+        if (!is_surface(g, i / 6, i % 6, d) || !face_candidate(&box, i % 6, o, d, &found[count]) ||
+            found[count].margin < 0)
+            continue;
+        found[count++].element = i;
+    }
+    return count;
+}
+
+static real grid_distance(const struct subject *s, struct vec p, uint32_t element)
+{
+    const struct grid *g = s->what;
+    struct box box = cell_box(g, element / 6);
+
+    return !g->cells[element / 6] ? 1e9L : face_distance(&box, p, element % 6);
+}
+
+static struct vec grid_normal(const struct subject *s, struct vec p, uint32_t element)
+{
+    (void)s;
+    (void)p;
+    return axis_of(element % 6);
+}
+
+static void grid_coordinates(const struct subject *s, struct vec p, uint32_t element, real uv[2])
+{
+    struct box box = cell_box(s->what, element / 6);
+
+    face_coordinates(&box, p, element % 6, uv);
+}
+
+static real grid_curvature(const struct subject *s, struct vec p, uint32_t element)
+{
+    (void)p;
+    (void)element;
+    return 65536 / (real)((const struct grid *)s->what)->grid.cell;
+}
+
+static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3], double far, double edge)
+{
+    g->grid = (struct tia_grid){any_place(far), (tia_q16)(edge * 65536), {0, 0, 0}, g->cells};
+    for (int i = 0; i < 3; i++)
+        g->grid.size[i] = (uint16_t)n[i];
+    *s = (struct subject){.what = g,
+                          .candidates = grid_candidates,
+                          .distance = grid_distance,
+                          .normal = grid_normal,
+                          .uv = grid_coordinates,
+                          .curvature = grid_curvature};
+    s->extent = length(position(g->grid.corner)) + (n[0] + n[1] + n[2]) * edge;
+    shape_grid(&s->shape, &g->grid);
+    s->shape.material = 7;
+}
+
+/* A share of the cells is filled, with one of two materials. */
+static void check_grid(const unsigned n[3], double far, double edge, double share, int rays)
+{
+    static struct grid g;
+    struct subject s;
+    uint32_t cells = n[0] * n[1] * n[2];
+
+    for (uint32_t i = 0; i < cells; i++)
+        g.cells[i] = (uint8_t)(between(0, 1) > share ? 0 : chance() < 0.5 ? 1 : 2);
+    prepare_grid(&s, &g, n, far, edge);
+    for (int i = 0; i < rays; i++) {
+        uint32_t cell = (uint32_t)between(0, cells), face = (uint32_t)i % 6;
+        struct box box = cell_box(&g, cell < cells ? cell : 0);
+        check_rays_through(&s, any_of_face(&box, face, i % 4 == 0), axis_of(face), edge);
+        if (g.cells[cell])
+            CHECK_EQ(shape_material(&s.shape, 6 * cell + face), 7 + g.cells[cell] - 1);
+    }
+}
+
+/* A block of one material is a box: no ray enters or leaves it anywhere else, also one that goes exactly
+ * through the edges and corners of its cells. */
+static void check_block(const unsigned n[3], double far, double edge)
+{
+    static struct grid g;
+    struct subject s;
+    struct shape box;
+    struct crossing in_grid, in_box;
+
+    memset(g.cells, 3, sizeof g.cells);
+    prepare_grid(&s, &g, n, far, edge);
+    struct tia_vec3 min = g.grid.corner, max = min;
+    max.x += (tia_q16)n[0] * g.grid.cell;
+    max.y += (tia_q16)n[1] * g.grid.cell;
+    max.z += (tia_q16)n[2] * g.grid.cell;
+    shape_box(&box, &(struct tia_box){min, max});
+    for (int i = 0; i < 3000; i++) {
+        tia_q16 at[3], d[3], back = (tia_q16)between(0, 9);
+        for (int k = 0; k < 3; k++) {
+            at[k] = (tia_q16)between(-2, n[k] + 3) * g.grid.cell;
+            d[k] = (tia_q16)between(-4, 5) * g.grid.cell;
+            at[k] -= back * d[k];
+        }
+        struct ray ray = {num_point_of((struct tia_vec3){min.x + at[0], min.y + at[1], min.z + at[2]}), {0, 0, 0}};
+        if (!num_normalise(num_point_of((struct tia_vec3){d[0], d[1], d[2]}), &ray.direction))
+            continue;
+        bool met = s.shape.kind->intersect(&s.shape, &ray, NUM_X_MOST, &in_grid);
+        CHECK_EQ(met, box.kind->intersect(&box, &ray, NUM_X_MOST, &in_box));
+        hits += met;
+        misses += !met;
+        CHECK(!met || (!(in_grid.t < in_box.t) && !(in_grid.t > in_box.t)));
+        CHECK_EQ(met ? in_grid.element % 6 : 0, met ? in_box.element : 0);
+    }
 }

@@ -72,6 +72,28 @@ TEST(cones)
     check_counts();
 }
 
+TEST(grids)
+{
+    start();
+    for (unsigned i = 0; i < 24; i++)
+        check_grid((const unsigned[]){1 + i % 5, 1 + i % 4, 1 + i % 3}, any_length(1, 10000), any_length(0x1p-10, 4000),
+                   0.2 + 0.6 * (i % 2), 6);
+    check_grid((const unsigned[]){2, 3, 2}, 30000, 0x1p-10, 0.5, 6);
+    check_grid((const unsigned[]){2, 3, 2}, 10, 10000, 0.5, 6);
+    check_grid((const unsigned[]){1, 1024, 2}, 10, 30, 0.01, 2);
+    check_grid((const unsigned[]){1024, 1, 1}, 30000, 0x1p-10, 0.02, 2);
+    check_counts();
+}
+
+TEST(blocks_of_cells_are_boxes)
+{
+    start();
+    check_block((const unsigned[]){4, 4, 4}, 100, 1);
+    check_block((const unsigned[]){7, 1, 5}, 30000, 0x1p-10);
+    check_block((const unsigned[]){16, 16, 16}, 100, 100);
+    check_counts();
+}
+
 int main(void)
 {
     RUN(planes);
@@ -79,5 +101,7 @@ int main(void)
     RUN(boxes);
     RUN(cylinders);
     RUN(cones);
+    RUN(grids);
+    RUN(blocks_of_cells_are_boxes);
     return check_status();
 }

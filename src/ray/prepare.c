@@ -56,13 +56,10 @@ static bool place(const struct tia_scene *scene, const struct tia_shape *given, 
 {
     struct bounds_wide box;
 
-    if (!given->transform || !bounds_in_own_axes(scene, given, &box))
+    if (!given->transform)
         return false;
-    for (int i = 0; i < 3; i++) {
-        box.min[i]--;
-        box.max[i]++;
-    }
-    placement_prepare(placement, &scene->transforms[given->transform - 1], box.min, box.max);
+    bounds_in_own_axes(scene, given, &box);
+    placement_prepare(placement, &scene->transforms[given->transform - 1], &box);
     return true;
 }
 

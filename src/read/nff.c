@@ -23,17 +23,7 @@
  */
 #include "read/nff.h"
 #include "math.h"
-
-static tia_q30 product(tia_q30 a, tia_q30 b)
-{
-    int64_t p = tia_round_shift((int64_t)a * b, 30);
-    return p > INT32_MAX ? INT32_MAX : (tia_q30)p;
-}
-
-static struct tia_rgb grey(tia_q30 x)
-{
-    return (struct tia_rgb){x, x, x};
-}
+#include "read/surface.h"
 
 /* ---- view, background, lights ---- */
 
@@ -108,44 +98,30 @@ static int read_l(struct nff *n)
     if (!status && tia_text_has_number(&n->text))
         status = tia_text_rgb(&n->text, &light.emission);
     else if (n->lights.capacity)
-        light.emission = grey(intensity(n->lights.capacity));
+        light.emission = tia_grey(intensity(n->lights.capacity));
     tia_array_add(&n->lights, &light);
     return status;
 }
 
 /* ---- materials ---- */
 
-/* The exponent of a highlight, above what Q16.16 can say too. */
-static int read_shine(struct tia_text *t, tia_q16 *out)
-{
-    struct tia_text before = *t;
-    int64_t wide;
-    int status = tia_text_q32(t, &wide);
-
-    *out = TIA_EXPONENT_MAX;
-    if (status || wide >= (int64_t)TIA_EXPONENT_MAX << 16)
-        return status;
-    *t = before;
-    return tia_text_q16(t, out);
-}
-
 static int read_f(struct nff *n)
 {
     struct tia_text *t = &n->text;
     struct tia_material m = {.index = TIA_Q16_ONE};
     tia_q30 kd = 0, ks = 0, transmittance = 0;
+    tia_q16 exponent = 0;
     int status = tia_text_rgb(t, &m.colour);
 
     status = status ? status : tia_text_q30(t, &kd);
     status = status ? status : tia_text_q30(t, &ks);
-    status = status ? status : read_shine(t, &m.exponent);
+    status = status ? status : tia_text_exponent(t, &exponent);
     status = status ? status : tia_text_q30(t, &transmittance);
     status = status ? status : tia_text_q16(t, &m.index);
-    m.colour = (struct tia_rgb){product(m.colour.r, kd), product(m.colour.g, kd), product(m.colour.b, kd)};
-    m.mirror = grey(ks);
-    m.specular = grey(m.exponent ? ks : 0);
-    m.exponent = m.exponent >= 0 && m.exponent < TIA_Q16_ONE ? TIA_Q16_ONE : m.exponent;
-    m.refraction = m.transmission = grey(transmittance);
+    m.colour = tia_rgb_product(m.colour, kd);
+    m.mirror = tia_grey(ks);
+    tia_set_highlight(&m, tia_grey(ks), exponent);
+    m.refraction = m.transmission = tia_grey(transmittance);
     m.index = transmittance && m.index ? m.index : TIA_Q16_ONE;
     tia_nff_close_mesh(n);
     tia_array_add(&n->materials, &m);

@@ -3,14 +3,14 @@
 #include "slab.h"
 #include "turn.h"
 
-/* From Q47.16, |q| < 2^33. */
+/* From Q47.16; |q| < 2^32. */
 static num_x of_wide(int64_t q)
 {
     return 2 * num_x_of((tia_q16)(q >> 1)) + num_x_of((tia_q16)(q & 1));
 }
 
-void placement_prepare(struct placement *placement, const struct tia_transform *transform, const int64_t min[3],
-                       const int64_t max[3])
+void placement_prepare(struct placement *placement, const struct tia_transform *transform,
+                       const struct bounds_wide *bounds)
 {
     const tia_q16 scale[3] = {transform->scale.x, transform->scale.y, transform->scale.z};
     int64_t axes[3][3];
@@ -20,8 +20,8 @@ void placement_prepare(struct placement *placement, const struct tia_transform *
     for (int i = 0; i < 3; i++) {
         placement->axes[i] = (struct num_dir){num_d_of62(axes[i][0]), num_d_of62(axes[i][1]), num_d_of62(axes[i][2])};
         placement->scale[i] = num_x_of(scale[i]);
-        placement->min[i] = num_product(of_wide(min[i]), placement->scale[i]);
-        placement->max[i] = num_product(of_wide(max[i]), placement->scale[i]);
+        placement->min[i] = num_product(of_wide(bounds->min[i]), placement->scale[i]);
+        placement->max[i] = num_product(of_wide(bounds->max[i]), placement->scale[i]);
     }
 }
 

@@ -10,6 +10,7 @@
 #ifndef TIA_SHAPE_PLACEMENT_H
 #define TIA_SHAPE_PLACEMENT_H
 
+#include "bounds.h"
 #include "shape.h"
 
 struct placement {
@@ -19,9 +20,9 @@ struct placement {
     num_x min[3], max[3]; /* of the box, along the axes in the world's units */
 };
 
-/* `min` and `max` are those of the shape in its own axes, Q47.16. */
-void placement_prepare(struct placement *placement, const struct tia_transform *transform, const int64_t min[3],
-                       const int64_t max[3]);
+/* `bounds` are those of the shape in its own axes. */
+void placement_prepare(struct placement *placement, const struct tia_transform *transform,
+                       const struct bounds_wide *bounds);
 
 /* A ray in the shape's axes. */
 struct placed_ray {

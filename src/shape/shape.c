@@ -7,6 +7,13 @@ bool shape_occludes(const struct shape *shape, const struct ray *ray, num_x limi
     return shape->kind->intersect(shape, ray, limit, &crossing);
 }
 
+uint32_t shape_material(const struct shape *shape, uint32_t element)
+{
+    if (shape->kind != &shape_grid_kind)
+        return shape->material;
+    return shape->material + shape->grid.grid->cells[element / 6] - 1;
+}
+
 /* e x N, e the unit vector of N's smallest coordinate. */
 static struct num_dir across(struct num_dir n)
 {

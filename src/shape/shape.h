@@ -111,6 +111,7 @@ void shape_grid(struct shape *shape, const struct tia_grid *grid);
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_x limit);
 
 /* What the material of an element is: a grid's cells have their own. */
+extern const struct shape_kind shape_grid_kind;
 uint32_t shape_material(const struct shape *shape, uint32_t element);
 
 /* The axes A, B of tia/light.h for a normal. */

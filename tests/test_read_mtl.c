@@ -1,0 +1,95 @@
+/* The .mtl reader: what its statements become. */
+#include "obj_files.h"
+
+/* One material of a library, used by one triangle. */
+static struct tia_material material_of(const char *statements)
+{
+    char library[500];
+    struct files files = {.names = {"m"}, .texts = {library}};
+    struct tia_material m = {.exponent = 0};
+    struct reading r;
+
+    (void)snprintf(library, sizeof library, "newmtl m\n%s", statements);
+    read_model(&r, &files, "mtllib m\nusemtl m\n" TRIANGLE "f 1 2 3\n");
+    if (!r.status)
+        m = r.scene.materials[r.scene.shapes[0].material];
+    finish(&r, &files);
+    return m;
+}
+
+TEST(materials)
+{
+    struct tia_material m = material_of("");
+    CHECK(m.colour.r == TIA_Q30(0.8) && !m.specular.r && !m.mirror.r && !m.refraction.r && !m.emission.r);
+    m = material_of("Kd 0.5\nKe 3 0.5 0\nKs 0.1 0.2 0.3\nNs 1e6\nKa 1 1 1\nmap_bump -bm 2 x.png # nothing\n");
+    CHECK(m.colour.b == TIA_Q30(0.5) && m.emission.r == TIA_Q30_ONE && m.emission.g == TIA_Q30(0.5) && !m.emission.b);
+    CHECK(m.specular.b == TIA_Q30(0.3) && m.exponent == TIA_EXPONENT_MAX && !m.mirror.r && !m.fresnel);
+    m = material_of("Ks 1 1 1\nNs 10\nillum 1\n");
+    CHECK(!m.specular.r && !m.mirror.r);
+    m = material_of("Ks 1 1 1\nillum 3\n");
+    CHECK(!m.specular.r && m.mirror.r == TIA_Q30_ONE && !m.fresnel);
+    m = material_of("Kd 1 1 1\nd 0.25\nNi 1.5\n");
+    CHECK(m.colour.r == TIA_Q30(0.25) && m.refraction.r == TIA_Q30(0.75) && m.transmission.b == TIA_Q30(0.75));
+    CHECK_EQ(m.index, TIA_Q16_ONE); /* illum 2 does not bend */
+    m = material_of("Tr 0.25\nillum 6\nNi 1.25\n");
+    CHECK(m.refraction.r == TIA_Q30(0.25) && m.index == TIA_Q16(1.25) && !m.fresnel);
+    m = material_of("Kd 1 1 1\nTf 0.5 0.25 1\nillum 7\nNi 1.25\nd -halo 0\n");
+    CHECK(m.refraction.g == TIA_Q30(0.25) && m.fresnel && !m.colour.r);
+    m = material_of("Tf 0.5 0.25 1\nillum 4\n");
+    CHECK(m.refraction.g == TIA_Q30(0.25) && m.index == TIA_Q16_ONE);
+    m = material_of("Tf 0.5 0.25 1\n");
+    CHECK(!m.refraction.g && !m.transmission.g);
+}
+
+TEST(images)
+{
+    struct files files = {
+        .names = {"m", "n"},
+        .texts = {"newmtl a\nmap_Kd -clamp on -s 2 0.5 1 -o 1 1 my wood.ppm\nnewmtl b\nmap_Kd \"my wood.ppm\"\n",
+                  "newmtl c\nmap_Kd other.ppm\nnewmtl a\nKd 0.125\n"}};
+    struct reading r;
+
+    read_model(&r, &files, "mtllib m n\nmtllib n m\n" TRIANGLE "usemtl b\nf 1 2 3\nusemtl a\nf 3 2 1\n");
+    CHECK(r.scene.texture_count == 3 && files.images == 2 && r.scene.mesh_count == 2);
+    CHECK(files.libraries == 2 * 3); /* tia_read was called three times */
+    const struct tia_material *a = &r.scene.materials[r.scene.shapes[0].material];
+    CHECK(a->colour.r == TIA_Q30(0.8) && a->texture == 1 && r.scene.materials[r.scene.shapes[1].material].texture == 2);
+    CHECK(r.scene.textures[0].repeat[0] == TIA_Q16(2) && r.scene.textures[0].repeat[1] == TIA_Q16(0.5));
+    CHECK(r.scene.textures[1].repeat[0] == TIA_Q16_ONE && r.scene.textures[1].width == 2 && r.scene.textures[1].texels);
+    finish(&r, &files);
+}
+
+TEST(errors_of_libraries)
+{
+    static const struct wrong cases[] = {
+        {"Kd 1 1 1\n", "m:1:1: 'Kd' comes too early, expected newmtl first"},
+        {"newmtl\n", "m:1:7: the line ends here, expected a material's name"},
+        {"newmtl m\nKd 1 1.5 1\n", "m:2:6: '1.5' is out of range, expected a number from 0 to 1"},
+        {"newmtl m\nKs -1\n", "m:2:4: '-1' is out of range, expected a number from 0 to 1"},
+        {"newmtl m\n  Kd spectral x.rfl\n", "m:2:6: 'spectral' is no number, expected a number below 2147483648"},
+        {"newmtl m\nillum 11\n", "m:2:7: '11' is out of range, expected a whole number from 0 to 10"},
+        {"newmtl m\nNi 5\n", "m:2:4: '5' is out of range, expected an index of refraction from 0.25 to 4"},
+        {"newmtl m\nd 1 1\n", "m:2:5: '1' is too much, expected the end of the line"},
+        {"newmtl m\nwhat 1\n",
+         "m:2:1: 'what' is no statement of a material, expected newmtl, Kd, Ks, Ns, d or the like"},
+        {"newmtl m\nmap_Kd -s 2000 a.ppm\n", "m:2:11: '2000' is out of range, expected a number from 1/1024 to 1024"},
+        {"newmtl m\nmap_Kd -s 2\n", "m:2:12: the line ends here, expected an image's file name"},
+        {"newmtl m\nmap_Kd no.jpg\n", "m:2:8: 'no.jpg' cannot be read: no such picture, expected an image"},
+    };
+    struct reading r;
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct files files = {.names = {"m"}, .texts = {cases[i].text}};
+        const char text[] = "mtllib m\n" TRIANGLE "f 1 2 3\n";
+        read_obj(&r, &files, text, strlen(text));
+        check_read_error(&r, cases[i].want);
+    }
+}
+
+int main(void)
+{
+    RUN(materials);
+    RUN(images);
+    RUN(errors_of_libraries);
+    return check_status();
+}

@@ -1,0 +1,108 @@
+#include "unit.h"
+
+static void write_material(struct unit *unit, const struct tia_material *m)
+{
+    text_word(&unit->text, "{");
+    text_word(&unit->text, ".colour = {%d, %d, %d},", m->colour.r, m->colour.g, m->colour.b);
+    field_rgb(unit, "transmission", m->transmission);
+    field_rgb(unit, "emission", m->emission);
+    field_rgb(unit, "specular", m->specular);
+    field_number(unit, "exponent", m->exponent);
+    field_rgb(unit, "mirror", m->mirror);
+    field_rgb(unit, "refraction", m->refraction);
+    field_number(unit, "index", m->index);
+    if (m->fresnel)
+        text_word(&unit->text, ".fresnel = true,");
+    field_rgb(unit, "facing", m->facing);
+    field_unsigned(unit, "texture", m->texture);
+    text_print(&unit->text, "},\n");
+}
+
+void unit_light(struct unit *unit, const struct tia_light *l)
+{
+    static const char *const kinds[] = {"TIA_POINT_LIGHT", "TIA_DIRECTIONAL_LIGHT", "TIA_AMBIENT_LIGHT",
+                                        "TIA_SPOT_LIGHT",  "TIA_RECTANGLE_LIGHT",   "TIA_DISC_LIGHT",
+                                        "TIA_SPHERE_LIGHT"};
+
+    text_word(&unit->text, "{.kind = %s,", kinds[l->kind]);
+    field_vec3(unit, "centre", l->centre);
+    field_number(unit, "radius", l->radius);
+    field_rgb(unit, "emission", l->emission);
+    field_dir3(unit, "direction", l->direction);
+    field_number(unit, "inner", l->inner);
+    field_number(unit, "outer", l->outer);
+    field_vec3(unit, "side[0]", l->side[0]);
+    field_vec3(unit, "side[1]", l->side[1]);
+    field_number(unit, "constant", l->constant);
+    field_number(unit, "linear", l->linear);
+    field_number(unit, "quadratic", l->quadratic);
+    field_number(unit, "samples", l->samples);
+    text_print(&unit->text, "}");
+}
+
+static void write_lights(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    if (scene->light_count == 0)
+        return;
+    table_begin(unit, "struct tia_light", "lights");
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        unit_light(unit, &scene->lights[i]);
+        text_print(&unit->text, ",\n");
+    }
+    table_end(unit);
+}
+
+static void write_binding(struct unit *unit, const struct tia_binding *b)
+{
+    bool letter = (b->key >= 'a' && b->key <= 'z') || (b->key >= '0' && b->key <= '9');
+
+    text_word(&unit->text, letter ? "{.key = '%c'," : "{.key = %d,", b->key);
+    field_number(unit, "light", b->light);
+    text_word(&unit->text, ".state =");
+    unit_light(unit, &b->state);
+    text_print(&unit->text, "},\n");
+}
+
+static void write_bindings(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    if (scene->binding_count == 0)
+        return;
+    table_begin(unit, "struct tia_binding", "bindings");
+    for (uint32_t i = 0; i < scene->binding_count; i++)
+        write_binding(unit, &scene->bindings[i]);
+    table_end(unit);
+}
+
+static void write_spheres(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    if (scene->sphere_count == 0)
+        return;
+    table_begin(unit, "struct tia_sphere", "spheres");
+    for (uint32_t i = 0; i < scene->sphere_count; i++) {
+        const struct tia_sphere *s = &scene->spheres[i];
+        text_word(&unit->text, "{{%d, %d, %d}, %d, %uu},", s->centre.x, s->centre.y, s->centre.z, s->radius,
+                  s->material);
+    }
+    table_end(unit);
+}
+
+void unit_things(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    if (scene->material_count > 0) {
+        table_begin(unit, "struct tia_material", "materials");
+        for (uint32_t i = 0; i < scene->material_count; i++)
+            write_material(unit, &scene->materials[i]);
+        table_end(unit);
+    }
+    write_spheres(unit);
+    write_lights(unit);
+    write_bindings(unit);
+}

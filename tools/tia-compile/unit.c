@@ -1,0 +1,109 @@
+#include "unit.h"
+
+void unit_tracks(struct unit *unit)
+{
+    static const char *const targets[] = {"TIA_MOVES_EYE",       "TIA_MOVES_REFERENCE", "TIA_MOVES_LIGHT",
+                                          "TIA_TURNS_LIGHT",     "TIA_MOVES_TRANSFORM", "TIA_ROTATES_TRANSFORM",
+                                          "TIA_SCALES_TRANSFORM"};
+    const struct tia_scene *scene = unit->scene;
+
+    for (uint32_t i = 0; i < scene->track_count; i++) {
+        table_begin(unit, "struct tia_keyframe", "keys_%u", i);
+        for (uint32_t j = 0; j < scene->tracks[i].key_count; j++) {
+            const struct tia_keyframe *k = &scene->tracks[i].keys[j];
+            text_word(&unit->text, "{%d, {%d, %d, %d}},", k->time, k->value.x, k->value.y, k->value.z);
+        }
+        table_end(unit);
+    }
+    if (scene->track_count == 0)
+        return;
+    table_begin(unit, "struct tia_track", "tracks");
+    for (uint32_t i = 0; i < scene->track_count; i++) {
+        const struct tia_track *t = &scene->tracks[i];
+        text_word(&unit->text, "{.target = %s,", targets[t->target]);
+        field_unsigned(unit, "index", t->index);
+        if (t->smooth)
+            text_word(&unit->text, ".smooth = true,");
+        field_table(unit, "keys", 1, "keys_%u", i);
+        field_unsigned(unit, "key_count", t->key_count);
+        text_print(&unit->text, "},\n");
+    }
+    table_end(unit);
+}
+
+static void write_camera(struct unit *unit)
+{
+    static const char *const projections[] = {"TIA_PERSPECTIVE", "TIA_FRUSTUM", "TIA_ORTHOGRAPHIC"};
+    const struct tia_camera *c = &unit->scene->camera;
+
+    text_word(&unit->text, ".camera = {.projection = %s,", projections[c->projection]);
+    field_vec3(unit, "eye", c->eye);
+    field_number(unit, "fov", c->fov);
+    field_vec3(unit, "reference", c->reference);
+    field_vec3(unit, "up", c->up);
+    field_number(unit, "window.left", c->window.left);
+    field_number(unit, "window.right", c->window.right);
+    field_number(unit, "window.bottom", c->window.bottom);
+    field_number(unit, "window.top", c->window.top);
+    field_number(unit, "window.near", c->window.near);
+    field_unsigned(unit, "samples", c->samples);
+    text_print(&unit->text, "},\n");
+}
+
+/* A table of the scene and how many it holds. */
+static void refer(struct unit *unit, const char *table, const char *count, uint32_t n)
+{
+    if (n == 0)
+        return;
+    field_table(unit, table, n, "%s", table);
+    field_unsigned(unit, count, n);
+    text_print(&unit->text, "\n");
+}
+
+static void write_scene(struct unit *unit)
+{
+    const struct tia_scene *s = unit->scene;
+
+    text_print(&unit->text, "const struct tia_scene %s = {\n", unit->symbol);
+    unit->text.indent = 4;
+    write_camera(unit);
+    field_rgb(unit, "background", s->background);
+    field_unsigned(unit, "depth", s->depth);
+    if (s->bvh != NULL)
+        text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
+    if (unit->text.column > 0)
+        text_print(&unit->text, "\n");
+    refer(unit, "materials", "material_count", s->material_count);
+    refer(unit, "spheres", "sphere_count", s->sphere_count);
+    refer(unit, "lights", "light_count", s->light_count);
+    refer(unit, "bindings", "binding_count", s->binding_count);
+    refer(unit, "shapes", "shape_count", s->shape_count);
+    refer(unit, "transforms", "transform_count", s->transform_count);
+    refer(unit, "textures", "texture_count", s->texture_count);
+    refer(unit, "meshes", "mesh_count", s->mesh_count);
+    refer(unit, "grids", "grid_count", s->grid_count);
+    refer(unit, "tracks", "track_count", s->track_count);
+    text_print(&unit->text, "};\n");
+}
+
+void unit_write(struct unit *unit, const char *source)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    unit->text.tight = true;
+    text_print(&unit->text, "/* %s, as tia-compile wrote it: do not edit. */\n// clang-format off\n", source);
+    if (scene->bvh != NULL)
+        text_print(&unit->text, "#include <tia/bvh.h>\n");
+    if (scene->track_count > 0)
+        text_print(&unit->text, "#include <tia/motion.h>\n");
+    text_print(&unit->text, "#include <tia/scene.h>\n\n");
+    /* A definition without one would warn, in a program that asks for it, of not being declared before. */
+    text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
+    unit_things(unit);
+    unit_shapes(unit);
+    unit_images(unit);
+    unit_meshes(unit);
+    unit_tracks(unit);
+    unit_bvh(unit);
+    write_scene(unit);
+}

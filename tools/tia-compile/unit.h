@@ -1,0 +1,44 @@
+/* unit.h - a scene as a unit of C: const tables, named after the scene's symbol. */
+#ifndef TIA_COMPILE_UNIT_H
+#define TIA_COMPILE_UNIT_H
+
+#include <tia/bvh.h>
+#include <tia/motion.h>
+
+#include "common/text.h"
+
+struct unit {
+    struct text text;
+    const char *symbol;
+    const struct tia_scene *scene;
+};
+
+/* Writes the whole unit. `source` is named in a comment; scene->bvh NULL leaves the hierarchy out. */
+void unit_write(struct unit *unit, const char *source);
+
+/* Its parts: the tables that the scene points to. */
+void unit_things(struct unit *unit); /* materials, spheres, lights, keys */
+void unit_shapes(struct unit *unit); /* shapes, transforms */
+void unit_images(struct unit *unit); /* textures and grids */
+void unit_meshes(struct unit *unit);
+void unit_tracks(struct unit *unit);
+void unit_bvh(struct unit *unit);
+
+/* One light, without what separates it from the next. */
+void unit_light(struct unit *unit, const struct tia_light *light);
+
+/* What tables are made of: "static const TYPE SYMBOL_NAME[] = {", and its end. */
+__attribute__((format(printf, 3, 4))) void table_begin(struct unit *unit, const char *type, const char *name, ...);
+void table_end(struct unit *unit);
+
+/* ".FIELD = VALUE," as a word; nothing where the value is 0, which is what is left out. */
+void field_number(struct unit *unit, const char *field, int64_t value);
+void field_unsigned(struct unit *unit, const char *field, uint32_t value);
+void field_vec3(struct unit *unit, const char *field, struct tia_vec3 v);
+void field_dir3(struct unit *unit, const char *field, struct tia_dir3 d);
+void field_rgb(struct unit *unit, const char *field, struct tia_rgb c);
+/* ".FIELD = SYMBOL_NAME," where count is not 0. */
+__attribute__((format(printf, 4, 5))) void field_table(struct unit *unit, const char *field, uint32_t count,
+                                                       const char *name, ...);
+
+#endif

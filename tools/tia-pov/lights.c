@@ -1,0 +1,156 @@
+#include "pov.h"
+
+#include <math.h>
+
+/* Where a directional light is: farther than two points of a scene can be apart. */
+#define FAR 200000.0
+/* Samples along each side of an area light. */
+static unsigned side_of(const struct tia_light *l)
+{
+    unsigned samples = l->samples > 0 ? l->samples : TIA_LIGHT_SAMPLES;
+
+    return (unsigned)ceil(sqrt(samples));
+}
+
+/* POV-Ray's 2/(1 + (d/D)^p), times a factor that its colour takes, is 1/(constant + term d^p). */
+static double fade(const struct tia_light *l, double *distance, int *power)
+{
+    double constant = pov_q16(l->constant), term = pov_q16(l->quadratic != 0 ? l->quadratic : l->linear);
+
+    *power = l->quadratic != 0 ? 2 : 1;
+    *distance = 0;
+    if (term == 0)
+        return constant != 0 ? 1 / constant : 1;
+    /* Without a constant term D is as short as one may be. */
+    *distance = constant != 0 ? pow(constant / term, 1.0 / *power) : 0.001;
+    return constant != 0 ? 1 / (2 * constant) : 1 / (2 * term * pow(*distance, *power));
+}
+
+static void write_fade(struct pov *pov, uint32_t index, double distance, int power)
+{
+    const struct tia_light *l = &pov->scene->lights[index];
+
+    if (distance != 0)
+        text_word(&pov->text, "fade_distance %.10g fade_power %d", distance, power);
+    if (l->linear != 0 && l->quadratic != 0)
+        pov_note(pov, "light %u: its attenuation has no linear term here besides the quadratic one", index);
+}
+
+/* POV-Ray's samples reach the edges; moved in by half a sample they are the cells' centres. */
+static void area(struct pov *pov, struct point a, struct point b, unsigned n, const char *form)
+{
+    double f = 2.0 * (n - 1) / n;
+
+    text_word(&pov->text, "area_light");
+    pov_triple(pov, "", pov_scaled(a, f));
+    text_word(&pov->text, ",");
+    pov_triple(pov, "", pov_scaled(b, f));
+    text_word(&pov->text, ", %u, %u area_illumination on %s", n, n, form);
+}
+
+static void round_area(struct pov *pov, const struct tia_light *l, struct point normal, const char *form)
+{
+    struct point a, b;
+
+    pov_axes(normal, &a, &b);
+    area(pov, pov_scaled(a, pov_q16(l->radius)), pov_scaled(b, pov_q16(l->radius)), side_of(l), form);
+}
+
+static void spot(struct pov *pov, uint32_t index, const struct tia_light *l)
+{
+    text_word(&pov->text, "spotlight radius %.10g falloff %.10g tightness 0", pov_q16(l->inner), pov_q16(l->outer));
+    pov_triple(pov, "point_at", pov_sum(pov_vec3(l->centre), pov_dir3(l->direction)));
+    if (l->inner != l->outer)
+        pov_note(pov, "light %u: between its cones it falls off along a cubic here, linearly in the cosine in tia",
+                 index);
+}
+
+static void write_kind(struct pov *pov, uint32_t index)
+{
+    const struct tia_light *l = &pov->scene->lights[index];
+
+    switch (l->kind) {
+    case TIA_SPOT_LIGHT:
+        spot(pov, index, l);
+        break;
+    case TIA_RECTANGLE_LIGHT:
+        area(pov, pov_vec3(l->side[0]), pov_vec3(l->side[1]), side_of(l), "");
+        break;
+    case TIA_DISC_LIGHT:
+        round_area(pov, l, pov_dir3(l->direction), "circular");
+        break;
+    case TIA_SPHERE_LIGHT:
+        round_area(pov, l, (struct point){0, 0, 1}, "circular orient");
+        break;
+    default:
+        break;
+    }
+}
+
+static void write_light(struct pov *pov, uint32_t index)
+{
+    const struct tia_light *l = &pov->scene->lights[index];
+    double distance = 0, factor = 1;
+    int power = 0;
+
+    text_print(&pov->text, "light_source {\n");
+    if (l->kind == TIA_DIRECTIONAL_LIGHT) {
+        pov_triple(pov, "", pov_scaled(pov_dir3(l->direction), -FAR));
+        pov_triple(pov, "rgb", pov_rgb(l->emission));
+        text_word(&pov->text, "parallel point_at 0");
+    } else {
+        factor = fade(l, &distance, &power);
+        pov_triple(pov, "", pov_vec3(l->centre));
+        pov_triple(pov, "rgb", pov_scaled(pov_rgb(l->emission), factor));
+        write_kind(pov, index);
+        write_fade(pov, index, distance, power);
+    }
+    text_print(&pov->text, "\n}\n");
+}
+
+static void rectangle(struct pov *pov, const struct tia_light *l)
+{
+    static const int corners[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+
+    text_word(&pov->text, "polygon { 5,");
+    for (int i = 0; i < 5; i++) {
+        struct point p =
+            pov_sum(pov_scaled(pov_vec3(l->side[0]), corners[i][0]), pov_scaled(pov_vec3(l->side[1]), corners[i][1]));
+        pov_triple(pov, "", pov_sum(pov_vec3(l->centre), p));
+    }
+}
+
+/* What is seen of a light, which casts no shadow itself. */
+static void write_seen(struct pov *pov, const struct tia_light *l)
+{
+    bool sides = l->kind == TIA_RECTANGLE_LIGHT;
+
+    if (!sides && l->radius == 0)
+        return;
+    if (l->kind == TIA_DIRECTIONAL_LIGHT || l->kind == TIA_AMBIENT_LIGHT || l->kind == TIA_SPOT_LIGHT)
+        return;
+    if (sides) {
+        rectangle(pov, l);
+    } else if (l->kind == TIA_DISC_LIGHT) {
+        pov_triple(pov, "disc {", pov_vec3(l->centre));
+        pov_triple(pov, ",", pov_dir3(l->direction));
+        text_word(&pov->text, ", %.10g", pov_q16(l->radius));
+    } else {
+        pov_triple(pov, "sphere {", pov_vec3(l->centre));
+        text_word(&pov->text, ", %.10g", pov_q16(l->radius));
+    }
+    pov_triple(pov, "no_shadow pigment { rgb", pov_rgb(l->emission));
+    text_word(&pov->text, "} finish { emission 1 diffuse 0 } }");
+    text_print(&pov->text, "\n");
+}
+
+void pov_lights(struct pov *pov)
+{
+    for (uint32_t i = 0; i < pov->scene->light_count; i++) {
+        if (pov->scene->lights[i].kind == TIA_AMBIENT_LIGHT)
+            continue;
+        write_light(pov, i);
+        write_seen(pov, &pov->scene->lights[i]);
+    }
+    text_print(&pov->text, "\n");
+}

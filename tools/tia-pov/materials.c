@@ -1,0 +1,160 @@
+#include "pov.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* POV-Ray has one colour a surface for what it scatters and for what it lets through; tia has two. What
+ * is let through alone is a filter of its colour; beside scattered light it must be grey. */
+static double transmit_of(const struct tia_material *m)
+{
+    return pov_black(m->colour) ? 0 : pov_mean(pov_rgb(m->refraction));
+}
+
+static bool is_grey(struct tia_rgb c)
+{
+    return c.r == c.g && c.g == c.b;
+}
+
+static double ratio(double part, double whole)
+{
+    return whole > 0 ? part / whole : 0;
+}
+
+static bool lacks(double part, double whole)
+{
+    return part > 0 && whole <= 0;
+}
+
+/* POV-Ray multiplies what is emitted by the pigment, and by what is not let through. */
+static void write_emission(struct pov *pov, const struct tia_material *m)
+{
+    struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
+
+    if (pov_black(m->emission))
+        return;
+    if (pov_black(m->colour)) {
+        text_word(&pov->text, "emission 1");
+        return;
+    }
+    c = pov_scaled(c, 1 - transmit_of(m));
+    pov_triple(pov, "emission rgb", (struct point){ratio(e.x, c.x), ratio(e.y, c.y), ratio(e.z, c.z)});
+}
+
+/* kr = mirror + F refraction: POV-Ray's reflection goes from its first colour to its second by F. */
+static void write_reflection(struct pov *pov, const struct tia_material *m)
+{
+    struct point mirror = pov_rgb(m->mirror);
+    bool fresnel = m->fresnel && !pov_black(m->refraction);
+
+    if (pov_black(m->mirror) && !fresnel)
+        return;
+    pov_triple(pov, "reflection { rgb", mirror);
+    if (fresnel)
+        pov_triple(pov, ", rgb", pov_sum(mirror, pov_rgb(m->refraction)));
+    text_word(&pov->text, fresnel ? "fresnel on } conserve_energy" : "}");
+}
+
+static void write_finish(struct pov *pov, const struct tia_material *m)
+{
+    double transmit = transmit_of(m);
+
+    text_word(&pov->text, "finish {");
+    text_word(&pov->text, "ambient %d diffuse %.10g", !pov_black(m->colour),
+              pov_black(m->colour) || transmit >= 1 ? 0 : 1 / (1 - transmit));
+    write_emission(pov, m);
+    if (!pov_black(m->specular))
+        text_word(&pov->text, "phong %.10g phong_size %.10g", pov_mean(pov_rgb(m->specular)), pov_q16(m->exponent));
+    write_reflection(pov, m);
+    text_word(&pov->text, "}");
+}
+
+static void write_pigment(struct pov *pov, const struct tia_material *m)
+{
+    if (!pov_black(m->colour)) {
+        pov_triple(pov, "pigment { rgb", pov_rgb(m->colour));
+        text_word(&pov->text, "transmit %.10g }", transmit_of(m));
+    } else if (!pov_black(m->refraction)) {
+        pov_triple(pov, "pigment { rgb", pov_rgb(m->refraction));
+        text_word(&pov->text, "filter 1 }");
+    } else {
+        pov_triple(pov, "pigment { rgb", pov_rgb(m->emission));
+        text_word(&pov->text, "}");
+    }
+}
+
+/* What of a material stays unsaid. */
+static void note_material(struct pov *pov, uint32_t index, const struct tia_material *m)
+{
+    struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
+    bool scatters = !pov_black(m->colour), glass = !pov_black(m->refraction);
+
+    if (!is_grey(m->specular))
+        pov_note(pov, "material %u: its highlight is grey here", index);
+    if (!pov_black(m->facing))
+        pov_note(pov, "material %u: no facing ratio here", index);
+    if (scatters && glass && (!is_grey(m->refraction) || m->refraction.r == TIA_Q30_ONE))
+        pov_note(pov, "material %u: what it scatters and what it lets through cannot both be right here", index);
+    if (scatters ? lacks(e.x, c.x) || lacks(e.y, c.y) || lacks(e.z, c.z) : glass && !pov_black(m->emission))
+        pov_note(pov, "material %u: what it emits beside its other colours is lost here", index);
+    if (scatters && m->texture != 0 && !pov_black(m->emission))
+        pov_note(pov, "material %u: what it emits takes the texture here", index);
+    if (m->fresnel && glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction) || !pov_black(m->mirror)))
+        pov_note(pov, "material %u: what Fresnel's equations let through is mixed otherwise here", index);
+}
+
+static void declare_material(struct pov *pov, uint32_t i, const struct tia_material *m)
+{
+    text_print(&pov->text, "#declare Finish_%u =\n", i);
+    write_finish(pov, m);
+    text_print(&pov->text, "\n#declare Interior_%u = interior { ior %.10g }\n#declare Pigment_%u =\n", i,
+               pov_black(m->refraction) ? 1 : pov_q16(m->index), i);
+    if (!pov_textured(pov, i) || !pov_texture(pov, i, transmit_of(m)))
+        write_pigment(pov, m);
+    text_print(&pov->text, "\n#declare Material_%u = material {\n", i);
+    text_word(&pov->text, "texture { pigment { Pigment_%u } finish { Finish_%u } }", i, i);
+    text_word(&pov->text, "interior { Interior_%u }\n}\n", i);
+}
+
+void pov_materials(struct pov *pov)
+{
+    for (uint32_t i = 0; i < pov->scene->material_count; i++) {
+        note_material(pov, i, &pov->scene->materials[i]);
+        declare_material(pov, i, &pov->scene->materials[i]);
+    }
+    text_print(&pov->text, "\n");
+}
+
+void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
+{
+    bool flat = shape != NULL && (shape->kind == TIA_PLANE || shape->kind == TIA_DISC);
+
+    if (!pov_textured(pov, material)) {
+        text_word(&pov->text, "material { Material_%u }", material);
+        return;
+    }
+    text_word(&pov->text, "texture {%s pigment { Pigment_%u", flat ? "" : " uv_mapping", material);
+    pov_mapping(pov, material, shape);
+    text_word(&pov->text, "} finish { Finish_%u } } interior { Interior_%u }", material, material);
+}
+
+/* POV-Ray's shadow rays see what all see: the pigment, at each surface. tia's have a colour of their
+ * own, at each object. The two agree where nothing, or everything, passes. */
+bool pov_has_shadow(const struct pov *pov, uint32_t material)
+{
+    const struct tia_material *m = &pov->scene->materials[material];
+    struct tia_rgb t = m->transmission, r = m->refraction;
+    bool all = is_grey(t) && t.r == TIA_Q30_ONE && is_grey(r) && r.r == TIA_Q30_ONE && pov_black(m->colour);
+
+    return !(pov_black(t) && pov_black(r)) && !all;
+}
+
+void pov_shadow_material(struct pov *pov, uint32_t material, bool closed)
+{
+    struct point t = pov_rgb(pov->scene->materials[material].transmission);
+
+    if (closed)
+        t = (struct point){sqrt(t.x), sqrt(t.y), sqrt(t.z)};
+    text_word(&pov->text, "no_image no_reflection");
+    pov_triple(pov, "pigment { rgb", t);
+    text_word(&pov->text, "filter %d }", t.x + t.y + t.z > 0);
+}

@@ -1,0 +1,57 @@
+#include "pov.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+void pov_note(struct pov *pov, const char *format, ...)
+{
+    char note[sizeof pov->note];
+    va_list values;
+
+    va_start(values, format);
+    (void)vsnprintf(note, sizeof note, format, values);
+    va_end(values);
+    if (strcmp(note, pov->note) == 0)
+        return;
+    memcpy(pov->note, note, sizeof note);
+    text_print(&pov->text, "%s// %s\n", pov->text.column > 0 ? "\n" : "", note);
+    (void)fprintf(stderr, "tia-pov: note: %s\n", note);
+}
+
+static struct point ambient(const struct tia_scene *scene)
+{
+    struct point sum = {0};
+
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].kind == TIA_AMBIENT_LIGHT)
+            sum = pov_sum(sum, pov_rgb(scene->lights[i].emission));
+    return sum;
+}
+
+/* The first ray has a level too; adc_bailout would end rays that hardly count. */
+static void write_settings(struct pov *pov)
+{
+    uint32_t depth = pov->scene->depth != 0 ? pov->scene->depth : TIA_DEPTH;
+
+    text_print(&pov->text, "global_settings {\n");
+    text_word(&pov->text, "assumed_gamma 1.0 max_trace_level %u adc_bailout 0", depth + 1);
+    pov_triple(pov, "ambient_light rgb", ambient(pov->scene));
+    text_print(&pov->text, "\n}\n\n");
+    pov->text.indent = 0;
+    pov_triple(pov, "background { rgb", pov_rgb(pov->scene->background));
+    text_print(&pov->text, " }\n\n");
+}
+
+void pov_write(struct pov *pov, const char *source)
+{
+    text_print(&pov->text, "// %s, as tia-pov wrote it. As tia draws it:\n", source);
+    text_print(&pov->text, "//     povray +I... +O... +W640 +H480 -A -D File_Gamma=1.0\n#version 3.7;\n\n");
+    pov->text.indent = 4;
+    write_settings(pov);
+    pov->text.indent = 4;
+    pov_camera(pov);
+    pov_lights(pov);
+    pov_materials(pov);
+    pov_shapes(pov);
+}
