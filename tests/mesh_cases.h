@@ -1,4 +1,4 @@
-/* mesh_cases.h - src/shape/mesh.c and src/ray/walk.c, in whatever arithmetic they are compiled for: nothing passes
+/* mesh_cases.h - src/shape/mesh.c, in whatever arithmetic they are compiled for: nothing passes
  * between two faces, and the nearest face is that of all faces. */
 #include "mesh_made.h"
 #include "shape/triangle.h"
@@ -211,31 +211,6 @@ TEST(of_equal_faces_the_lower_is_met)
     made_free(m);
 }
 
-/* In a plane across an axis, seen from a point of that plane's neighbourhood: slopes that are nearly or exactly 0. */
-TEST(level_rays_find_their_way_through_a_tree)
-{
-    struct made *m = made_sphere((struct tia_vec3){TIA_Q16(9000), 0, 0}, 4, 2);
-    unsigned hits[2] = {0, 0};
-
-    made_tree(m);
-    struct shape with = shape_of(m);
-    m->tree.node_count = 0;
-    struct shape without = shape_of(m);
-    m->tree.node_count = 1;
-    for (int i = 0; i < 20000; i++) {
-        num_d tiny = NUM_D_LEVEL / (1 + (num_d)(random_bits() % 64)) * (int)(random_bits() % 3 - 1);
-        struct crossing a, b;
-        struct ray ray = {{num_of(random_real()), num_of(random_real() * 4), num_of(random_real() * 4)},
-                          {NUM_D_ONE, tiny, random_bits() % 2 ? 0 : -tiny}};
-        bool met = meets(&without, &ray, &a);
-        CHECK_EQ(meets(&with, &ray, &b), met);
-        CHECK(!met || (a.t == b.t && a.element == b.element));
-        hits[met]++;
-    }
-    CHECK(hits[0] > 1000 && hits[1] > 1000);
-    made_free(m);
-}
-
 static real3 blend(const real3 v[3], const long double part[3])
 {
     return plus(plus(plus((real3){0, 0, 0}, v[0], part[0]), v[1], part[1]), v[2], part[2]);
@@ -329,7 +304,6 @@ int main(void)
     RUN(tetrahedra_have_no_holes);
     RUN(the_nearest_of_all_faces_is_found);
     RUN(of_equal_faces_the_lower_is_met);
-    RUN(level_rays_find_their_way_through_a_tree);
     RUN(normals_and_uv_are_interpolated);
     RUN(a_bare_mesh_has_flat_normals_and_barycentric_uv);
     RUN(where_normals_cancel_the_face_has_its_own);

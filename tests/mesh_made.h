@@ -20,7 +20,7 @@ struct made {
     struct tia_bvh_tree tree; /* without nodes until made_tree */
 };
 
-static struct made *made_new(void)
+static inline struct made *made_new(void)
 {
     struct made *m = calloc(1, sizeof *m);
 
@@ -31,25 +31,25 @@ static struct made *made_new(void)
     return m;
 }
 
-static void made_free(struct made *m)
+static inline void made_free(struct made *m)
 {
     free(m);
 }
 
-static uint32_t made_vertex(struct made *m, struct tia_vec3 v)
+static inline uint32_t made_vertex(struct made *m, struct tia_vec3 v)
 {
     m->vertices[m->mesh.vertex_count] = v;
     return m->mesh.vertex_count++;
 }
 
-static void made_face(struct made *m, uint32_t a, uint32_t b, uint32_t c)
+static inline void made_face(struct made *m, uint32_t a, uint32_t b, uint32_t c)
 {
     m->faces[m->mesh.face_count++] = (struct tia_face){
         {{a, TIA_NO_INDEX, TIA_NO_INDEX}, {b, TIA_NO_INDEX, TIA_NO_INDEX}, {c, TIA_NO_INDEX, TIA_NO_INDEX}}};
 }
 
 /* A vertex halfway between two, moved out to the sphere; one that is there already is shared. */
-static uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_vec3 centre, long double radius)
+static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_vec3 centre, long double radius)
 {
     real3 c = real3_vec(centre),
           p = minus(plus(real3_vec(m->vertices[a]), real3_vec(m->vertices[b]), 1), plus(c, c, 1));
@@ -63,7 +63,7 @@ static uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_v
 }
 
 /* An octahedron whose faces are split into four, `times`; faces turn outwards. */
-static struct made *made_sphere(struct tia_vec3 centre, long double radius, int times)
+static inline struct made *made_sphere(struct tia_vec3 centre, long double radius, int times)
 {
     struct made *m = made_new();
     const tia_q16 r = (tia_q16)(radius * 65536);
@@ -95,7 +95,7 @@ static struct made *made_sphere(struct tia_vec3 centre, long double radius, int 
     return m;
 }
 
-static struct made *made_cube(struct tia_vec3 min, tia_q16 edge)
+static inline struct made *made_cube(struct tia_vec3 min, tia_q16 edge)
 {
     static const uint8_t faces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                                          {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -110,7 +110,7 @@ static struct made *made_cube(struct tia_vec3 min, tia_q16 edge)
 }
 
 /* Any but a very thin one. */
-static struct made *made_tetrahedron(long double size)
+static inline struct made *made_tetrahedron(long double size)
 {
     struct made *m = made_new();
     real3 a, b, c;
@@ -131,7 +131,7 @@ static struct made *made_tetrahedron(long double size)
 }
 
 /* Random faces over random vertices. */
-static struct made *made_disorder(long double size, uint32_t count)
+static inline struct made *made_disorder(long double size, uint32_t count)
 {
     struct made *m = made_new();
 
@@ -145,7 +145,7 @@ static struct made *made_disorder(long double size, uint32_t count)
 }
 
 /* Normals and uvs for all corners. */
-static void made_dress(struct made *m)
+static inline void made_dress(struct made *m)
 {
     m->mesh.normal_count = m->mesh.uv_count = m->mesh.vertex_count;
     for (uint32_t i = 0; i < m->mesh.vertex_count; i++) {
@@ -162,7 +162,7 @@ static void made_dress(struct made *m)
         }
 }
 
-static void made_include(struct tia_bounds *b, struct tia_vec3 v)
+static inline void made_include(struct tia_bounds *b, struct tia_vec3 v)
 {
     b->min.x = v.x - 1 < b->min.x ? v.x - 1 : b->min.x;
     b->min.y = v.y - 1 < b->min.y ? v.y - 1 : b->min.y;
@@ -173,7 +173,7 @@ static void made_include(struct tia_bounds *b, struct tia_vec3 v)
 }
 
 /* What lies below the middle, or above: by the first corner's coordinate along an axis. */
-static uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsigned axis)
+static inline uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsigned axis)
 {
     uint32_t low = first;
     struct tia_vec3 pivot = m->vertices[m->faces[m->items[first + random_bits() % count]].corner[0].vertex];
@@ -189,7 +189,7 @@ static uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsign
     return low - first;
 }
 
-static void made_node(struct made *m, uint32_t first, uint32_t count, int depth)
+static inline void made_node(struct made *m, uint32_t first, uint32_t count, int depth)
 {
     uint32_t node = m->tree.node_count++, low;
     struct tia_bounds b = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
@@ -208,7 +208,7 @@ static void made_node(struct made *m, uint32_t first, uint32_t count, int depth)
     made_node(m, first + low, count - low, depth + 1);
 }
 
-static void made_tree(struct made *m)
+static inline void made_tree(struct made *m)
 {
     for (uint32_t f = 0; f < m->mesh.face_count; f++)
         m->items[f] = f;

@@ -3,8 +3,16 @@
 #define TIA_NUM_F64
 #include "placement_cases.h"
 #else
+#include "check.h"
+
+TEST(double_precision)
+{
+    SKIP("built without it");
+}
+
 int main(void)
 {
-    return 0;
+    RUN(double_precision);
+    return check_status();
 }
 #endif

@@ -1,6 +1,7 @@
 /* triangle_cases.h - src/shape/triangle.c against long doubles, in whatever arithmetic it is compiled for. */
 #include "ray_cases.h"
 #include "shape/triangle.h"
+#include "wide.h"
 
 /* What a coordinate may be off by, when the largest of them has that size. */
 #ifdef TIA_NUM_F64
@@ -21,11 +22,13 @@ static bool is_flat(const struct triangle_corners *c)
                     c->at[1].z - (int64_t)c->at[0].z};
     int64_t b[3] = {c->at[2].x - (int64_t)c->at[0].x, c->at[2].y - (int64_t)c->at[0].y,
                     c->at[2].z - (int64_t)c->at[0].z};
-    __extension__ typedef __int128 exact;
 
-    for (int i = 0; i < 3; i++)
-        if ((exact)a[i] * b[(i + 1) % 3] != (exact)a[(i + 1) % 3] * b[i])
+    for (int i = 0; i < 3; i++) {
+        int k = (i + 1) % 3;
+        wide off = wide_difference(wide_product(a[i], b[k]), wide_product(a[k], b[i]));
+        if (wide_high(off) || wide_low(off))
             return false;
+    }
     return true;
 }
 

@@ -1,0 +1,2 @@
+/* Spheres in integers. */
+#include "sphere_cases.h"

@@ -1,0 +1,2 @@
+/* Walks in integers. */
+#include "walk_cases.h"
