@@ -1,0 +1,69 @@
+/* read.h - any bytes as a scene file: an error with a text, or a scene that tia_scene_check accepts, in
+ * exactly the memory that was asked for. What follows the first zero byte is the text of every library. */
+#ifndef TESTS_FUZZ_READ_H
+#define TESTS_FUZZ_READ_H
+
+#include <stdio.h>
+#include <string.h>
+
+#include "bytes.h"
+
+struct rest {
+    const char *text;
+    size_t length;
+};
+
+static int fetch_library(void *ctx, const char *name, const char **text, size_t *length, const char **why)
+{
+    const struct rest *rest = ctx;
+    *why = "no such file";
+    *text = rest->text;
+    *length = rest->length;
+    return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
+}
+
+static int fetch_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
+{
+    static const uint8_t texels[12];
+    (void)ctx;
+    *why = "no such file";
+    texture->width = texture->height = 2;
+    texture->texels = texels;
+    return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
+}
+
+static inline void read_any(enum tia_format format, const uint8_t *data, size_t size)
+{
+    const uint8_t *zero = size ? memchr(data, 0, size) : NULL;
+    size_t length = format == TIA_FORMAT_OBJ && zero ? (size_t)(zero - data) : size;
+    struct rest rest = {(const char *)data + length, size - length};
+    struct tia_reader reader = {.format = format, .text = (const char *)data, .length = length, .ctx = &rest};
+    struct tia_scene scene;
+    void *memory = NULL;
+    size_t need = 1, again = 1;
+
+    if (rest.length) {
+        rest.text++;
+        rest.length--;
+    }
+    if (size % 16) {
+        reader.library = fetch_library;
+        reader.image = fetch_image;
+    }
+    int status = tia_read(&reader, &scene, NULL, 0, &need);
+    if (status == TIA_ERR_MEMORY) {
+        MUST(need > 0 && need < 100 * size + 1000);
+        memory = malloc(need);
+        MUST(tia_read(&reader, &scene, memory, need - 1, &again) == TIA_ERR_MEMORY && again == need);
+        status = tia_read(&reader, &scene, memory, need, &again);
+        MUST(again == need);
+    }
+    if (status == TIA_OK)
+        MUST(tia_scene_check(&scene, NULL) == TIA_OK);
+    else
+        MUST(status == TIA_ERR_RANGE && *reader.error.text && reader.error.line <= size + 1 &&
+             reader.error.column <= size + 1);
+    free(memory);
+}
+
+#endif
