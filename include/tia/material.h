@@ -16,7 +16,7 @@
  * N is the shading normal: a mesh's interpolated one, else the geometric one, G; where the ray meets the
  * back of the surface both are turned. Shadow rays and reflected rays start at P + 2^-13 G, refracted rays
  * at P - 2^-13 G, whatever their direction. A light gives nothing where G.L <= 0 or N.L <= 0. Where an
- * interpolated normal has N.V < 0, Fresnel's equations take it for 0. T is the product of `transmission`
+ * interpolated normal has N.V <= 0, F = 1 with or without `fresnel`. T is the product of `transmission`
  * over the objects that the shadow ray meets before the light, each taken once, a grid by the first cell
  * that it meets.
  *

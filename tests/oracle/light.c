@@ -65,7 +65,9 @@ static double attenuation(const struct tia_light *light, double d)
 {
     double sum = q16(light->constant) + q16(light->linear) * d + q16(light->quadratic) * d * d;
 
-    return light->constant == 0 && light->linear == 0 && light->quadratic == 0 ? 1.0 : 1.0 / sum;
+    if (light->constant == 0 && light->linear == 0 && light->quadratic == 0)
+        return 1;
+    return sum < 131072 ? 1 / sum : 0;
 }
 
 /* What a spot gives in the direction `way`, from the point to the light. */

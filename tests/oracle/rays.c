@@ -143,12 +143,13 @@ double oracle_fresnel(double cosine, double n1, double n2)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* The refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected. */
+/* The refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected, as it is where an
+ * interpolated normal is turned away. */
 static bool refract(const struct surface *s, double ratio, struct oracle_vec *way)
 {
     double square = 1 - ratio * ratio * (1 - s->cosine * s->cosine);
 
-    if (square < 0)
+    if (s->cosine <= 0 || square < 0)
         return false;
     *way = along(scaled(s->v, -ratio), ratio * s->cosine - sqrt(square), s->n);
     return true;
