@@ -290,6 +290,16 @@ TEST(motion)
     CHECK(scene.tracks[0].keys[1].time == TIA_Q16(2) && scene.tracks[0].keys[1].value.y == TIA_Q16(3));
 }
 
+TEST(a_camera_that_is_told_where_to_look)
+{
+    check_reads("animate camera look 1: 1 2 -3 2: 0 0 -9\ncamera eye 0 0 5");
+    CHECK(is_vec3(scene.camera.reference, 1, 2, -3) && is_vec3(scene.camera.up, 0, 1, 0));
+    check_reads("animate camera look 1: 1 2 -3 2: 0 0 -9\ncamera look 5 6 -7 up 1 0 0");
+    CHECK(is_vec3(scene.camera.reference, 5, 6, -7) && is_vec3(scene.camera.up, 1, 0, 0));
+    check_reads("animate camera eye 1: 1 2 -3");
+    CHECK(is_vec3(scene.camera.up, 0, 0, 0));
+}
+
 static bool is_rgb_of(struct tia_rgb a, struct tia_rgb b)
 {
     return a.r == b.r && a.g == b.g && a.b == b.b;
@@ -368,6 +378,7 @@ int main(void)
     RUN(lights);
     RUN(keys);
     RUN(motion);
+    RUN(a_camera_that_is_told_where_to_look);
     RUN(the_thesis_scene);
     read_end(&now);
     return check_status();

@@ -166,6 +166,16 @@ TEST(faults_of_the_scene)
     check_refused("key a light 1 at 0 0 0 radius 0.0001", "1:1: key: radius: must be 0 or at least 2^-10");
     check_refused(M "light ambient\nlight at 30000 30000 0",
                   "3:1: light: centre: every point must be nearer to the eye than 32768");
+    check_refused(M "sphere radius 1 material m scale 1\n  sphere radius 1 scale 0 material m",
+                  "3:3: transform: scale: must be in 2^-10..1024");
+    check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
+                  "4:1: shape: corners: must not be on one line");
+    check_refused("texture a checker\ntexture t checker repeat 0", "2:1: texture: repeat: must be in 1/1024..1024");
+    check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",
+                  "4:1: grid: cell: must be at least 2^-10");
+    check_refused("light name l at 0 0 0\nanimate l at 0: 0 0 0\nanimate l at 0: 32000 32000 0",
+                  "3:1: track: value: every point must be nearer to the eye than 32768");
+    check_refused("camera look 0 0 0", "1:1: camera: reference: must not be the eye");
 }
 
 TEST(bytes_that_are_no_text)

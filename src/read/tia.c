@@ -102,6 +102,15 @@ static int sort_names(struct tia_job *job)
     return twice ? tia_text_error(&job->text, &twice->word, "is defined for a second time", "another name") : TIA_OK;
 }
 
+/* A camera that looks at nothing but is told where to look from time to time begins with that. */
+static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
+{
+    if (camera->up.x || camera->up.y || camera->up.z)
+        return;
+    camera->up.y = TIA_Q16_ONE;
+    camera->reference = reference;
+}
+
 /* Tracks of shapes and lights hold the place of the name until its index is known. */
 static void resolve_tracks(struct tia_job *job)
 {
@@ -109,7 +118,9 @@ static void resolve_tracks(struct tia_job *job)
     const struct tia_name *names = (const struct tia_name *)(const void *)job->arrays[TIA_OF_NAMES].items;
 
     for (uint32_t i = 0; i < job->arrays[TIA_OF_TRACKS].count; i++)
-        if (tracks[i].target != TIA_MOVES_EYE && tracks[i].target != TIA_MOVES_REFERENCE)
+        if (tracks[i].target == TIA_MOVES_REFERENCE)
+            look_at(&job->scene->camera, tracks[i].keys->value);
+        else if (tracks[i].target != TIA_MOVES_EYE)
             tracks[i].index = names[tracks[i].index].index / 2;
 }
 
