@@ -26,7 +26,11 @@ struct world_frame {
 struct world {
     struct tia_viewer viewer;
     struct tia_light lights[WORLD_LIGHTS];
+    bool held[WORLD_LIGHTS];
     uint64_t now_us;
+
+    /* NULL, or the scene as it must be in the frame that was just drawn. */
+    const struct tia_scene *(*scene_now)(const struct world *);
 
     /* The script. */
     struct world_event events[WORLD_EVENTS]; /* by time */
@@ -125,10 +129,11 @@ static inline void world_compare(const struct world *w)
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
     uint32_t lights = 0;
+    const struct tia_scene *scene = w->scene_now ? w->scene_now(w) : w->viewer.scene;
 
     while (lights < WORLD_LIGHTS && w->lights[lights].radius)
         lights++;
-    CHECK_EQ(tia_view_init(&view, world_reference, half, w->viewer.scene, WORLD_LIGHTS, all.width, all.height), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, world_reference, half, scene, WORLD_LIGHTS, all.width, all.height), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, w->lights, lights), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
@@ -241,6 +246,7 @@ static inline struct world *world_new(void)
         .scene = &tia_thesis_scene,
         .lights = w.lights,
         .light_capacity = WORLD_LIGHTS,
+        .held = w.held,
         .display = &world_display,
         .input = &world_input,
         .clock = &world_clock,

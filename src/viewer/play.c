@@ -113,7 +113,8 @@ int viewer_play(struct loop *loop)
     if (!loop->started)
         loop->start_us = loop->due_us = now;
     loop->started = true;
-    if (loop->view_ready && (time == loop->time || (now < loop->due_us && !loop->viewer->frame_limit)))
+    bool due = now >= loop->due_us || loop->changed || loop->viewer->frame_limit;
+    if (loop->view_ready && (time == loop->time || !due))
         return TIA_OK;
     loop->due_us = now + TIA_PLAY_STEP_US;
     return place_view(loop, time);
