@@ -71,6 +71,7 @@ static inline bool load(struct reading *r, struct files *files, char **text, con
 {
     size_t length = 0;
 
+    *r = (struct reading){.status = TIA_ERR_ARGUMENT};
     *text = load_file(path, &length);
     CHECK_MSG(*text, "no %s", path);
     if (*text)

@@ -211,7 +211,7 @@ TEST(most_corners)
 #define HOLE 8 /* corners */
 
 /* Corners from..to of the n-th hole, clockwise from its left. */
-static uint32_t go_around(uint32_t count, const double (*hole)[2], uint32_t from, uint32_t to, struct placing how)
+static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint32_t to, struct placing how)
 {
     for (uint32_t i = from; i <= to; i++)
         put(count++, hole[i % HOLE][0], hole[i % HOLE][1], how);

@@ -94,15 +94,25 @@ static void project(struct polygon_corner *corners, uint32_t count)
     }
 }
 
+/* Takes a corner out of the counts. */
+static void forget(struct polygon *polygon, const struct polygon_corner *c)
+{
+    polygon->not_convex -= c->turn < 1;
+    polygon->flat -= !c->turn;
+    polygon->candidates -= c->ear != 0;
+}
+
 /* The turn at corner i among its present neighbours. Whether it is an ear is no longer known. */
 static void look_at(struct polygon *polygon, uint32_t i)
 {
     struct polygon_corner *c = &polygon->corners[i];
 
-    polygon->not_convex -= c->turn < 1;
+    forget(polygon, c);
     c->turn = (int8_t)side(&polygon->corners[c->prev], c, &polygon->corners[c->next]);
-    polygon->not_convex += c->turn < 1;
     c->ear = -1;
+    polygon->not_convex += c->turn < 1;
+    polygon->flat += !c->turn;
+    polygon->candidates++;
 }
 
 void tia_polygon_begin(struct polygon *polygon, struct polygon_corner *corners, uint32_t count)
@@ -113,6 +123,7 @@ void tia_polygon_begin(struct polygon *polygon, struct polygon_corner *corners, 
         corners[i].prev = i ? i - 1 : count - 1;
         corners[i].next = i + 1 < count ? i + 1 : 0;
         corners[i].turn = 1;
+        corners[i].ear = 0;
     }
     for (uint32_t i = 0; i < count; i++)
         look_at(polygon, i);
@@ -183,14 +194,15 @@ static uint32_t find_ear(struct polygon *polygon)
 {
     uint32_t i = polygon->at;
 
-    for (uint32_t n = 0; n < polygon->left; n++, i = polygon->corners[i].next) {
+    for (; polygon->candidates; i = polygon->corners[i].next) {
         struct polygon_corner *c = &polygon->corners[i];
-        if (c->ear < 0)
-            c->ear = is_ear(polygon, i);
-        if (c->ear)
+        if (c->ear > 0 || (c->ear < 0 && is_ear(polygon, i)))
             return i;
+        polygon->candidates -= c->ear != 0;
+        c->ear = 0;
     }
-    if (!find_turn(polygon, 0, &i))
+    i = polygon->at;
+    if (!polygon->flat || !find_turn(polygon, 0, &i))
         (void)find_turn(polygon, 1, &i);
     return i;
 }
@@ -207,12 +219,13 @@ bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3])
     triangle[1] = i;
     triangle[2] = tip->next;
     polygon->left--;
-    polygon->not_convex -= tip->turn < 1;
+    forget(polygon, tip);
     prev->next = tip->next;
     next->prev = tip->prev;
     look_at(polygon, tip->prev);
     look_at(polygon, tip->next);
-    /* Not the neighbour: every other corner first makes better shapes than a fan. */
-    polygon->at = next->next;
+    /* Not the neighbours: every other corner first makes better shapes than a fan. But where there was no ear
+     * they are the only ones that may be one. */
+    polygon->at = tip->ear ? next->next : tip->prev;
     return true;
 }

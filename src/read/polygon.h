@@ -17,7 +17,8 @@ struct polygon_corner {
 
 struct polygon {
     struct polygon_corner *corners;
-    uint32_t left, at, not_convex; /* corners not cut off; where the search goes on; how many of them with turn < 1 */
+    uint32_t left, at;                     /* corners not cut off; where the search goes on */
+    uint32_t not_convex, flat, candidates; /* those with turn < 1, turn = 0, ear != 0 */
 };
 
 /* Ear clipping: count - 2 triangles, each of three corners in the polygon's order. Those of a simple
