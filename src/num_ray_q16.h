@@ -85,7 +85,7 @@ static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_d bx, num
 {
     wide sum = wide_sum(wide_sum(wide_product(ax, bx), wide_product(ay, by)), wide_product(az, bz));
 
-    NUM_CHECK((wide_high(sum) < 0 ? ~wide_high(sum) : wide_high(sum)) >> 60 == 0);
+    NUM_CHECK((wide_high(sum) < 0 ? ~wide_high(sum) : wide_high(sum)) >> 61 == 0);
     return wide_round(sum, 62);
 }
 
@@ -126,13 +126,13 @@ static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
 {
     const int64_t p[3] = {x, y, z};
     wide square = wide_dot(p, p), other = wide_product(r, r), n = wide_difference(square, other);
+    bool negative = wide_is_negative(n);
 
-    if (wide_is_negative(n)) {
+    if (negative)
         n = wide_difference(other, square);
-        k = -k;
-    }
     int s = wide_bits(n) - 63;
-    return s > 0 ? wide_quotient(wide_down(n, (unsigned)s), k, s) : wide_quotient((int64_t)wide_low(n), k, 0);
+    num_x quotient = s > 0 ? wide_quotient(wide_down(n, (unsigned)s), k, s) : wide_quotient((int64_t)wide_low(n), k, 0);
+    return negative ? -quotient : quotient;
 }
 
 static inline num_x num_length3(num_x x, num_x y, num_x z)

@@ -274,8 +274,10 @@ static void check_block(const unsigned n[3], double far, double edge)
             d[k] = (tia_q16)between(-4, 5) * g.grid.cell;
             at[k] -= back * d[k];
         }
-        struct ray ray = {num_point_of((struct tia_vec3){min.x + at[0], min.y + at[1], min.z + at[2]}), {0, 0, 0}};
-        if (!num_normalise(num_point_of((struct tia_vec3){d[0], d[1], d[2]}), &ray.direction))
+        struct tia_vec3 from = {min.x + at[0], min.y + at[1], min.z + at[2]};
+        struct num_point heading = num_point_of((struct tia_vec3){d[0], d[1], d[2]});
+        struct ray ray = {num_point_of(from), {0, 0, 0}};
+        if (!num_normalise(heading, &ray.direction))
             continue;
         bool met = s.shape.kind->intersect(&s.shape, &ray, NUM_X_MOST, &in_grid);
         CHECK_EQ(met, box.kind->intersect(&box, &ray, NUM_X_MOST, &in_box));

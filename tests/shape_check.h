@@ -111,6 +111,11 @@ static inline struct vec vec_of(struct num_point p)
     return (struct vec){real_x(p.x), real_x(p.y), real_x(p.z)};
 }
 
+static inline struct num_point point_of(struct vec v)
+{
+    return (struct num_point){x_of((double)v.x), x_of((double)v.y), x_of((double)v.z)};
+}
+
 static inline struct vec dir_of(struct num_dir d)
 {
     return (struct vec){real_d(d.x), real_d(d.y), real_d(d.z)};
@@ -238,12 +243,12 @@ static inline const struct candidate *nearest_sure(const struct candidate found[
 static inline void check_ray(const struct subject *s, struct vec from, struct vec along, double limit)
 {
     static struct candidate found[CANDIDATES_MAX];
-    struct ray ray = {{x_of((double)from.x), x_of((double)from.y), x_of((double)from.z)}, {0, 0, 0}};
+    struct ray ray = {point_of(from), {0, 0, 0}};
+    struct num_point heading = point_of(along);
     struct crossing c = {0, 77};
     real slack = 0;
 
-    (void)num_normalise((struct num_point){x_of((double)along.x), x_of((double)along.y), x_of((double)along.z)},
-                        &ray.direction);
+    (void)num_normalise(heading, &ray.direction);
     struct vec o = vec_of(ray.origin), d = dir_of(ray.direction);
     real error = (real)0x1p-42 + (real)EPSILON * (s->extent + length(o));
     int count = s->candidates(s, o, d, found);

@@ -1,0 +1,167 @@
+/* The numbers of general rays in integers, each operation against what num_ray.h states. */
+#include "check.h"
+#include "num_ray.h"
+
+#include <math.h>
+
+#define ROUNDS 100000
+
+#if defined(__SIZEOF_INT128__) && defined(__SIZEOF_FLOAT128__)
+
+__extension__ typedef __int128 exact;
+__extension__ typedef __float128 real; /* 113 bits */
+
+static uint64_t random_state = 1;
+
+/* SplitMix64 */
+static uint64_t next(void)
+{
+    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
+
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    return z ^ z >> 31;
+}
+
+/* A number below 2^bits of any length and sign. */
+static int64_t any(unsigned bits)
+{
+    int64_t n = (int64_t)(next() >> (64 - bits) >> next() % bits);
+
+    return next() & 1 ? -n : n;
+}
+
+static exact square(struct num_point p)
+{
+    return (exact)p.x * p.x + (exact)p.y * p.y + (exact)p.z * p.z;
+}
+
+static struct num_point any_point(unsigned bits)
+{
+    return (struct num_point){any(bits), any(bits), any(bits)};
+}
+
+/* Within 2^-59 of itself and half a unit, at most `most` in size. */
+static bool is_quotient(int64_t got, real want, int64_t limit)
+{
+    real error = (real)got - want, own = want < 0 ? -want : want;
+
+    if (own > (real)limit)
+        return own < (real)limit * (1 + (real)0x1p-58) || got == (want < 0 ? -limit : limit);
+    return (error < 0 ? -error : error) <= (real)0.5 + own * (real)0x1p-59;
+}
+
+TEST(products_are_rounded_to_nearest)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        struct num_point a = any_point(61);
+        struct num_dir d = {any(62), any(62), any(62)};
+        exact sum = (exact)a.x * d.x + (exact)a.y * d.y + (exact)a.z * d.z, half = (exact)1 << 61;
+        CHECK_EQ(num_times(a.x, d.x), (int64_t)(((exact)a.x * d.x + half) >> 62));
+        CHECK_EQ(num_dot_x(a, d), (int64_t)((sum + half) >> 62));
+        exact product = (exact)a.x * a.y;
+        if (product >> 106 == 0 || product >> 106 == -1)
+            CHECK_EQ(num_product(a.x, a.y), (int64_t)((product + ((exact)1 << 44)) >> 45));
+    }
+}
+
+TEST(roots_are_rounded_down)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        struct num_point p = any_point(61);
+        num_x r = any(62), leg, length = num_length(p);
+        r = r < 0 ? -r : r;
+        exact rest = (exact)r * r - square(p);
+        leg = num_leg(r, p);
+        CHECK_EQ(leg < 0, rest < 0);
+        CHECK(leg < 0 || ((exact)leg * leg <= rest && rest < (exact)(leg + 1) * (leg + 1)));
+        CHECK((exact)length * length <= square(p) && square(p) < (exact)(length + 1) * (length + 1));
+    }
+}
+
+TEST(within_has_its_edge)
+{
+    static const struct num_point whole[] = {{1, 2, 2}, {2, 3, 6}, {-1, 4, 8}, {4, -4, 7}, {6, 6, -7}, {0, 0, -5}};
+    static const num_x lengths[] = {3, 7, 9, 9, 11, 5};
+
+    for (int i = 0; i < ROUNDS; i++) {
+        int k = i % 6;
+        int64_t n = any(58);
+        struct num_point p = {whole[k].x * n, whole[k].y * n, whole[k].z * n}, beyond = p;
+        num_x r = lengths[k] * (n < 0 ? -n : n);
+        beyond.z += beyond.z < 0 ? -1 : 1;
+        CHECK(num_within(r, p) && num_within(r + 1, p));
+        CHECK(!num_within(r, beyond) && !num_within(r - 1, p));
+        CHECK(!num_within(-1, p) && !num_within(-r - 1, p));
+    }
+}
+
+/* Numbers of 62 bits whose squares nearly cancel: the numerator is exact. */
+TEST(what_is_beyond)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        struct num_point p = any_point(61);
+        num_x k = any(62), r = i & 1 ? any(62) : num_length(p) + any(20);
+        real want = (real)(square(p) - (exact)r * r) / (real)k;
+        if (k != 0)
+            CHECK(is_quotient(num_beyond(p, r, k), want, NUM_X_MOST));
+    }
+    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 5, 7), 0);
+    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 4, 0), NUM_X_MOST);
+    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 6, 0), -NUM_X_MOST);
+}
+
+TEST(quotients)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        int64_t x = any(62), y = any(62);
+        if (y == 0)
+            continue;
+        real q = (real)x / (real)y;
+        CHECK(is_quotient(num_over(x, y), q * (real)0x1p62, NUM_X_MOST));
+        CHECK(is_quotient(num_ratio(x, y), q * (real)0x1p45, NUM_X_MOST));
+        CHECK(is_quotient(num_fraction(x, y), q * (real)0x1p62, NUM_D_ONE));
+    }
+    CHECK_EQ(num_over(1, 0), NUM_X_MOST);
+    CHECK_EQ(num_over(-1, 0), -NUM_X_MOST);
+    CHECK_EQ(num_over(0, 0), 0);
+}
+
+TEST(powers_and_turns)
+{
+    for (int i = 0; i < ROUNDS / 10; i++) {
+        num_d d = (num_d)(next() >> 2);
+        tia_q16 e = (tia_q16)(next() >> 33 >> next() % 16);
+        long double want = powl((long double)d / 0x1p62L, (long double)e / 65536);
+        long double off = fabsl((long double)num_power(d, e) / 0x1p62L - want);
+        CHECK_MSG(off < 0x1p-44L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
+        num_d y = any(62), x = any(62);
+        y = y / 2 + (y < 0 ? -NUM_D_ONE / 2 : NUM_D_ONE / 2); /* some length is what its error is against */
+        want = atan2l((long double)y, (long double)x) / (2 * acosl(-1));
+        off = fabsl((long double)num_turn(y, x) / 0x1p62L - want);
+        CHECK_MSG(off < 0x1p-54L || off > 1 - 0x1p-54L, "the angle of %jd, %jd is off by %Lg", (intmax_t)x, (intmax_t)y,
+                  off);
+    }
+    CHECK_EQ(num_turn(0, 0), 0);
+}
+
+int main(void)
+{
+    RUN(products_are_rounded_to_nearest);
+    RUN(roots_are_rounded_down);
+    RUN(within_has_its_edge);
+    RUN(what_is_beyond);
+    RUN(quotients);
+    RUN(powers_and_turns);
+    return check_status();
+}
+
+#else
+
+int main(void)
+{
+    printf("skip num_ray: no 128-bit numbers on this machine\n");
+    return 0;
+}
+
+#endif

@@ -1,0 +1,8 @@
+/* Shapes as rays meet them, in integers that report what leaves its range. */
+#define TIA_NUM_CHK
+#include "shape_runs.h"
+
+void tia_chk_report(const char *file, int line, const char *range)
+{
+    CHECK_MSG(false, "%s:%d: %s", file, line, range);
+}
