@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "bytes.h"
+#include "general.h"
 
 static bool is_unit(struct tia_rgb c)
 {
@@ -17,9 +17,26 @@ static bool is_near(const struct tia_scene *s, struct tia_vec3 p, tia_q16 radius
     return sqrt(x * x + y * y + z * z) + radius < 2147483649.0;
 }
 
+static void must_be_light(const struct tia_scene *s, const struct tia_light *l)
+{
+    bool placed = l->kind != TIA_DIRECTIONAL_LIGHT && l->kind != TIA_AMBIENT_LIGHT;
+    bool radius = l->kind == TIA_POINT_LIGHT || l->kind == TIA_DISC_LIGHT || l->kind == TIA_SPHERE_LIGHT;
+    double x = l->direction.x, y = l->direction.y, z = l->direction.z, direction = sqrt(x * x + y * y + z * z);
+
+    MUST(l->kind <= TIA_SPHERE_LIGHT);
+    MUST(!radius || l->radius == 0 || l->radius >= TIA_RADIUS_MIN);
+    MUST(!placed || is_near(s, l->centre, radius ? l->radius : 0));
+    MUST(l->emission.r >= 0 && l->emission.g >= 0 && l->emission.b >= 0);
+    MUST(!placed || (l->constant >= 0 && l->linear >= 0 && l->quadratic >= 0));
+    if (l->kind == TIA_DIRECTIONAL_LIGHT || l->kind == TIA_SPOT_LIGHT || l->kind == TIA_DISC_LIGHT)
+        MUST(direction > 0.4999 * TIA_Q30_ONE && direction < 1.5001 * TIA_Q30_ONE);
+    MUST(l->kind != TIA_SPOT_LIGHT || (0 <= l->inner && l->inner <= l->outer && l->outer <= TIA_Q16(90)));
+    MUST(l->kind < TIA_RECTANGLE_LIGHT || l->samples <= TIA_LIGHT_SAMPLES_MAX);
+}
+
 static void must_keep_ranges(const struct tia_scene *s)
 {
-    MUST(s->camera.fov >= TIA_FOV_MIN && s->camera.fov <= TIA_FOV_MAX);
+    MUST(s->camera.projection != TIA_PERSPECTIVE || (s->camera.fov >= TIA_FOV_MIN && s->camera.fov <= TIA_FOV_MAX));
     MUST(is_unit(s->background));
     for (uint32_t i = 0; i < s->material_count; i++)
         MUST(is_unit(s->materials[i].colour) && is_unit(s->materials[i].transmission) &&
@@ -28,20 +45,101 @@ static void must_keep_ranges(const struct tia_scene *s)
         MUST(s->spheres[i].radius >= TIA_RADIUS_MIN && s->spheres[i].material < s->material_count);
         MUST(is_near(s, s->spheres[i].centre, s->spheres[i].radius));
     }
-    for (uint32_t i = 0; i < s->light_count; i++) {
-        MUST(s->lights[i].radius == 0 || s->lights[i].radius >= TIA_RADIUS_MIN);
-        MUST(is_near(s, s->lights[i].centre, s->lights[i].radius));
-        MUST(s->lights[i].emission.r >= 0 && s->lights[i].emission.g >= 0 && s->lights[i].emission.b >= 0);
+    for (uint32_t i = 0; i < s->light_count; i++)
+        must_be_light(s, &s->lights[i]);
+}
+
+static double length(double x, double y, double z)
+{
+    return sqrt(x * x + y * y + z * z);
+}
+
+static void must_be_camera(const struct tia_camera *c)
+{
+    const struct tia_window *w = &c->window;
+    double nx = (double)c->eye.x - c->reference.x, ny = (double)c->eye.y - c->reference.y,
+           nz = (double)c->eye.z - c->reference.z, n = length(nx, ny, nz), up = length(c->up.x, c->up.y, c->up.z);
+
+    MUST(c->projection == TIA_PERSPECTIVE || (w->bottom < w->top && (w->left < w->right || !(w->left | w->right))));
+    MUST(c->projection != TIA_FRUSTUM || w->near > 0);
+    MUST(c->samples <= 1 || c->samples == 4 || c->samples == 16);
+    if (up > 0)
+        MUST(n > 0 && length(c->up.y * nz - c->up.z * ny, c->up.z * nx - c->up.x * nz, c->up.x * ny - c->up.y * nx) >
+                          n * up * 0.00097);
+}
+
+/* Every corner of what an object is in, from every place of the eye; with a few units for its margin and rounding. */
+static void must_be_near(const struct tia_scene *s, struct tia_bounds b)
+{
+    const double far = 2147483648.0 + 16;
+
+    for (int i = 0; i < 8 && b.min.x <= b.max.x; i++) {
+        double x = i & 1 ? b.min.x : b.max.x, y = i & 2 ? b.min.y : b.max.y, z = i & 4 ? b.min.z : b.max.z;
+        MUST(length(x - s->camera.eye.x, y - s->camera.eye.y, z - s->camera.eye.z) < far);
+        for (uint32_t k = 0; k < s->track_count; k++)
+            for (uint32_t n = 0; s->tracks[k].target == TIA_MOVES_EYE && n < s->tracks[k].key_count; n++) {
+                struct tia_vec3 eye = s->tracks[k].keys[n].value;
+                MUST(length(x - eye.x, y - eye.y, z - eye.z) < far);
+            }
     }
 }
 
-/* A key may change the lights; it must leave a scene that is accepted. */
+static void must_be_placed(const struct tia_transform *t, struct tia_bounds b)
+{
+    double least = fmin(t->scale.x, fmin(t->scale.y, t->scale.z)) / 65536;
+
+    MUST(least >= 1.0 / 1024 && t->scale.x <= 1024 << 16 && t->scale.y <= 1024 << 16 && t->scale.z <= 1024 << 16);
+    MUST(b.max.x < b.min.x ||
+         length((double)b.max.x - b.min.x, (double)b.max.y - b.min.y, (double)b.max.z - b.min.z) / 2 <
+             least * 2147483648.0);
+}
+
+static void must_be_shape(const struct tia_scene *s, uint32_t i)
+{
+    const struct tia_shape *shape = &s->shapes[i];
+    struct tia_bounds b = tia_object_bounds(s, s->sphere_count + i);
+
+    MUST(shape->material < s->material_count && shape->transform <= s->transform_count);
+    MUST(shape->kind != TIA_MESH || shape->mesh < s->mesh_count);
+    MUST(shape->kind != TIA_GRID || shape->grid < s->grid_count);
+    if (shape->kind == TIA_SPHERE && !shape->transform)
+        MUST(is_near(s, shape->sphere.centre, shape->sphere.radius));
+    else
+        must_be_near(s, b);
+    if (shape->transform)
+        must_be_placed(&s->transforms[shape->transform - 1], b);
+}
+
+/* What is built of it and moved stays in the memory that was asked for, and is a scene again. */
+static void must_be_of_use(const struct tia_scene *s)
+{
+    const tia_q16 times[] = {INT32_MIN, 0, 1, 65536, 1 << 20, INT32_MAX};
+    size_t size = tia_bvh_size(s), moving = tia_scene_at_size(s), used;
+    void *memory = malloc(size), *moved = malloc(moving);
+    struct tia_scene with = *s, at;
+
+    MUST(tia_bvh_build(&with.bvh, memory, size - 1, &used, s) == TIA_ERR_MEMORY);
+    MUST(tia_bvh_build(&with.bvh, memory, size, &used, s) == TIA_OK && used <= size);
+    MUST(tia_scene_check(&with, NULL) == TIA_OK);
+    for (unsigned i = 0; i < sizeof times / sizeof *times; i++) {
+        MUST(tia_scene_at(&at, moved, moving, &with, times[i]) == TIA_OK);
+        int status = tia_scene_check(&at, NULL);
+        MUST(status == TIA_OK || (s->track_count && status == TIA_ERR_RANGE));
+    }
+    MUST(tia_scene_duration(s) >= 0);
+    free(memory);
+    free(moved);
+}
+
+/* A key may change the lights; it must leave a scene that is accepted, but for what else moves them. */
 static void must_stay_accepted(const struct fuzz_scene *f, struct bytes *b)
 {
     struct tia_light lights[FUZZ_LIGHTS + 1];
     struct tia_scene moved = f->scene;
     uint32_t count = moved.light_count;
 
+    moved.tracks = NULL;
+    moved.track_count = 0;
     for (uint32_t i = 0; i < count; i++)
         lights[i] = f->lights[i];
     moved.lights = lights;
@@ -59,16 +157,22 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct bytes b = {data, size};
     struct fuzz_scene f;
+    struct fuzz_general g;
     struct tia_fault fault = {NULL, 0, NULL, NULL};
     int status;
 
     take_scene(&b, &f);
     if (take_byte(&b) == 255)
         f.scene.spheres = NULL;
+    take_general(&b, &f, &g);
     status = tia_scene_check(&f.scene, &fault);
     MUST(status == tia_scene_check(&f.scene, NULL));
     if (status == TIA_OK) {
         must_keep_ranges(&f.scene);
+        must_be_camera(&f.scene.camera);
+        for (uint32_t i = 0; i < f.scene.shape_count; i++)
+            must_be_shape(&f.scene, i);
+        must_be_of_use(&f.scene);
         must_stay_accepted(&f, &b);
     } else {
         MUST(status == TIA_ERR_RANGE && fault.thing && fault.field && fault.rule && *fault.rule);
