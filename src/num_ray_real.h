@@ -199,7 +199,8 @@ static inline num_x num_slab(num_x x, num_x steep)
 }
 
 #define NUM_SLAB_ONE ((num_real)1)
-#define NUM_SLAB_ERROR ((num_real)1 / 4194304)
+/* 2^-22; of float, whose coordinates are 2^-8 apart at the far end, 2^-4. */
+#define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 
 static inline num_x num_slab_of(num_x t)
 {
