@@ -136,7 +136,8 @@ void shade_light(struct path *path, const struct shading *s, const num_x weight[
  *     n2/n1 T = -V + (c - sqrt((n2/n1)^2 - s^2)) N,   in quarters  -V/4 + (c/4 - root) N,
  *     root = sqrt(q^2 - s^2/16)
  *
- * and nothing is refracted where there is no root. Returns F, what Fresnel's equations say is reflected:
+ * and nothing is refracted where there is no root, nor where an interpolated normal is turned away: there Rs = Rp = 1,
+ * which in integers would be a little less. Returns F, what Fresnel's equations say is reflected:
  * with n2/n1 cos T = 4 root,
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
@@ -145,12 +146,12 @@ static num_d refract(const struct shading *s, struct num_dir *refracted)
 {
     num_x index = num_x_of(s->material->index);
     num_d q = s->back ? num_fraction(NUM_X_ONE / 4, index) : num_fraction(index, 4 * NUM_X_ONE);
-    num_d c = s->facing > 0 ? s->facing : 0, square = num_times(q, q);
+    num_d c = s->facing, square = num_times(q, q);
     num_d inside = square - (NUM_D_ONE - num_times(c, c)) / 16;
 
-    if (inside <= 0)
+    if (inside <= 0 || c <= 0)
         return NUM_D_ONE;
-    num_d root = num_sqrt_d(inside), bend = s->facing / 4 - root, q2c = num_times(square, c);
+    num_d root = num_sqrt_d(inside), bend = c / 4 - root, q2c = num_times(square, c);
     struct num_dir quarter = {-s->viewer.x / 4, -s->viewer.y / 4, -s->viewer.z / 4};
     num_d rs = num_fraction(c / 4 - root, c / 4 + root), rp = num_fraction(q2c - root / 4, q2c + root / 4);
 
