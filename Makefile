@@ -84,10 +84,10 @@ endif
 
 # ---- sources: one object per file and arithmetic ----
 CORE_DIRS := src src/span src/ray src/shape src/read src/bvh src/check src/viewer
-CORE_SRC  := $(sort $(filter-out src/no_rays.c,$(wildcard $(CORE_DIRS:%=%/*.c))))
+CORE_SRC  := $(sort $(filter-out src/no_%,$(wildcard $(CORE_DIRS:%=%/*.c))))
 # Boards without the room for general rays and scene files.
-SMALL_SRC := $(filter-out src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) src/no_rays.c
-PLAIN_SRC := $(addprefix src/,crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c) \
+SMALL_SRC := $(filter-out src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) src/no_rays.c src/no_bvh.c
+PLAIN_SRC := $(addprefix src/,crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c no_bvh.c) \
              $(wildcard src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image scene $(if $(filter yes,$(DRM)),drm) \

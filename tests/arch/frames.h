@@ -7,9 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <tia/bvh.h>
+
 #include "common/corpus.h"
+#include "common/corpus_rays.h"
 
 #define FRAMES_RANDOM 20
+#define FRAMES_RAYS 40
 
 /* Told each frame's name and CRC-32. */
 typedef void frames_report(void *ctx, const char *name, uint32_t crc);
@@ -122,6 +126,30 @@ static inline void frames_random(struct frames_canvas *c, unsigned index)
     frames_close(c);
 }
 
+/* General rays: shapes, materials, lights and cameras by chance, every other scene by its hierarchy. */
+static inline void frames_rays(struct frames_canvas *c, unsigned index)
+{
+    static struct corpus_rays scene;
+    const unsigned width = 24 + index, height = 48 - index;
+    void *memory = NULL;
+    char name[40];
+
+    corpus_random_rays(&scene, 565, index);
+    if (index % 2 == 1) {
+        size_t size = tia_bvh_size(&scene.scene);
+        memory = malloc(size);
+        if (!memory || tia_bvh_build(&scene.scene.bvh, memory, size, NULL, &scene.scene))
+            abort();
+    }
+    if (!frames_open(c, &scene.scene, width, height))
+        abort();
+    frames_draw(c, 16, 16, true, index % 4 == 3);
+    (void)snprintf(name, sizeof name, "rays-%u-%ux%u", index, width, height);
+    frames_tell(c, name);
+    frames_close(c);
+    free(memory);
+}
+
 /* Every frame, drawn with `core`. */
 static inline void frames_all(const struct tia_core *core, frames_report *report, void *ctx)
 {
@@ -141,6 +169,8 @@ static inline void frames_all(const struct tia_core *core, frames_report *report
     frames_relit(&c);
     for (unsigned i = 0; i < FRAMES_RANDOM; i++)
         frames_random(&c, i);
+    for (unsigned i = 0; i < FRAMES_RAYS; i++)
+        frames_rays(&c, i);
 }
 
 #endif
