@@ -156,7 +156,7 @@ static num_d refract(const struct shading *s, struct num_dir *refracted)
     num_d rs = num_fraction(c / 4 - root, c / 4 + root), rp = num_fraction(q2c - root / 4, q2c + root / 4);
 
     *refracted = num_dir_unit(num_dir_add(quarter, num_dir_scaled(s->normal, bend)));
-    return (num_times(rs, rs) + num_times(rp, rp)) / 2;
+    return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
 }
 
 static bool is_zero(const num_x rgb[3])
