@@ -85,9 +85,11 @@ endif
 # ---- sources: one object per file and arithmetic ----
 CORE_DIRS := src src/span src/ray src/shape src/read src/bvh src/check src/viewer
 CORE_SRC  := $(sort $(filter-out src/no_%,$(wildcard $(CORE_DIRS:%=%/*.c))))
-# Boards without the room for general rays and scene files.
-SMALL_SRC := $(filter-out src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) src/no_rays.c src/no_bvh.c
-PLAIN_SRC := $(addprefix src/,crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c no_bvh.c) \
+# Boards without the room for more than spheres.
+LARGE_SRC := $(filter src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) $(addprefix src/,bounds.c motion.c turn.c) \
+             $(addprefix src/check/,shape.c mesh.c track.c)
+SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/no_rays.c src/no_shapes.c
+PLAIN_SRC := $(addprefix src/,crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c no_shapes.c) \
              $(wildcard src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c)
 NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
 PORT_DIRS := common memory none fbdev evdev terminal image scene $(if $(filter yes,$(DRM)),drm) \

@@ -14,6 +14,7 @@ struct check {
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
 #define CHECK_UNIT "each channel must be in 0..1"
+#define CHECK_RADIUS "must be at least 2^-10"
 #define CHECK_LENGTH "its length must be in 0.5..1.5"
 
 /* What every rule ends with that is not kept. */

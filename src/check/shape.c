@@ -1,17 +1,5 @@
 #include "check.h"
 
-#define RADIUS "must be at least 2^-10"
-
-int check_sphere(const struct check *check)
-{
-    const struct tia_sphere *s = &check->scene->spheres[check->index];
-
-    REQUIRE(s->radius >= TIA_RADIUS_MIN, "radius", RADIUS);
-    REQUIRE(check_is_near(check, s->centre, s->radius), "centre", CHECK_FAR);
-    REQUIRE(s->material < check->scene->material_count, "material", "must be the index of a material");
-    return TIA_OK;
-}
-
 int check_transform(const struct check *check)
 {
     REQUIRE(check_is_scale(check->scene->transforms[check->index].scale), "scale", "must be in 2^-10..1024");
@@ -54,7 +42,7 @@ static int check_kind(const struct check *check, const struct tia_shape *s)
 
     switch (s->kind) {
     case TIA_SPHERE:
-        REQUIRE(s->sphere.radius >= TIA_RADIUS_MIN, "radius", RADIUS);
+        REQUIRE(s->sphere.radius >= TIA_RADIUS_MIN, "radius", CHECK_RADIUS);
         return TIA_OK;
     case TIA_PLANE:
         REQUIRE(!s->transform, "transform", "must be 0 for a plane");
@@ -63,10 +51,10 @@ static int check_kind(const struct check *check, const struct tia_shape *s)
         return TIA_OK;
     case TIA_DISC:
         REQUIRE(check_is_direction(&s->disc.normal), "normal", CHECK_LENGTH);
-        REQUIRE(s->disc.radius >= TIA_RADIUS_MIN, "radius", RADIUS);
+        REQUIRE(s->disc.radius >= TIA_RADIUS_MIN, "radius", CHECK_RADIUS);
         return TIA_OK;
     case TIA_CYLINDER:
-        REQUIRE(s->cylinder.radius >= TIA_RADIUS_MIN, "radius", RADIUS);
+        REQUIRE(s->cylinder.radius >= TIA_RADIUS_MIN, "radius", CHECK_RADIUS);
         REQUIRE(are_apart(s->cylinder.base, s->cylinder.top), "top", "must be at least 2^-10 from the base");
         return TIA_OK;
     case TIA_CONE:
