@@ -1,4 +1,5 @@
 /* tia_bvh_build: what every hierarchy must keep, hostile scenes, and its memory. */
+#include "bvh/split.h"
 #include "hierarchy.h"
 
 static bool is_nothing(const struct tia_bounds *b)
@@ -164,6 +165,27 @@ TEST(exponential_spacing)
     CHECK(deepest <= TIA_BVH_DEPTH_MAX);
 }
 
+/* 90 of 100 close together and the others far away: the best division, and what it becomes when a child may not have as
+ * many. */
+TEST(a_depth_that_would_not_do)
+{
+    struct tia_bounds boxes[100];
+    uint32_t numbers[100];
+    const struct split_items items = {boxes, numbers, 100};
+
+    for (uint32_t i = 0; i < 100; i++) {
+        struct tia_vec3 p = {i < 90 ? (tia_q16)i : (tia_q16)i * ONE, 0, 0};
+        boxes[i] = (struct tia_bounds){{p.x, 0, 0}, {p.x + 2, 2, 2}};
+        numbers[i] = i;
+    }
+    struct tia_bounds bounds = split_bounds(&items);
+    CHECK(bounds.min.x == 0 && bounds.max.x == 99 * ONE + 2);
+    CHECK_EQ(split_items(&items, &bounds, 100), 90);
+    CHECK_EQ(split_items(&items, &bounds, 90), 90);
+    CHECK_EQ(split_items(&items, &bounds, 89), 50);
+    CHECK_EQ(split_items(&items, &bounds, 50), 50);
+}
+
 TEST(ends_of_the_numbers)
 {
     set_spheres(1000);
@@ -195,6 +217,7 @@ int main(void)
     RUN(memory_as_promised);
     RUN(one_place);
     RUN(exponential_spacing);
+    RUN(a_depth_that_would_not_do);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);
     free(memory);

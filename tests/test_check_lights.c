@@ -135,21 +135,27 @@ TEST(directions)
     check_lights("direction", LENGTH);
 }
 
+/* Coordinates x, y, z, turned `times` times. */
+static struct tia_vec3 turned(int times, tia_q16 x, tia_q16 y, tia_q16 z)
+{
+    return times == 0   ? (struct tia_vec3){x, y, z}
+           : times == 1 ? (struct tia_vec3){z, x, y}
+                        : (struct tia_vec3){y, z, x};
+}
+
 /* The corner at 2, 3, 6 times m is 7 m away: 2^31 - 2. */
 TEST(corners_of_rectangles)
 {
     const tia_q16 m = INT32_MAX / 7;
 
-    for (int i = 0; i < 4; i++) {
-        tia_q16 a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1;
+    for (int i = 0; i < 24; i++) {
+        tia_q16 a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1, c = i & 4 ? 1 : -1;
         set_light(TIA_RECTANGLE_LIGHT);
-        light.centre = (struct tia_vec3){2 * m, 0, 0};
-        light.side[0] = (struct tia_vec3){0, a * 3 * m, 0};
-        light.side[1] = (struct tia_vec3){0, 0, b * 6 * m};
+        light.side[0] = turned(i / 8, 0, a * 3 * m, 0);
+        light.side[1] = turned(i / 8, 0, 0, b * 6 * m);
+        light.centre = turned(i / 8, c * 2 * m, 0, 0);
         check_accepted();
-        light.centre.x += 8;
-        check_lights("centre", FAR);
-        light.centre.x = -2 * m - 8;
+        light.centre = turned(i / 8, c * (2 * m + 8), 0, 0);
         check_lights("centre", FAR);
     }
     light.centre = light.side[0] = light.side[1] = (struct tia_vec3){INT32_MIN, INT32_MIN, INT32_MIN};

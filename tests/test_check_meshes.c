@@ -121,7 +121,10 @@ TEST(materials_of_cells)
     check_accepted();
     cells[3] = 4;
     check_refused("shape", 0, "material", rule);
-    cells[3] = 2;
+    cells[3] = 1;
+    cells[1] = 4;
+    check_refused("shape", 0, "material", rule);
+    cells[1] = 2;
     shape->material = 1;
     check_accepted();
     shape->material = 2;

@@ -177,6 +177,10 @@ TEST(triangles)
     check_refused("shape", 0, "corners", rule);
     c[2].z = 8;
     check_accepted();
+    c[0] = (struct tia_vec3){0, 0, 0};
+    c[1] = (struct tia_vec3){1, 1, 0};
+    c[2] = (struct tia_vec3){1, -1, 0}; /* 1 * -1 and 1 * 1 differ by their sign alone */
+    check_accepted();
     /* Differences of 33 bits, that no scale makes small enough. */
     shape->transform = 1;
     transform.scale = (struct tia_vec3){ONE / 4, ONE / 4, ONE / 4};
