@@ -98,6 +98,8 @@ static void note_material(struct pov *pov, uint32_t index, const struct tia_mate
         pov_note(pov, "material %u: what it emits beside its other colours is lost here", index);
     if (scatters && m->texture != 0 && !pov_black(m->emission))
         pov_note(pov, "material %u: what it emits takes the texture here", index);
+    if (glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction)))
+        pov_note(pov, "material %u: what is reflected totally within it is not tinted here", index);
     if (m->fresnel && glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction) || !pov_black(m->mirror)))
         pov_note(pov, "material %u: what Fresnel's equations let through is mixed otherwise here", index);
 }
