@@ -329,6 +329,9 @@ TEST(places_of_faults)
     check_place(VIEW "l 0 0 0\nl 0 0 0 1 -1 1\n", 7, "light: emission: ");
     check_place(VIEW "f 1 1 1 1 0 0 0 0\nf 1 1 1 1.5 0 0 0 0\n", 7, "material: colour: ");
     check_place("#\nb 1.5 0 0\n" VIEW, 2, "scene: background: ");
+    check_place(VIEW "s 0 0 0 1\nc 0 0 0 1 0 0 0 1\n", 7, "shape: top: ");
+    check_place(VIEW "p 3\n0 0 0 1 0 0 0 1 0\nf 1 1 1 1 0 0 0.5 9\n", 8, "material: index: ");
+    check_place(VIEW "s 0 0 0 1\np 3\n0 0 0 32000 32000 0 0 1 0\n", 7, "shape: ");
     check_place("#\nv\nfrom 0 0 0\nat 0 0 9\nup 0 1 0\nangle 171\n", 2, "camera: fov: ");
 }
 

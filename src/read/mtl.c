@@ -303,9 +303,12 @@ static int read_statement(struct mtl *m, const struct tia_word *word)
 
 int tia_mtl_read(struct obj *o, const struct obj_library *library)
 {
-    struct mtl m = {.obj = o, .text = tia_text_begin(library->text, library->length, library->name, &o->reader->error)};
+    char file[TIA_NAME_MAX + 1];
+    struct mtl m = {.obj = o};
     struct tia_word word;
 
+    tia_word_copy(file, &library->name);
+    m.text = tia_text_begin(library->text, library->length, file, &o->reader->error);
     while (tia_text_line(&m.text)) {
         (void)tia_text_word(&m.text, &word);
         int status = read_statement(&m, &word);

@@ -74,10 +74,19 @@ static int read_usemtl(struct obj *o)
     return TIA_OK;
 }
 
+static bool is_same(const struct tia_word *a, const struct tia_word *b)
+{
+    uint32_t i = 0;
+
+    while (i < a->length && i < b->length && a->at[i] == b->at[i])
+        i++;
+    return i == a->length && i == b->length;
+}
+
 static bool is_known(const struct obj *o, const struct tia_word *word)
 {
     for (uint32_t i = 0; i < o->library_count; i++)
-        if (tia_word_is(word, o->libraries[i].name))
+        if (is_same(word, &o->libraries[i].name))
             return true;
     return false;
 }
@@ -86,13 +95,13 @@ static int fetch_library(struct obj *o, const struct tia_word *word)
 {
     struct obj_library *library = &o->libraries[o->library_count];
     const char *why = "there is nothing that could";
+    char name[TIA_NAME_MAX + 1];
 
     if (o->library_count == OBJ_LIBRARIES)
         return tia_text_error(&o->text, word, "is one too many", "at most 16 material libraries");
-    *library = (struct obj_library){.word = *word};
-    tia_word_copy(library->name, word);
-    if (!o->reader->library ||
-        o->reader->library(o->reader->ctx, library->name, &library->text, &library->length, &why) < 0) {
+    *library = (struct obj_library){.name = *word};
+    tia_word_copy(name, word);
+    if (!o->reader->library || o->reader->library(o->reader->ctx, name, &library->text, &library->length, &why) < 0) {
         (void)tia_text_error_at(&o->text, word);
         tia_say_word(o->text.error, word);
         tia_say(o->text.error, " cannot be read: ");

@@ -18,8 +18,7 @@ enum obj_pass {
 enum obj_name { OBJ_MATERIAL, OBJ_IMAGE };
 
 struct obj_library {
-    struct tia_word word; /* its name in the text */
-    char name[TIA_NAME_MAX + 1];
+    struct tia_word name; /* in the text */
     const char *text;
     size_t length;
 };
