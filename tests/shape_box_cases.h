@@ -251,6 +251,27 @@ static void check_grid(const unsigned n[3], double far, double edge, double shar
     }
 }
 
+/* That at t the ray is in the cell, as the planes between it and others are met. */
+static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_x t)
+{
+    const uint16_t *n = g->grid.size;
+    const unsigned at[3] = {cell % n[0], cell / n[0] % n[1], cell / n[0] / n[1]};
+    const num_d d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    const num_x o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const tia_q16 corner[3] = {g->grid.corner.x, g->grid.corner.y, g->grid.corner.z};
+
+    for (unsigned k = 0; k < 6; k++) {
+        unsigned i = k / 2, plane = at[i] + k % 2;
+        num_x ahead = num_x_of(corner[i] + (tia_q16)plane * g->grid.cell) - o[i];
+        bool enters = (d[i] < 0) == (k % 2 == 1);
+        if (plane == 0 || plane == n[i] || d[i] == 0)
+            continue;
+        if (enters ? num_over(ahead, d[i]) > t : num_over(ahead, d[i]) < t)
+            return false;
+    }
+    return true;
+}
+
 /* A block of one material is a box: no ray enters or leaves it anywhere else, also one that goes exactly
  * through the edges and corners of its cells. */
 static void check_block(const unsigned n[3], double far, double edge)
@@ -285,5 +306,6 @@ static void check_block(const unsigned n[3], double far, double edge)
         misses += !met;
         CHECK(!met || (!(in_grid.t < in_box.t) && !(in_grid.t > in_box.t)));
         CHECK_EQ(met ? in_grid.element % 6 : 0, met ? in_box.element : 0);
+        CHECK(!met || is_in_cell(&g, in_grid.element / 6, &ray, in_grid.t));
     }
 }

@@ -200,8 +200,8 @@ static real cone_distance(const struct subject *s, struct vec p, uint32_t elemen
     const struct cone *c = s->what;
     real height = height_of(c, p), beyond = most(-height, height - c->length);
 
-    if (element > (c->capped ? 2 : 0))
-        return 1e9L;
+    if (element > (c->capped ? 2 : 0) || (element == 1 && c->base_radius <= 0) || (element == 2 && c->top_radius <= 0))
+        return 1e9L; /* an apex has no cap */
     if (element == 0)
         return most(size(depth_of(c, p)), beyond);
     return most(size(element == 1 ? height : height - c->length), -depth_of(c, p));
@@ -271,6 +271,21 @@ static void check_cone(struct tia_cone cone)
         p = add(c.base, end == 1 ? 0 : c.length, c.axis);
         check_rays_through(&s, add(p, radius * edge, out), cone_normal(&s, p, end), scale);
         check_ray(&s, add(add(p, radius * edge, out), chance() * 3 * c.length, c.axis), c.axis, 131072);
+    }
+}
+
+/* Rays to the apex, where a cap of radius 0 would be. */
+static void check_apex(struct tia_cone cone)
+{
+    struct subject s;
+    struct cone c;
+
+    cone.capped = true;
+    prepare_cone(&s, &c, &cone);
+    struct vec apex = add(c.base, c.top_radius > 0 ? 0 : c.length, c.axis);
+    for (int i = 0; i < 200; i++) {
+        struct vec d = any_direction();
+        check_ray(&s, add(apex, -any_length(0x1p-10, 10000), d), d, 131072);
     }
 }
 

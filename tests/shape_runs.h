@@ -1,6 +1,7 @@
 /* shape_runs.h - the cases of test_shapes.c and test_shapes_f64.c. */
 #include "shape_box_cases.h"
 #include "shape_cases.h"
+#include "shape_exact_cases.h"
 
 static void start(void)
 {
@@ -64,6 +65,10 @@ TEST(cones)
         check_cone(any_cone(any_length(1, 10000), any_length(0x1p-10, 10000), radius, i & 1 ? 0 : radius / 3));
         check_cone(any_cone(any_length(1, 10000), any_length(0x1p-10, 10000), i & 1 ? 0 : radius * 0.99, radius));
     }
+    for (int i = 0; i < 10; i++) {
+        check_apex(any_cone(1000, any_length(0.1, 1000), any_length(0.1, 1000), 0));
+        check_apex(any_cone(1000, any_length(0.1, 1000), 0, any_length(0.1, 1000)));
+    }
     check_cone(any_cone(30000, 0x1p-9, 0x1p-10, 0));
     check_cone(any_cone(1000, 28000, 30000, 0));
     check_cone(any_cone(1000, 28000, 0x1p-10, 0));
@@ -103,5 +108,10 @@ int main(void)
     RUN(cones);
     RUN(grids);
     RUN(blocks_of_cells_are_boxes);
+    RUN(cylinders_along_the_axes);
+    RUN(cones_along_the_axes);
+    RUN(surface_coordinates);
+    RUN(boxes_along_the_axes);
+    RUN(grids_along_the_axes);
     return check_status();
 }
