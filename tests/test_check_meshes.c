@@ -71,6 +71,12 @@ TEST(grids_themselves)
         check_refused("grid", 0, "size", "must be in 1..1024");
         grids[0].size[i] = old;
     }
+    for (int i = 0; i < 3; i++) {
+        grids[0].size[i] = 257; /* 257 * 1024 * 1024 */
+        grids[0].size[(i + 1) % 3] = grids[0].size[(i + 2) % 3] = 1024;
+        check_refused("grid", 0, "size", "must be at most 2^28 cells in all");
+    }
+    set_up(TIA_GRID);
     grids[0].cell = 64;
     check_accepted();
     grids[0].cell = 63;

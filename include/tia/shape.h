@@ -35,6 +35,7 @@
 #define TIA_SCALE_MIN TIA_RADIUS_MIN
 #define TIA_SCALE_MAX TIA_Q16(1024)
 #define TIA_GRID_MAX 1024 /* cells along an axis */
+#define TIA_GRID_CELLS_MAX (UINT32_C(1) << 28)
 
 struct tia_sphere {
     struct tia_vec3 centre;
@@ -139,7 +140,7 @@ struct tia_mesh {
 struct tia_grid {
     struct tia_vec3 corner; /* the smallest coordinates; the largest are below 32768 */
     tia_q16 cell;           /* a cube's edge, TIA_RADIUS_MIN or more */
-    uint16_t size[3];       /* 1..TIA_GRID_MAX; at most 2^28 cells in all */
+    uint16_t size[3];       /* 1..TIA_GRID_MAX; at most TIA_GRID_CELLS_MAX in all */
     const uint8_t *cells;   /* 0: empty; n: of the material n - 1 after the shape's own */
 };
 

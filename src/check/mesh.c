@@ -47,6 +47,7 @@ int check_grid(const struct check *check)
 
     for (int k = 0; k < 3; k++)
         REQUIRE(check_is_between(n[k], 1, TIA_GRID_MAX), "size", "must be in 1..1024");
+    REQUIRE((uint64_t)n[0] * n[1] * n[2] <= TIA_GRID_CELLS_MAX, "size", "must be at most 2^28 cells in all");
     REQUIRE(g->cell >= TIA_RADIUS_MIN, "cell", "must be at least 2^-10");
     REQUIRE(is_grid_end(g->corner.x, n[0], g->cell) && is_grid_end(g->corner.y, n[1], g->cell) &&
                 is_grid_end(g->corner.z, n[2], g->cell),
