@@ -262,13 +262,14 @@ TEST(what_is_taken_in)
     read_string(
         &r, TIA_FORMAT_NFF,
         "# a comment\r\n" VIEW "f 1 1 1 1 0.5 0 0.5 0 # no highlight\ns 0 0 0 -1\n"
-        "f 1 1 1 1 0.5 0.25 0 7\nc 0 0 0 -1 0 1 0 -1\nf 1 1 1 1 0.5 1e9 0 7\n"
+        "f 1 1 1 1 0.5 0.25 0 7\nc 0 0 0 -1 0 1 0 -1\nf 1 1 1 1 0.5 1.5e4 0 7\n"
         "p 3 0 0 0 1 0 0 0 1 0\ns 1 1 1 1\npp 4\n0 0 1 0 0 9\n\n# between\n1 0 1 0 0 9\n1 1 1 9 0 0\n0 1 1 0 0 -9\n");
     CHECK_EQ(r.status, TIA_OK);
     const struct tia_material *m = r.scene.materials;
     CHECK(m[0].specular.r == 0 && m[0].mirror.r == TIA_Q30(0.5) && m[0].exponent == TIA_Q16_ONE);
     CHECK(m[0].index == TIA_Q16_ONE && m[0].refraction.b == TIA_Q30(0.5));
     CHECK(m[1].specular.r == TIA_Q30(0.5) && m[1].exponent == TIA_Q16_ONE && m[2].exponent == TIA_EXPONENT_MAX);
+    CHECK_EQ(m[1].index, TIA_Q16_ONE);
     CHECK_EQ(r.scene.spheres[0].radius, TIA_Q16_ONE);
     CHECK(r.scene.shapes[0].kind == TIA_CYLINDER && r.scene.shapes[0].cylinder.radius == TIA_Q16_ONE);
     CHECK(r.scene.shape_count == 2 && r.scene.mesh_count == 1 && r.scene.sphere_count == 2);

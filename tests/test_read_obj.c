@@ -143,14 +143,16 @@ static void project(const struct tia_camera *c, const struct tia_vec3 *p, double
 /* Everything lies in the picture and near enough, and it is not lost in the middle. */
 static void check_frame(const struct tia_scene *scene)
 {
+    const struct tia_camera *c = &scene->camera;
     double most = 0;
 
+    CHECK(c->eye.x > c->reference.x && c->eye.y > c->reference.y && c->eye.z > c->reference.z);
     CHECK(scene->light_count == 2 && scene->lights[0].direction.y < 0 && scene->background.r == TIA_Q30(0.8));
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         for (uint32_t i = 0; i < 3 * scene->meshes[m].face_count; i++) {
             double x, y, distance;
             const struct tia_mesh *mesh = &scene->meshes[m];
-            project(&scene->camera, &mesh->vertices[mesh->faces[i / 3].corner[i % 3].vertex], &x, &y, &distance);
+            project(c, &mesh->vertices[mesh->faces[i / 3].corner[i % 3].vertex], &x, &y, &distance);
             CHECK_MSG(hypot(x, y) <= 1.0001 && distance < 32768, "at %g, %g, %g away", x, y, distance);
             most = fmax(most, hypot(x, y));
         }
@@ -192,6 +194,7 @@ TEST(frames)
         double size = at(&v[2], 0) - at(&v[0], 0), want = strtod(b, NULL) - strtod(a, NULL);
         if (cases[i].moved) {
             double scale = log2(size / want);
+            CHECK(is_near(at(&v[0], 1), -at(&v[2], 1), 0.02) && fabs(at(&v[0], 2)) <= 16.1);
             CHECK_MSG(size > 15.9 && size <= 32.1, "%s: size %g", a, size);
             CHECK_MSG(fabs(scale - round(scale)) < 0.01, "%s: scale %g", a, scale);
         } else {
@@ -224,8 +227,9 @@ TEST(faces_by_material)
     struct reading r;
 
     read_model(&r, &files,
-               "mtllib m\n" TRIANGLE "v 5 5 5 1 0.5 0.5 0.5\nv 6 5 5\nv 5 6 5\nvn 0 0 3\nf 1 2 3\nusemtl a b\nf 4 5 6\n"
-               "usemtl c\nf 1//1 2//1 3//-1\nusemtl a b\nf -1 -2 -3\n");
+               "mtllib m\n" TRIANGLE
+               "v 5 5 5 1 0.5 0.5 0.5\nv 6 5 5\nv 5 6 5\nvn 1 0 0\nvn 0 0 3\nf 1 2 3\nusemtl a b\nf 4 5 6\n"
+               "usemtl c\nf 1//2 2//2 3//-1\nusemtl a b\nf -1 -2 -3\n");
     CHECK(r.scene.mesh_count == 3 && r.scene.shapes[0].material == 0);
     CHECK(r.scene.meshes[0].face_count == 1 && r.scene.meshes[1].face_count == 2 && r.scene.meshes[2].face_count == 1);
     CHECK(r.scene.meshes[1].vertex_count == 3 && r.scene.meshes[1].vertices[0].x == TIA_Q16(5));
@@ -255,10 +259,10 @@ TEST(errors)
         {TRIANGLE "f 1 2 4\n", "4:7: '4' asks for a vertex that is not there, expected 1 to 3, those before this line"},
         {TRIANGLE "f 1 2 -4\n",
          "4:7: '-4' asks for a vertex that is not there, expected 1 to 3, those before this line"},
-        {TRIANGLE "f 1 2 99999999999999999999\n",
-         "4:7: '99999999999999999999' asks for a vertex that is not there, expected 1 to 3, those before this line"},
+        {TRIANGLE "f 1 2 18446744073709551617\n",
+         "4:7: '18446744073709551617' asks for a vertex that is not there, expected 1 to 3, those before this line"},
         {TRIANGLE "f 1//1 2//1 3//1\n",
-         "4:3: '1//1' asks for a normal that is not there, expected 1 to 0, those before this line"},
+         "4:3: '1//1' asks for a normal that is not there, expected one before this line"},
         {TRIANGLE "vt 0 0\nf 1/2 2/1 3/1\n",
          "5:3: '1/2' asks for a texture coordinate that is not there, expected 1 to 1, those before this line"},
         {TRIANGLE "vt 0\nf 1/1 2/1 3\n", "5:11: '3' is of another form, expected all corners of a face alike"},

@@ -38,9 +38,14 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
     tia_say_word(o->text.error, word);
     tia_say(o->text.error, " asks for a ");
     tia_say(o->text.error, names[part]);
-    tia_say(o->text.error, " that is not there, expected 1 to ");
-    tia_say_number(o->text.error, count);
-    tia_say(o->text.error, ", those before this line");
+    tia_say(o->text.error, " that is not there, expected ");
+    if (count) {
+        tia_say(o->text.error, "1 to ");
+        tia_say_number(o->text.error, count);
+        tia_say(o->text.error, ", those before this line");
+    } else {
+        tia_say(o->text.error, "one before this line");
+    }
     return TIA_ERR_RANGE;
 }
 
