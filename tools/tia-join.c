@@ -14,7 +14,8 @@
 
 static const char usage[] =
     "Usage: tia-join -o FILE PART...\n"
-    "Joins parts that tia drew (-o PART.tiapart with --frame-range or --tile-rows), in any order.\n"
+    "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
+    "--frame-range, in any order.\n"
     "\n"
     "  -o, --output FILE    a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame\n"
     "                       with %04d in its name), a part (.tiapart), or - for standard output\n"

@@ -24,18 +24,42 @@ static bool makes_sense(const struct image_film *film)
 }
 
 /* What was read must print as it was: no other spelling is a part. */
+static size_t check_spelling(const struct image_film *film, const char *line, const char *again, size_t printed)
+{
+    return makes_sense(film) && strncmp(line, again, printed) == 0 ? printed : 0;
+}
+
+static void take_line(char line[IMAGE_PART_HEADER + 1], const char *text, size_t length)
+{
+    size_t most = length < IMAGE_PART_HEADER ? length : IMAGE_PART_HEADER;
+    memcpy(line, text, most);
+    line[most] = '\0';
+}
+
 size_t image_part_parse(struct image_film *film, const char *text, size_t length)
 {
-    char line[IMAGE_PART_HEADER + 1] = "", again[IMAGE_PART_HEADER];
+    char line[IMAGE_PART_HEADER + 1], again[IMAGE_PART_HEADER];
     unsigned n[10];
-    memcpy(line, text, length < IMAGE_PART_HEADER ? length : IMAGE_PART_HEADER);
+    take_line(line, text, length);
     if (sscanf(line, "TIAPART1 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5], &n[6],
                &n[7], &n[8], &n[9]) != 10) {
         return 0;
     }
     *film = (struct image_film){n[0], n[1], n[2], n[3], n[4], n[5], n[6], {n[7], n[8]}, n[9]};
-    size_t printed = image_part_print(again, film);
-    return makes_sense(film) && strncmp(line, again, printed) == 0 ? printed : 0;
+    return check_spelling(film, line, again, image_part_print(again, film));
+}
+
+size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
+{
+    char line[IMAGE_PART_HEADER + 1], again[IMAGE_PART_HEADER];
+    unsigned n[8];
+    take_line(line, text, length);
+    if (sscanf(line, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%8x", &n[0], &n[1],
+               &n[2], &n[3], &n[4], &n[5], &n[6], &n[7]) != 8) {
+        return 0;
+    }
+    *film = (struct image_film){n[0], n[1], 0, n[1], n[4], n[5], n[6], {n[2], n[3]}, n[7]};
+    return check_spelling(film, line, again, image_y4m_print(again, film));
 }
 
 /* ---- writing one ---- */

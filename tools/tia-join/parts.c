@@ -24,7 +24,8 @@ __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, con
 
 static uint64_t frame_bytes(const struct part *part)
 {
-    return (uint64_t)part->film.width * part->film.rows * sizeof(tia_rgb565);
+    uint64_t pixels = (uint64_t)part->film.width * part->film.rows;
+    return part->is_y4m ? IMAGE_Y4M_FRAME + 3 * pixels : sizeof(tia_rgb565) * pixels;
 }
 
 static int read_at(struct parts *parts, const struct part *part, int fd, void *bytes, size_t count, uint64_t offset)
@@ -67,7 +68,11 @@ static int check_header(struct parts *parts, struct part *part, int fd, uint64_t
     }
     part->header = image_part_parse(&part->film, text, count);
     if (part->header == 0) {
-        return failed(parts, "%.300s: not a part (tia --tile-rows or --frame-range, -o FILE.tiapart)", part->path);
+        part->header = image_y4m_parse(&part->film, text, count);
+        part->is_y4m = part->header != 0;
+    }
+    if (part->header == 0) {
+        return failed(parts, "%.300s: not a part (.tiapart, or .y4m by tia)", part->path);
     }
     if (length != part->header + frame_bytes(part) * part->film.frames) {
         return failed(parts, "%.300s: %llu bytes, not the %llu of its header", part->path, (unsigned long long)length,
@@ -184,28 +189,85 @@ int parts_open(struct parts *parts, char *const *paths, unsigned count)
 void parts_close(struct parts *parts)
 {
     free(parts->array);
+    free(parts->colours);
     parts->array = NULL;
+    parts->colours = NULL;
 }
 
 /* ---- pixels ---- */
 
+static int compare(const void *left, const void *right)
+{
+    uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
+    return (a > b) - (a < b);
+}
+
+static bool learn_colours(struct parts *parts)
+{
+    if (parts->colours == NULL) {
+        parts->colours = malloc(65536 * sizeof *parts->colours);
+        for (uint32_t i = 0; parts->colours != NULL && i < 65536; i++) {
+            parts->colours[i] = (uint64_t)image_y4m_colour((tia_rgb565)i) << 16 | i;
+        }
+        if (parts->colours != NULL) {
+            qsort(parts->colours, 65536, sizeof *parts->colours, compare);
+        }
+    }
+    return parts->colours != NULL;
+}
+
+/* The pixel of a colour: the last one in order that is not above it. False: it is of no pixel. */
+static bool find_pixel(const uint64_t *colours, uint32_t colour, tia_rgb565 *pixel)
+{
+    const uint64_t *at = colours;
+    for (unsigned step = 32768; step > 0; step /= 2) {
+        at += at[step] >> 16 <= colour ? step : 0;
+    }
+    *pixel = (tia_rgb565)(*at & 65535);
+    return *at >> 16 == colour;
+}
+
+static int read_planes(struct parts *parts, const struct part *part, int fd, uint64_t offset, tia_rgb565 *rows)
+{
+    size_t count = (size_t)part->film.width * part->film.rows;
+    unsigned char *bytes = malloc(3 * count);
+    if (bytes == NULL || !learn_colours(parts)) {
+        free(bytes);
+        return failed(parts, "memory: exhausted");
+    }
+    int result = read_at(parts, part, fd, bytes, 3 * count, offset + IMAGE_Y4M_FRAME);
+    for (size_t i = 0; i < count && result == 0; i++) {
+        uint32_t colour = (uint32_t)bytes[i] << 16 | (uint32_t)bytes[count + i] << 8 | bytes[2 * count + i];
+        if (!find_pixel(parts->colours, colour, &rows[i])) {
+            result = failed(parts, "%.300s: a colour that tia does not write", part->path);
+        }
+    }
+    free(bytes);
+    return result;
+}
+
+static int read_pixels(struct parts *parts, const struct part *part, int fd, uint64_t offset, tia_rgb565 *rows)
+{
+    size_t count = (size_t)part->film.width * part->film.rows;
+    unsigned char *bytes = (unsigned char *)rows;
+    int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset);
+    for (size_t i = 0; i < count && result == 0; i++) { /* little endian, in place */
+        rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
+    }
+    return result;
+}
+
 static int read_rows(struct parts *parts, const struct part *part, uint32_t frame, tia_rgb565 *pixels)
 {
     const struct image_film *film = &part->film;
-    size_t count = (size_t)film->width * film->rows;
     tia_rgb565 *rows = pixels + (size_t)film->first_row * film->width;
-    unsigned char *bytes = (unsigned char *)rows;
-    uint64_t length;
+    uint64_t length, offset = part->header + frame_bytes(part) * (frame - film->first_frame);
     int fd = open_part(parts, part, &length);
     if (fd < 0) {
         return -1;
     }
-    int result = read_at(parts, part, fd, bytes, count * sizeof *rows,
-                         part->header + frame_bytes(part) * (frame - film->first_frame));
+    int result = part->is_y4m ? read_planes(parts, part, fd, offset, rows) : read_pixels(parts, part, fd, offset, rows);
     (void)close(fd);
-    for (size_t i = 0; i < count; i++) { /* little endian, in place */
-        rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
-    }
     return result;
 }
 

@@ -9,12 +9,14 @@
 struct part {
     const char *path;
     struct image_film film;
-    size_t header; /* bytes before the pixels */
+    size_t header; /* bytes before the first frame */
+    bool is_y4m;
 };
 
 struct parts {
     struct part *array;
     unsigned count;
+    uint64_t *colours;   /* of a .y4m: for each pixel its Y, U and V above it, in their order; NULL: not yet */
     char why[PARTS_WHY]; /* one line, after a failure */
 };
 
