@@ -34,7 +34,8 @@ static void tell(const struct progress *progress, uint64_t done)
 void progress_add(struct progress *progress, uint64_t pixels)
 {
     uint64_t done = atomic_fetch_add(&progress->done, pixels) + pixels;
-    if (!progress->terminal || atomic_flag_test_and_set(&progress->busy)) {
+    bool is_last = done >= progress->frame_pixels * progress->frames;
+    if (!progress->terminal || is_last || atomic_flag_test_and_set(&progress->busy)) {
         return;
     }
     uint64_t now = clock_now_us();
