@@ -1,0 +1,126 @@
+/* test_compiled.c - scenes as tia-compile writes them draw the same bits as the files that they were. */
+#include <stdlib.h>
+
+#include <tia/tia.h>
+
+#include "check.h"
+#include "scene/scene.h"
+
+enum { WIDTH = 72, HEIGHT = 54 };
+
+/* Each scene of the gallery, and one of everything: the Makefile compiles them. */
+extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
+    compiled_vase, compiled_orrery;
+
+static uint32_t picture(const struct tia_scene *given)
+{
+    static tia_rgb565 pixels[WIDTH * HEIGHT];
+    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+    struct tia_scene plain = *given, *scene = &plain;
+    const struct tia_surface surface = {pixels, 2, 2 * WIDTH};
+    size_t view_size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(all);
+    void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
+    struct tia_view *view;
+    struct tia_hits *hits;
+
+    plain.camera.samples = 1; /* so many are enough to see a difference */
+    CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, all), TIA_OK);
+    memset(pixels, 0, sizeof pixels);
+    if (check_failed == 0)
+        CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    free(view_memory);
+    free(hits_memory);
+    return tia_crc32(0, pixels, WIDTH * HEIGHT);
+}
+
+/* The picture half a second after the beginning. */
+static uint32_t moved(const struct tia_scene *scene)
+{
+    size_t size = tia_scene_at_size(scene);
+    void *memory = malloc(size + 1);
+    struct tia_scene at;
+    uint32_t crc = 0;
+
+    CHECK_EQ(tia_scene_at(&at, memory, size, scene, TIA_Q16(0.5)), TIA_OK);
+    if (check_failed == 0)
+        crc = picture(&at);
+    free(memory);
+    return crc;
+}
+
+static void compare_keys(const struct tia_scene *compiled, const struct tia_scene *parsed)
+{
+    CHECK_EQ(compiled->binding_count, parsed->binding_count);
+    for (uint32_t i = 0; i < parsed->binding_count && check_failed == 0; i++) {
+        const struct tia_binding *got = &compiled->bindings[i], *want = &parsed->bindings[i];
+        struct tia_scene with_got = *compiled, with_want = *parsed;
+        with_got.lights = &got->state;
+        with_want.lights = &want->state;
+        with_got.light_count = with_want.light_count = 1;
+        with_got.track_count = with_want.track_count = 0; /* they may be of other lights */
+        CHECK_EQ(got->key, want->key);
+        CHECK_EQ(got->light, want->light);
+        CHECK_EQ(picture(&with_got), picture(&with_want));
+    }
+}
+
+static void compare(const char *path, const struct tia_scene *compiled)
+{
+    static struct scene_file file;
+    int status = scene_open(&file, path, TIA_FORMAT_TIA);
+
+    CHECK_MSG(status == TIA_OK, "%.300s", file.why);
+    if (status != TIA_OK)
+        return;
+    CHECK_EQ(picture(compiled), picture(&file.scene));
+    CHECK_EQ(compiled->track_count, file.scene.track_count);
+    CHECK_EQ(tia_scene_duration(compiled), tia_scene_duration(&file.scene));
+    if (file.scene.track_count > 0)
+        CHECK_EQ(moved(compiled), moved(&file.scene));
+    compare_keys(compiled, &file.scene);
+    /* The hierarchy is part of it, but where objects are few. */
+    CHECK(compiled->bvh != NULL || compiled->sphere_count + compiled->shape_count <= 4);
+    scene_close(&file);
+}
+
+TEST(every)
+{
+    compare("tests/scenes/every.tia", &compiled_every);
+}
+TEST(glass)
+{
+    compare("scenes/glass.tia", &compiled_glass);
+}
+TEST(flake)
+{
+    compare("scenes/flake.tia", &compiled_flake);
+}
+TEST(chess)
+{
+    compare("scenes/chess.tia", &compiled_chess);
+}
+TEST(castle)
+{
+    compare("scenes/castle.tia", &compiled_castle);
+}
+TEST(vase)
+{
+    compare("scenes/vase.tia", &compiled_vase);
+}
+TEST(orrery)
+{
+    compare("scenes/orrery.tia", &compiled_orrery);
+}
+
+int main(void)
+{
+    RUN(every);
+    RUN(glass);
+    RUN(flake);
+    RUN(chess);
+    RUN(castle);
+    RUN(vase);
+    RUN(orrery);
+    return check_status();
+}
