@@ -30,7 +30,8 @@ static uint32_t count_frames(const struct options *options)
         return 1;
     }
     uint64_t whole = (uint64_t)options->rate[1] * 65536;
-    return (uint32_t)(((uint64_t)left * options->rate[0] + whole - 1) / whole);
+    uint64_t count = ((uint64_t)left * options->rate[0] + whole - 1) / whole;
+    return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
 }
 
 /* All that the pixels depend on besides the size: parts of one film say the same. */

@@ -97,6 +97,7 @@ static bool is_automatic(const struct port_display *port)
 static int draw_instead(const struct options *options)
 {
     struct options file = *options;
+    file.frames = 0; /* one picture, whatever the limit was */
     file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
     file.output = file.format == IMAGE_PNG ? "tia.png" : "tia.ppm";
     int status = draw(&file);
