@@ -67,6 +67,16 @@ TEST(random_scenes_keep_their_ranges)
     }
 }
 
+TEST(random_general_scenes_keep_their_ranges)
+{
+    static struct corpus_rays scene;
+
+    for (unsigned i = 0; i < SCENES; i++) {
+        corpus_random_rays(&scene, 3, i);
+        draw_both(&scene.scene, 32, 24, i % 2 == 1);
+    }
+}
+
 /* What fuzzing found, each once beyond some range: a light nearer to a surface than its distance is
  * known, an image of two pixels, v.v that rounds to nothing in one 8000 times as wide as high, a
  * caster with its centre at the eye, and L.L - r^2 = 2^48 - 2^12, which rounds up to a power of two.
@@ -135,6 +145,7 @@ int main(void)
 {
     RUN(thesis_scene_keeps_its_ranges);
     RUN(random_scenes_keep_their_ranges);
+    RUN(random_general_scenes_keep_their_ranges);
     RUN(found_scenes_keep_their_ranges);
     return check_status();
 }
