@@ -132,6 +132,21 @@ TEST(where_only_lights_move_hits_stay)
     CHECK_EQ(w->memory_calls, 2);
 }
 
+/* Then the scene at a time takes no memory for what moves. */
+TEST(where_only_the_eye_moves)
+{
+    struct world *w = film_world(true);
+    struct tia_scene scene = *w->viewer.scene;
+
+    scene.tracks = &tracks[2];
+    scene.track_count = 1;
+    w->viewer.scene = &scene;
+    quit_at(w, START + 1000000);
+    CHECK_EQ(tia_scene_at_size(&scene), 0);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->frame_count > 40);
+}
+
 /* Frame by frame, whatever the clock says, and without one. */
 TEST(films_are_stepped)
 {
@@ -322,6 +337,7 @@ int main(void)
     RUN(it_plays_by_the_clock_and_again);
     RUN(slow_frames_show_their_time);
     RUN(where_only_lights_move_hits_stay);
+    RUN(where_only_the_eye_moves);
     RUN(films_are_stepped);
     RUN(without_a_clock_nothing_moves);
     RUN(after_the_end);

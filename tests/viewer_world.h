@@ -204,6 +204,7 @@ static inline void *world_take_memory(void *ctx, size_t size)
     struct world *w = ctx;
 
     w->memory_calls++;
+    CHECK(size > 0);
     if (size > w->memory_limit || size > sizeof world_memory)
         return NULL;
     w->memory_size = size;

@@ -13,7 +13,7 @@
 struct loop {
     const struct tia_viewer *viewer;
     const struct tia_core *core;
-    const struct tia_scene *scene; /* as it is now: the viewer's, or `moment` */
+    const struct tia_scene *scene; /* as it is now: the viewer's, or *moment */
     uint32_t light_count;
 
     /* The display's mode and what was made for it. */
@@ -30,9 +30,9 @@ struct loop {
 
     /* A scene that moves. */
     bool plays;
-    bool only_lights;        /* nothing but lights moves: hits stay valid */
-    struct tia_scene moment; /* the scene at `time` */
-    void *moment_memory, *boxes_memory;
+    bool only_lights;         /* nothing but lights moves: hits stay valid */
+    struct tia_scene *moment; /* the scene at `time`, in front of what it points to */
+    void *boxes_memory;
     size_t moment_size, boxes_size;
     tia_q16 time, end; /* now, and of the last keyframe */
     bool started;

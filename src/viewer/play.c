@@ -4,6 +4,8 @@
 
 #include "viewer/loop.h"
 
+#define SCENE_SIZE ((sizeof(struct tia_scene) + 7) & ~(size_t)7)
+
 /* The product stays below 2^15 2^20 2^16. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 {
@@ -42,17 +44,19 @@ static void follow(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
-    for (uint32_t i = 0; i < loop->moment.light_count; i++)
+    for (uint32_t i = 0; i < loop->moment->light_count; i++)
         if (!v->held[i])
-            v->lights[i] = loop->moment.lights[i];
+            v->lights[i] = loop->moment->lights[i];
 }
 
 static int place(struct loop *loop, tia_q16 time)
 {
-    int status = tia_scene_at(&loop->moment, loop->moment_memory, loop->moment_size, loop->viewer->scene, time);
+    int status = tia_scene_at(loop->moment, (char *)loop->moment + SCENE_SIZE, loop->moment_size - SCENE_SIZE,
+                              loop->viewer->scene, time);
 
     if (status)
         return status;
+    loop->scene = loop->moment;
     loop->time = time;
     follow(loop);
     return TIA_OK;
@@ -79,24 +83,24 @@ int viewer_play_begin(struct loop *loop)
         return TIA_ERR_ARGUMENT;
     for (uint32_t i = 0; i < v->light_capacity; i++)
         v->held[i] = false;
-    loop->scene = &loop->moment;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
-    loop->moment_size = tia_scene_at_size(v->scene);
-    loop->moment_memory = v->memory(v->memory_ctx, loop->moment_size);
-    return loop->moment_memory ? place(loop, v->time) : TIA_ERR_MEMORY;
+    loop->moment_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
+    if (loop->moment_size < SIZE_MAX / 8 && loop->moment_size >= SCENE_SIZE)
+        loop->moment = v->memory(v->memory_ctx, loop->moment_size);
+    return loop->moment ? place(loop, v->time) : TIA_ERR_MEMORY;
 }
 
 /* Where only lights move the view and the boxes stay: lights are set before each frame. */
 static int place_view(struct loop *loop, tia_q16 time)
 {
     bool anew = !loop->view_ready || !loop->only_lights;
-    const struct tia_bvh *boxes = anew ? NULL : loop->moment.bvh;
+    const struct tia_bvh *boxes = anew ? NULL : loop->moment->bvh;
     int status = place(loop, time);
 
-    loop->moment.bvh = boxes;
+    loop->moment->bvh = boxes;
     if (!status && anew && loop->boxes_size)
-        status = tia_bvh_build(&loop->moment.bvh, loop->boxes_memory, loop->boxes_size, NULL, &loop->moment);
+        status = tia_bvh_build(&loop->moment->bvh, loop->boxes_memory, loop->boxes_size, NULL, loop->moment);
     if (!status && anew)
         status = viewer_prepare_view(loop);
     loop->changed = true;

@@ -35,7 +35,7 @@ static bool take_memory(struct loop *loop, struct tia_tile hits)
     }
     if (!memory)
         return false;
-    loop->moment_memory = parts[0];
+    loop->moment = (struct tia_scene *)(void *)parts[0];
     loop->boxes_memory = parts[1];
     loop->view = (struct tia_view *)(void *)parts[2];
     loop->status = (int8_t *)parts[3];
