@@ -304,12 +304,23 @@ $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$($(1)_CC) $$(BARE) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4) -c -o $$@ $$<
 $(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter-out $(PLAIN_SRC),$(SMALL_SRC)))))
 endef
+# The viewer of a compiled scene, $(2).
+define shown
+$(BUILD)/boards/$(1)/shows-$(2).o: tools/boards/viewer.c
+	@mkdir -p $$(@D)
+	$$($(1)_CC) $$(BARE) -DSCENE=compiled_$(2) -c -o $$@ $$<
+$(BUILD)/boards/$(1)/scene-$(2).o: $(BUILD)/scenes/$(2).c
+	@mkdir -p $$(@D)
+	$$($(1)_CC) $$(BARE) -c -o $$@ $$<
+$(call image,$(1),$(2),,$(1),$(BUILD)/boards/$(1)/shows-$(2).o $(BUILD)/boards/$(1)/scene-$(2).o)
+endef
 # Those boards whose compiler is there; the tests name the others.
 BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(shell command -v $(firstword $($(b)_CC))),$(b)))
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
 BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
@@ -318,7 +329,7 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
-IMAGES := $(BOARDS_PANEL:%=$(BUILD)/boards/%/viewer.elf) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
+IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
 COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
 
 $(BUILD)/boards/insn.so: tests/boards/insn.c

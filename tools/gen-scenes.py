@@ -30,11 +30,11 @@ samples 16
 depth 5
 background 0.30 0.42 0.62
 
-light sphere at 6 9 7 radius 1.2 emission 1.2 1.1 0.95 samples 16
+light sphere at 6 9 7 radius 1.2 emission 1.2 1.1 0.95 samples 6
 light directional direction 1 -0.4 -0.3 emission 0.22 0.26 0.36
 light ambient emission 0.08 0.09 0.12
 
-texture tiles checker even 0.75 0.72 0.66 odd 0.40 0.40 0.42 repeat 1.5
+texture tiles checker even 0.75 0.72 0.66 odd 0.46 0.46 0.48 repeat 0.7
 material floor texture tiles colour 1 mirror 0.12
 plane point 0 -1.35 0 normal 0 1 0 material floor
 
@@ -87,7 +87,7 @@ CASTLE = """\
 # castle.tia - a castle of cells on an island in a calm sea: one grid of {size} cells, walked cell by cell, so that a
 # ray's time grows with its way and not with the number of cells. tools/gen-scenes.py wrote this.
 
-camera eye 36 26 54 look -1.2 6.2 0 fov 34
+camera eye 36 26 54 look -1.2 5.7 0 fov 35
 samples 16
 background 0.62 0.76 0.94
 
@@ -244,13 +244,13 @@ VASE = """\
 # times, the glaze by Fresnel's equations' cheap cousins: a highlight and a little mirror. tools/gen-scenes.py wrote
 # this and vase.ppm.
 
-camera eye 0.6 3.3 9.0 look 0.1 1.62 0 fov 32
+camera eye 0.6 3.3 9.0 look 0.35 1.62 0 fov 33
 samples 16
 background 0.20 0.18 0.19
 
 # A window at the left, a reflector at the right.
-light rectangle at -5.5 5.5 3.5 sides 0 1.4 0  0.9 0 1.4 emission 1.15 1.10 1.00 samples 32
-light rectangle at 7 4 4 sides 0 1.5 0  1 0 -1.2 emission 0.20 0.22 0.28 samples 16
+light rectangle at -5.5 5.5 3.5 sides 0 1.4 0  0.9 0 1.4 emission 1.15 1.10 1.00 samples 8
+light rectangle at 7 4 4 sides 0 1.5 0  1 0 -1.2 emission 0.20 0.22 0.28 samples 4
 light ambient emission 0.14 0.14 0.16
 
 texture pattern image vase.ppm bilinear repeat 3 1

@@ -1,7 +1,13 @@
 /* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. What
- * happens is told on the serial line. */
+ * happens is told on the serial line. It shows the built-in scene, or SCENE, which is linked to it:
+ * the work of tia-compile. */
 #include "boards/panel_board.h"
 #include <tia/tia.h>
+
+#ifndef SCENE
+#define SCENE tia_thesis_scene
+#endif
+extern const struct tia_scene SCENE;
 
 enum { LIGHTS = 4, ARENA = 8 << 20 };
 
@@ -29,8 +35,9 @@ static int tell_frame(void *ctx, const struct tia_frame *frame)
 static int view(const char **why)
 {
     struct tia_light lights[LIGHTS];
+    struct tia_scene scene = SCENE;
     struct tia_viewer viewer = {
-        .scene = &tia_thesis_scene,
+        .scene = &scene,
         .lights = lights,
         .light_capacity = LIGHTS,
         .display = &panel_display,
@@ -42,6 +49,7 @@ static int view(const char **why)
         .frame_done = tell_frame,
     };
     struct tia_mode mode;
+    scene.camera.samples = 1; /* a ray a pixel is what such a processor has time for */
     int status = panel_keyboard.open(why);
     if (status == TIA_OK)
         status = panel_display.open(why, &mode);
