@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "plain.h"
+#include "rays.h"
 
 #define ROUNDS 15
 
@@ -95,5 +96,6 @@ int main(void)
     printf("|---|---|---|---|---|---|\n");
     measure(640, 480);
     measure(1920, 1080);
+    bench_rays();
     return 0;
 }

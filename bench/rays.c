@@ -1,0 +1,94 @@
+#include "rays.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "scene/scene.h"
+
+#define WIDTH 640
+#define HEIGHT 480
+#define ROUNDS 3
+
+static double milliseconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static const struct tia_tile area = {0, 0, WIDTH, HEIGHT};
+
+static void must(int status)
+{
+    if (status) {
+        (void)fprintf(stderr, "bench: status %d\n", status);
+        exit(1);
+    }
+}
+
+/* One frame, from the scene on; ms. */
+static double draw(const struct tia_core *core, const struct tia_scene *scene)
+{
+    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(area);
+    void *memory[2] = {malloc(view_size), malloc(hits_size)};
+    tia_rgb565 *pixels = malloc(sizeof *pixels * WIDTH * HEIGHT);
+    struct tia_surface surface = {pixels, sizeof *pixels, sizeof *pixels * WIDTH};
+    struct tia_view *view;
+    struct tia_hits *hits;
+    double start = milliseconds();
+
+    must(memory[0] && memory[1] && pixels ? TIA_OK : TIA_ERR_MEMORY);
+    must(core->view_init(&view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT));
+    must(core->hits_init(&hits, memory[1], hits_size, area));
+    must(core->trace(view, hits, area));
+    must(core->light(view, hits, area, &surface, NULL));
+    double end = milliseconds();
+    free(memory[0]);
+    free(memory[1]);
+    free(pixels);
+    return end - start;
+}
+
+static double best(const struct tia_core *core, const struct tia_scene *scene)
+{
+    double least = draw(core, scene);
+
+    for (int i = 1; i < ROUNDS; i++) {
+        double ms = draw(core, scene);
+        least = ms < least ? ms : least;
+    }
+    return least;
+}
+
+static void measure(const char *path)
+{
+    struct scene_file file;
+    double start = milliseconds();
+
+    if (scene_open(&file, path, scene_format_of(path))) {
+        printf("%s\n", file.why);
+        return;
+    }
+    double read = milliseconds() - start, q16 = best(&tia_core_q16, &file.scene);
+    printf("| `%s` | %u | %.1f | %.0f |", path, (unsigned)file.scene.sphere_count, read, q16);
+#ifdef TIA_HAVE_F64
+    printf(" %.0f |", best(&tia_core_f64, &file.scene));
+#endif
+    printf("\n");
+    scene_close(&file);
+}
+
+void bench_rays(void)
+{
+    printf("\n| scene, %dx%d | spheres | read, ms | q16, ms |", WIDTH, HEIGHT);
+#ifdef TIA_HAVE_F64
+    printf(" f64, ms |\n|---|--:|--:|--:|--:|\n");
+#else
+    printf("\n|---|--:|--:|--:|\n");
+#endif
+    measure("scenes/nff/balls_1.nff");
+    measure("scenes/nff/balls_2.nff");
+    measure("scenes/nff/balls_3.nff");
+    measure("scenes/nff/balls_4.nff");
+}
