@@ -13,7 +13,7 @@
 #include "common/corpus_rays.h"
 
 #define FRAMES_RANDOM 20
-#define FRAMES_RAYS 40
+#define FRAMES_RAYS 20
 
 /* Told each frame's name and CRC-32. */
 typedef void frames_report(void *ctx, const char *name, uint32_t crc);
@@ -130,7 +130,7 @@ static inline void frames_random(struct frames_canvas *c, unsigned index)
 static inline void frames_rays(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
-    const unsigned width = 24 + index, height = 48 - index;
+    const unsigned width = 12 + index % 5, height = 9 + index % 4;
     void *memory = NULL;
     char name[40];
 
@@ -143,7 +143,7 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index)
     }
     if (!frames_open(c, &scene.scene, width, height))
         abort();
-    frames_draw(c, 16, 16, true, index % 4 == 3);
+    frames_draw(c, 8, 5, true, index % 4 == 3);
     (void)snprintf(name, sizeof name, "rays-%u-%ux%u", index, width, height);
     frames_tell(c, name);
     frames_close(c);
