@@ -3,16 +3,5 @@
 #define TIA_NUM_F64
 #include "placement_cases.h"
 #else
-#include "check.h"
-
-TEST(double_precision)
-{
-    SKIP("built without it");
-}
-
-int main(void)
-{
-    RUN(double_precision);
-    return check_status();
-}
+#include "without_f64.h"
 #endif
