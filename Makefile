@@ -348,6 +348,12 @@ size-boards: boards
 count: $(COUNTED) $(BUILD)/boards/insn.so
 	@$(call python,tests/boards/count.py $(BUILD))
 
+# The pictures that README.md shows, which a test holds against what is drawn.
+.PHONY: gallery
+gallery: all
+	for n in glass flake chess castle vase orrery; do \
+	    $(BUILD)/tia scenes/$$n.tia -s 400x300 -o docs/gallery/$$n.png || exit; done
+
 clean:
 	rm -rf $(BUILD)
 
@@ -360,6 +366,7 @@ help:
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "boards             programs for boards without an operating system"
+	@echo "gallery            draws docs/gallery again"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
 	@echo "lint clean help"
 	@echo "The top of the Makefile tells of CC, CROSS, CFLAGS, BUILD and of leaving parts out."

@@ -30,7 +30,7 @@ samples 16
 depth 5
 background 0.30 0.42 0.62
 
-light sphere at 6 9 7 radius 1.2 emission 1.2 1.1 0.95 samples 6
+light sphere at 6 9 7 radius 1.2 emission 1.2 1.1 0.95 samples 16
 light directional direction 1 -0.4 -0.3 emission 0.22 0.26 0.36
 light ambient emission 0.08 0.09 0.12
 
@@ -87,7 +87,7 @@ CASTLE = """\
 # castle.tia - a castle of cells on an island in a calm sea: one grid of {size} cells, walked cell by cell, so that a
 # ray's time grows with its way and not with the number of cells. tools/gen-scenes.py wrote this.
 
-camera eye 36 26 54 look -1.2 5.7 0 fov 35
+camera eye 36 26 54 look -1.2 5.0 0 fov 35
 samples 16
 background 0.62 0.76 0.94
 
@@ -249,8 +249,8 @@ samples 16
 background 0.20 0.18 0.19
 
 # A window at the left, a reflector at the right.
-light rectangle at -5.5 5.5 3.5 sides 0 1.4 0  0.9 0 1.4 emission 1.15 1.10 1.00 samples 8
-light rectangle at 7 4 4 sides 0 1.5 0  1 0 -1.2 emission 0.20 0.22 0.28 samples 4
+light rectangle at -5.5 5.5 3.5 sides 0 1.4 0  0.9 0 1.4 emission 1.15 1.10 1.00 samples 20
+light rectangle at 7 4 4 sides 0 1.5 0  1 0 -1.2 emission 0.20 0.22 0.28 samples 12
 light ambient emission 0.14 0.14 0.16
 
 texture pattern image vase.ppm bilinear repeat 3 1
