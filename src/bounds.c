@@ -197,11 +197,18 @@ struct tia_bounds bounds_of_mesh(const struct tia_mesh *mesh)
     return bounds;
 }
 
-static struct tia_bounds bounds_of_grid(const struct tia_grid *grid)
+/* The end fits, the size of the whole need not. */
+static tia_q16 grid_end(tia_q16 corner, uint16_t size, tia_q16 cell)
 {
-    struct tia_vec3 c = grid->corner;
+    return (tia_q16)(corner + (int64_t)size * cell);
+}
+
+static struct tia_bounds bounds_of_grid(const struct tia_grid *g)
+{
+    const uint16_t *n = g->size;
+    struct tia_vec3 c = g->corner;
     return (struct tia_bounds){
-        c, {c.x + grid->size[0] * grid->cell, c.y + grid->size[1] * grid->cell, c.z + grid->size[2] * grid->cell}};
+        c, {grid_end(c.x, n[0], g->cell), grid_end(c.y, n[1], g->cell), grid_end(c.z, n[2], g->cell)}};
 }
 
 /* False: it has no box. */

@@ -10,6 +10,7 @@
  *   num_x_of_d, num_d_of_x       from one to the other
  *   num_times(a, d)              a d, a of either kind, rounded to nearest
  *   num_product(x, y)            x y, below 2^17; num_product_within(x, y): or 2^17, x, y >= 0
+ *   num_sum_within(x, y)         x + y, or 2^17, both 0..2^17
  *   num_dot_x(a, d), num_dot_d   dot products, rounded once
  *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
  *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
@@ -155,6 +156,12 @@ static inline num_x num_length(struct num_point p)
 static inline num_x num_x_clamp(num_x x, num_x least, num_x most)
 {
     return x < least ? least : x > most ? most : x;
+}
+
+/* a + b, at most NUM_X_MOST; neither below 0 nor above that. */
+static inline num_x num_sum_within(num_x a, num_x b)
+{
+    return a < NUM_X_MOST - b ? a + b : NUM_X_MOST;
 }
 
 /* See num_divide3. */

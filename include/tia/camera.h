@@ -12,7 +12,7 @@
  * An off-axis frustum (TIA_FRUSTUM) maps the window left..right, bottom..top at the distance `near`
  * to the whole image; an orthographic camera's rays (TIA_ORTHOGRAPHIC) start in that window around the
  * eye and all run along -n. A window with left = right = 0 is centred and takes its width from the
- * image's proportions.
+ * image's proportions, but is at most 65536 wide.
  *
  * With n x n samples a pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n),
  * so that no two share a row or column; each one's colour is clamped, and the pixel is their mean.

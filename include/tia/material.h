@@ -23,7 +23,8 @@
  * A ray that meets a front goes from the index 1 to the material's, one that meets a back from the
  * material's to 1: media do not nest. A ray's weight is the product of the kr and kt that led to it; below
  * 2^-16 in every channel it is not traced, nor when it was reflected or refracted scene.depth times
- * already. What meets nothing sees the background. Only the sum, the colour of a sample, is clamped.
+ * already. What meets nothing sees the background. Only the sum, the colour of a sample, is clamped; no
+ * product or sum on the way to it exceeds 2^17.
  */
 #ifndef TIA_MATERIAL_H
 #define TIA_MATERIAL_H

@@ -38,7 +38,8 @@ static void open_window(struct ray_camera *c, const struct tia_camera *given)
     c->left = num_x_of(w->left);
     c->across = num_x_of(w->right) - c->left;
     if (!w->left && !w->right) {
-        c->across = num_product(c->upward, num_ratio(num_int(c->width), num_int(c->height)));
+        num_x across = num_product_within(c->upward, num_ratio(num_int(c->width), num_int(c->height)));
+        c->across = across < NUM_X_FAR ? across : NUM_X_FAR;
         c->left = -c->across / 2;
     }
 }

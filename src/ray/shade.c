@@ -80,8 +80,9 @@ static void reflectance(const struct shading *s, struct num_dir to, num_d lamber
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* Sample i of light n: adds what arrives, without the light's emission, to `sum`. Whether it arrives. */
-static bool add_sample(struct path *path, const struct shading *s, uint32_t n, unsigned i, num_x sum[3])
+/* Sample i of light n: adds what arrives, without the light's emission, to the mean of the samples. Whether it
+ * arrives. */
+static bool add_sample(struct path *path, const struct shading *s, uint32_t n, unsigned i, num_x mean[3])
 {
     const struct ray_light *light = &path->view->lights[n];
     struct ray_sample sample;
@@ -97,24 +98,24 @@ static bool add_sample(struct path *path, const struct shading *s, uint32_t n, u
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
-        sum[c] += num_product(num_product(rgb[c], through[c]), sample.factor);
+        mean[c] += num_product_within(num_product(rgb[c], through[c]), sample.factor) / (num_x)light->samples;
     return true;
 }
 
 static void add_light(struct path *path, const struct shading *s, uint32_t n, num_x own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
-    num_x sum[3] = {0, 0, 0};
+    num_x mean[3] = {0, 0, 0};
 
     if (light->kind == TIA_AMBIENT_LIGHT) {
         for (int c = 0; c < 3; c++)
-            own[c] += num_product(s->colour[c], light->emission[c]);
+            own[c] = num_sum_within(own[c], num_product(s->colour[c], light->emission[c]));
         return;
     }
     for (unsigned i = 0; i < light->samples; i++)
-        path_note(path, add_sample(path, s, n, i, sum));
+        path_note(path, add_sample(path, s, n, i, mean));
     for (int c = 0; c < 3; c++)
-        own[c] += num_product_within(sum[c] / (num_x)light->samples, light->emission[c]);
+        own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }
 
 void shade_light(struct path *path, const struct shading *s, const num_x weight[3], num_x colour[3])
@@ -128,7 +129,7 @@ void shade_light(struct path *path, const struct shading *s, const num_x weight[
     for (uint32_t n = 0; n < path->view->light_count; n++)
         add_light(path, s, n, own);
     for (int c = 0; c < 3; c++)
-        colour[c] += num_product_within(own[c] < NUM_X_MOST ? own[c] : NUM_X_MOST, weight[c]);
+        colour[c] = num_sum_within(colour[c], num_product_within(own[c], weight[c]));
 }
 
 /* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:

@@ -36,13 +36,13 @@ static void add_flat(const struct tia_rgb *rgb, const num_x weight[3], num_x col
 
     ray_rgb(rgb, flat);
     for (int c = 0; c < 3; c++)
-        colour[c] += num_product(flat[c], weight[c]);
+        colour[c] = num_sum_within(colour[c], num_product(flat[c], weight[c]));
 }
 
 static void add_seen_light(const struct ray_light *light, const num_x weight[3], num_x colour[3])
 {
     for (int c = 0; c < 3; c++)
-        colour[c] += num_product(light->emission[c], weight[c]);
+        colour[c] = num_sum_within(colour[c], num_product(light->emission[c], weight[c]));
 }
 
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,

@@ -1,0 +1,319 @@
+/* accepted.h - scenes of everything from a fuzzer's bytes, nearly all of them accepted: a part that
+ * tia_scene_check refuses is put right. */
+#ifndef TESTS_FUZZ_ACCEPTED_H
+#define TESTS_FUZZ_ACCEPTED_H
+
+#include "made.h"
+
+static inline void make_camera(struct bytes *b, struct made *m)
+{
+    struct tia_camera *c = &m->scene.camera;
+    uint8_t kind = take_byte(b);
+
+    c->eye = kind & 1 ? take_size(b) : (struct tia_vec3){0, 0, 0};
+    m->origin = kind & 2 ? c->eye : (struct tia_vec3){0, 0, 0};
+    c->fov = take_within(b, TIA_FOV_MIN, TIA_FOV_MAX);
+    c->projection = (enum tia_projection)(kind >> 2 & 3 ? kind >> 2 & 1 : TIA_ORTHOGRAPHIC);
+    c->samples = kind & 16 ? 1 : kind & 32 ? 4 : 16;
+    if (kind & 64) {
+        c->reference = take_place(b, m);
+        c->up = take_size(b);
+    }
+    if (c->projection == TIA_PERSPECTIVE)
+        return;
+    c->window = (struct tia_window){take_sized(b), take_sized(b), take_sized(b), take_sized(b), take_radius(b)};
+    if (kind & 128)
+        c->window.left = c->window.right = 0;
+}
+
+static inline void make_material(struct bytes *b, struct tia_material *m)
+{
+    uint8_t kind = take_byte(b);
+
+    *m = (struct tia_material){.colour = take_colour(b, TIA_Q30_ONE), .fresnel = kind & 1, .exponent = TIA_Q16_ONE};
+    if (kind & 2)
+        m->transmission = take_colour(b, TIA_Q30_ONE);
+    if (kind & 4)
+        m->mirror = take_colour(b, TIA_Q30_ONE);
+    if (kind & 8) {
+        m->refraction = take_colour(b, TIA_Q30_ONE);
+        m->index = take_within(b, TIA_INDEX_MIN, TIA_INDEX_MAX);
+    }
+    if (kind & 16) {
+        m->specular = take_colour(b, TIA_Q30_ONE);
+        m->exponent = take_within(b, TIA_Q16_ONE, TIA_EXPONENT_MAX);
+    }
+    if (kind & 32)
+        m->texture = 1 + (take_byte(b) & 1);
+    if (kind & 64)
+        m->emission = take_colour(b, TIA_Q30_ONE);
+    if (kind & 128)
+        m->facing = take_colour(b, TIA_Q30_ONE);
+}
+
+/* The texels end where the array does: what is read beyond them is found. */
+static inline void make_texture(struct bytes *b, struct made *m, struct tia_texture *t)
+{
+    static const uint16_t sizes[][2] = {{1, 1}, {2, 3}, {TIA_TEXTURE_MAX, 1}, {1, TIA_TEXTURE_MAX}};
+    uint8_t kind = take_byte(b);
+
+    t->kind = kind & 1 ? TIA_IMAGE : TIA_CHECKER;
+    t->bilinear = kind & 2;
+    t->repeat[0] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+    t->repeat[1] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+    t->cells[0] = take_colour(b, TIA_Q30_ONE);
+    t->cells[1] = take_colour(b, TIA_Q30_ONE);
+    t->width = sizes[kind >> 2 & 3][0];
+    t->height = sizes[kind >> 2 & 3][1];
+    t->texels = m->texels + sizeof m->texels - (size_t)3 * t->width * t->height;
+}
+
+static inline void make_transform(struct bytes *b, struct made *m, struct tia_transform *t)
+{
+    uint8_t kind = take_byte(b);
+
+    t->position = kind & 1 ? take_place(b, m) : m->origin;
+    t->rotation = kind & 2 ? take_size(b) : (struct tia_vec3){0, 0, 0};
+    t->scale.x = take_within(b, TIA_SCALE_MIN, kind & 8 ? 4 * TIA_Q16_ONE : TIA_SCALE_MAX);
+    t->scale.y = kind & 4 ? take_within(b, TIA_SCALE_MIN, TIA_SCALE_MAX) : t->scale.x;
+    t->scale.z = kind & 4 ? take_within(b, TIA_SCALE_MIN, TIA_SCALE_MAX) : t->scale.x;
+}
+
+/* A place where a shape's own axes are: it may be put elsewhere. */
+static inline struct tia_vec3 take_point(struct bytes *b, const struct made *m, bool placed)
+{
+    return placed ? take_size(b) : take_place(b, m);
+}
+
+static inline void make_mesh(struct bytes *b, struct made *m)
+{
+    for (int i = 0; i < MADE_VERTICES; i++)
+        m->vertices[i] = take_size(b);
+    for (int i = 0; i < 3; i++) {
+        m->normals[i] = take_direction(b);
+        m->uvs[i] = (struct tia_uv){take_sized(b), take_sized(b)};
+    }
+    for (int i = 0; i < MADE_FACES; i++) {
+        uint32_t corners = take_byte(b), kind = take_byte(b);
+        for (uint32_t k = 0; k < 3; k++)
+            m->faces[i].corner[k] = (struct tia_corner){(corners + k + (corners >> (2 * k) & 3)) % MADE_VERTICES,
+                                                        kind & 1 ? (kind / 4 + k) % 3 : TIA_NO_INDEX,
+                                                        kind & 2 ? (kind / 4 + k) % 3 : TIA_NO_INDEX};
+    }
+    m->meshes[0] = (struct tia_mesh){m->vertices, m->normals, m->uvs, m->faces, MADE_VERTICES, 3, 3, 1};
+    m->meshes[1] = m->meshes[0];
+    m->meshes[1].face_count = MADE_FACES;
+}
+
+/* The cells end where the array does. */
+static inline void make_grid(struct bytes *b, struct made *m)
+{
+    static const uint16_t sizes[] = {1, 2, 3, 4, 1, 2, 5, TIA_GRID_MAX};
+    uint8_t size = take_byte(b), other = take_byte(b), filled[8];
+    struct tia_grid *g = &m->grid;
+
+    g->size[0] = sizes[size & 7];
+    g->size[1] = g->size[0] == TIA_GRID_MAX ? 2 : sizes[size >> 3 & 7];
+    g->size[2] = g->size[1] == TIA_GRID_MAX || g->size[0] == TIA_GRID_MAX ? 1 : sizes[other & 7];
+    if (g->size[2] == TIA_GRID_MAX)
+        g->size[0] = g->size[1] = 2;
+    g->corner = other & 8 ? take_place(b, m) : take_size(b);
+    g->cell = take_radius(b);
+    if (g->size[0] > 5 || g->size[1] > 5 || g->size[2] > 5)
+        g->cell = TIA_RADIUS_MIN + g->cell / TIA_GRID_MAX;
+    for (int i = 0; i < 8; i++)
+        filled[i] = take_byte(b) % 4;
+    for (int i = 0; i < MADE_CELLS; i++)
+        m->cells[i] = filled[(i * 5 / 8 + i) % 8] % 3;
+    g->cells = m->cells + MADE_CELLS - (size_t)g->size[0] * g->size[1] * g->size[2];
+}
+
+static inline void make_solid(struct bytes *b, const struct made *m, struct tia_shape *s, bool placed)
+{
+    switch (s->kind) {
+    case TIA_SPHERE:
+        s->sphere.centre = take_point(b, m, placed);
+        s->sphere.radius = take_radius(b);
+        break;
+    case TIA_CYLINDER:
+        s->cylinder =
+            (struct tia_cylinder){take_point(b, m, placed), take_point(b, m, placed), take_radius(b), take_byte(b) & 1};
+        break;
+    case TIA_CONE:
+        s->cone = (struct tia_cone){take_point(b, m, placed), take_point(b, m, placed), take_radius(b), take_radius(b),
+                                    take_byte(b) & 1};
+        if (take_byte(b) & 1)
+            s->cone.top_radius = 0;
+        break;
+    default:
+        s->box.min = take_point(b, m, placed);
+        struct tia_vec3 size = take_size(b);
+        s->box.max = (struct tia_vec3){moved(s->box.min.x, size.x < 0 ? -size.x : size.x),
+                                       moved(s->box.min.y, size.y < 0 ? -size.y : size.y),
+                                       moved(s->box.min.z, size.z < 0 ? -size.z : size.z)};
+    }
+}
+
+static inline void make_shape(struct bytes *b, const struct made *m, struct tia_shape *s)
+{
+    uint8_t kind = take_byte(b);
+    bool placed = kind / 9 % 4 != 0;
+
+    *s = (struct tia_shape){.kind = (enum tia_shape_kind)(kind % 9), .material = take_byte(b) % 3};
+    s->transform = s->kind == TIA_PLANE || !placed ? 0 : 1 + kind / 36 % 2;
+    switch (s->kind) {
+    case TIA_PLANE:
+        s->plane = (struct tia_plane){take_place(b, m), take_direction(b)};
+        break;
+    case TIA_DISC:
+        s->disc = (struct tia_disc){take_point(b, m, placed), take_direction(b), take_radius(b)};
+        break;
+    case TIA_TRIANGLE:
+        for (int i = 0; i < 3; i++)
+            s->triangle.corner[i] = take_point(b, m, placed);
+        break;
+    case TIA_MESH:
+        s->mesh = kind / 72 % 2;
+        break;
+    case TIA_GRID:
+        s->grid = 0;
+        break;
+    default:
+        make_solid(b, m, s, placed);
+    }
+}
+
+static inline void make_light(struct bytes *b, const struct made *m, struct tia_light *l)
+{
+    static const uint16_t samples[] = {1, 0, 2, 3, 7, TIA_LIGHT_SAMPLES_MAX};
+    uint8_t kind = take_byte(b);
+
+    *l = (struct tia_light){.centre = take_place(b, m), .emission = take_colour(b, INT32_MAX)};
+    l->kind = (enum tia_light_kind)(kind % 7);
+    l->radius = kind & 128 ? take_radius(b) : 0;
+    if (l->kind == TIA_DIRECTIONAL_LIGHT || l->kind == TIA_SPOT_LIGHT || l->kind == TIA_DISC_LIGHT)
+        l->direction = take_direction(b);
+    if (l->kind == TIA_SPOT_LIGHT) {
+        l->outer = take_within(b, TIA_Q16_ONE, 90 * TIA_Q16_ONE);
+        l->inner = take_within(b, 0, l->outer);
+    }
+    if (l->kind == TIA_RECTANGLE_LIGHT && kind & 128) {
+        l->side[0] = take_size(b);
+        l->side[1] = take_size(b);
+    }
+    l->samples = samples[kind / 7 % 6];
+    if (kind & 64) {
+        l->constant = take_within(b, 0, 32767 * TIA_Q16_ONE);
+        l->linear = take_within(b, 0, 32767 * TIA_Q16_ONE);
+        l->quadratic = take_within(b, 0, 32767 * TIA_Q16_ONE);
+    }
+}
+
+static inline void connect(struct made *m, uint8_t counts)
+{
+    struct tia_scene *s = &m->scene;
+
+    s->materials = m->materials;
+    s->spheres = m->spheres;
+    s->shapes = m->shapes;
+    s->lights = m->lights;
+    s->transforms = m->transforms;
+    s->textures = m->textures;
+    s->meshes = m->meshes;
+    s->grids = &m->grid;
+    s->tracks = &m->track;
+    s->material_count = MADE_MATERIALS;
+    s->transform_count = s->texture_count = s->mesh_count = 2;
+    s->grid_count = 1;
+    s->sphere_count = counts % (MADE_SPHERES + 1);
+    s->shape_count = counts / 4 % (MADE_SHAPES + 1);
+    s->light_count = counts / 32 % (MADE_LIGHTS + 1);
+    s->track_count = counts / 128;
+    m->track = (struct tia_track){TIA_ROTATES_TRANSFORM, 0, true, m->keys, 2};
+    m->keys[1].time = 1;
+}
+
+/* Some point of a shape, which all begin with one, or where its transform puts it. */
+static inline struct tia_vec3 place_of(const struct made *m, const struct tia_shape *s)
+{
+    if (s->transform)
+        return m->transforms[s->transform - 1].position;
+    return s->kind == TIA_MESH ? m->vertices[0] : s->kind == TIA_GRID ? m->grid.corner : s->sphere.centre;
+}
+
+/* The camera looks at a shape. */
+static inline void aim(struct bytes *b, struct made *m)
+{
+    uint8_t kind = take_byte(b);
+
+    if (!(kind & 3) || !m->scene.shape_count)
+        return;
+    m->scene.camera.reference = place_of(m, &m->shapes[(kind >> 2) % m->scene.shape_count]);
+    if (kind & 1)
+        m->scene.camera.up = (struct tia_vec3){TIA_Q16_ONE, kind & 128 ? TIA_Q16_ONE : 0, 0};
+}
+
+static inline void make_scene(struct bytes *b, struct made *m)
+{
+    uint8_t counts = take_byte(b);
+
+    memset(m, 0, offsetof(struct made, cells));
+    connect(m, counts);
+    m->scene.depth = take_byte(b) % (TIA_DEPTH_MAX + 1);
+    make_camera(b, m);
+    m->scene.background = take_colour(b, TIA_Q30_ONE);
+    for (uint32_t i = 0; i < m->scene.shape_count; i++)
+        make_shape(b, m, &m->shapes[i]);
+    for (uint32_t i = 0; i < m->scene.light_count; i++)
+        make_light(b, m, &m->lights[i]);
+    for (uint32_t i = 0; i < m->scene.sphere_count; i++) {
+        m->spheres[i] = (struct tia_sphere){take_place(b, m), take_radius(b), 0};
+        m->spheres[i].material = take_byte(b) % MADE_MATERIALS;
+    }
+    for (int i = 0; i < 2; i++)
+        make_transform(b, m, &m->transforms[i]);
+    aim(b, m);
+    for (int i = 0; i < MADE_MATERIALS; i++)
+        make_material(b, &m->materials[i]);
+    make_mesh(b, m);
+    make_grid(b, m);
+    make_texture(b, m, &m->textures[0]);
+    make_texture(b, m, &m->textures[1]);
+    for (size_t i = sizeof m->texels - 64; i < sizeof m->texels; i++)
+        m->texels[i] = (uint8_t)(i * 77);
+}
+
+/* Puts right what the fault names: something small at the eye. */
+static inline void mend(struct made *m, const struct tia_fault *f)
+{
+    struct tia_vec3 eye = m->scene.camera.eye;
+
+    if (!strcmp(f->thing, "shape"))
+        m->shapes[f->index] = (struct tia_shape){.kind = TIA_SPHERE, .sphere = {eye, 3 << 16}};
+    else if (!strcmp(f->thing, "sphere"))
+        m->spheres[f->index] = (struct tia_sphere){eye, 2 << 16, 0};
+    else if (!strcmp(f->thing, "light"))
+        m->lights[f->index] = (struct tia_light){eye, 0, TIA_RGB(1, 1, 1)};
+    else if (!strcmp(f->thing, "grid"))
+        m->grid = (struct tia_grid){{0, 0, 0}, TIA_RADIUS_MIN, {1, 1, 1}, m->cells};
+    else if (!strcmp(f->thing, "camera"))
+        m->scene.camera = (struct tia_camera){.eye = eye, .fov = 25 << 16};
+    else
+        MUST(!"refused");
+}
+
+/* False: it is not to be had. */
+static inline bool make_accepted(struct bytes *b, struct made *m)
+{
+    struct tia_fault fault;
+
+    make_scene(b, m);
+    for (int i = 0; i < 3 * MADE_SHAPES + MADE_SPHERES + MADE_LIGHTS; i++) {
+        if (tia_scene_check(&m->scene, &fault) == TIA_OK)
+            return true;
+        mend(m, &fault);
+    }
+    return false;
+}
+
+#endif

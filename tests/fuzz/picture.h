@@ -1,0 +1,80 @@
+/* picture.h - a scene drawn into memory of exactly the size that the library asks for. */
+#ifndef TESTS_FUZZ_PICTURE_H
+#define TESTS_FUZZ_PICTURE_H
+
+#include <stdio.h>
+#include <string.h>
+
+#include "bytes.h"
+
+void tia_chk_report(const char *file, int line, const char *range);
+
+void tia_chk_report(const char *file, int line, const char *range)
+{
+    (void)fprintf(stderr, "%s:%d: out of range: %s\n", file, line, range);
+    abort();
+}
+
+struct picture {
+    const struct tia_core *core;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    struct tia_tile tile;
+    tia_rgb565 *pixels;
+    uint32_t *reached;
+    void *memory[2];
+};
+
+/* A tile of an image, traced. */
+static inline void open_picture(struct picture *p, const struct tia_core *core, const struct tia_scene *scene,
+                                unsigned width, unsigned height, struct tia_tile tile)
+{
+    size_t view = core->view_size(scene, scene->light_count), hits = core->hits_size(tile);
+    size_t count = (size_t)tile.width * tile.height;
+
+    p->core = core;
+    p->tile = tile;
+    p->memory[0] = malloc(view);
+    p->memory[1] = malloc(hits);
+    p->pixels = malloc(count * sizeof *p->pixels);
+    p->reached = malloc(count * sizeof *p->reached);
+    MUST(p->memory[0] && p->memory[1] && p->pixels && p->reached);
+    MUST(core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height) == TIA_OK);
+    MUST(core->hits_init(&p->hits, p->memory[1], hits, tile) == TIA_OK);
+    MUST(core->trace(p->view, p->hits, tile) == TIA_OK);
+}
+
+static inline void light_picture(struct picture *p, bool dither)
+{
+    struct tia_surface surface = {p->pixels, 2, p->tile.width * 2};
+    struct tia_options options = {dither, p->reached};
+
+    MUST(p->core->light(p->view, p->hits, p->tile, &surface, &options) == TIA_OK);
+}
+
+static inline void close_picture(struct picture *p)
+{
+    free(p->memory[0]);
+    free(p->memory[1]);
+    free(p->pixels);
+    free(p->reached);
+}
+
+static inline void must_see_objects(const struct picture *p, const struct tia_scene *scene)
+{
+    for (unsigned i = 0; i < (unsigned)p->tile.width * p->tile.height; i++) {
+        uint32_t object = p->core->hits_object(p->hits, p->tile.x + i % p->tile.width, p->tile.y + i / p->tile.width);
+        MUST(object == TIA_NO_OBJECT || object < scene->sphere_count + scene->shape_count);
+    }
+}
+
+/* Pixels, and how they came about. */
+static inline void must_be_same(const struct picture *p, const struct picture *q)
+{
+    size_t count = (size_t)p->tile.width * p->tile.height;
+
+    MUST(!memcmp(p->pixels, q->pixels, count * sizeof *p->pixels));
+    MUST(!memcmp(p->reached, q->reached, count * sizeof *p->reached));
+}
+
+#endif
