@@ -30,6 +30,9 @@ extern const uint8_t tia_clz_places[32];
 /* atan(2^-i)/(2 pi), Q1.62. */
 extern const int64_t tia_turns[60];
 
+/* sin(2 pi i/256), i = 0..64, Q1.62. */
+extern const int64_t tia_sines[65];
+
 /* Leading zero bits, x not 0, for machines without an instruction for it: with all bits below the
  * first one set, x = 2^n - 1, and the product's upper five bits differ for every n. */
 static inline unsigned tia_clz32_table(uint32_t x)

@@ -85,6 +85,7 @@
 #define ray_camera_prepare NAMES(ray_camera_prepare)
 #define ray_camera_ray NAMES(ray_camera_ray)
 #define ray_light_prepare NAMES(ray_light_prepare)
+#define ray_light_aim NAMES(ray_light_aim)
 #define ray_light_sample NAMES(ray_light_sample)
 #define ray_light_seen NAMES(ray_light_seen)
 #define ray_pixel_class NAMES(ray_pixel_class)

@@ -85,6 +85,30 @@ def turns(count, bits=200):
     return [((a << 63) // (2 * pi) + 1) >> 1 for a in angles]
 
 
+def sines(count, bits=200):
+    """sin(pi/2 i/count), i = 0..count, Q1.62, by the series."""
+    pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
+    table = []
+    for i in range(count + 1):
+        x = pi * i // (2 * count)
+        total, term, k = 0, x, 1
+        while term:
+            total += term
+            term = -term * x * x // (1 << 2 * bits) // ((k + 1) * (k + 2))
+            k += 2
+            if term == -1:
+                break
+        table.append(((total >> (bits - 63)) + 1) >> 1)
+    return table
+
+
+def show_longs(name, words):
+    print(f"\nconst int64_t {name}[{len(words)}] = {{")
+    for i in range(0, len(words), 4):
+        print("    " + " ".join(f"0x{w:016x}," for w in words[i:i + 4]))
+    print("};")
+
+
 def main():
     rsqrt, rsqrt_worst = table(384, 128, 512, lambda a: a ** -0.5, tangent_rsqrt)
     recip, recip_worst = table(128, 128, 256, lambda d: 1 / d, lambda lo, hi: math.sqrt(lo * hi))
@@ -99,11 +123,9 @@ def main():
     print("\nconst uint8_t tia_clz_places[32] = {")
     for row in (leading_zeros()[:16], leading_zeros()[16:]):
         print("    " + " ".join(f"{z}," for z in row))
-    print("};\n\nconst int64_t tia_turns[60] = {")
-    words = turns(60)
-    for i in range(0, len(words), 4):
-        print("    " + " ".join(f"0x{w:016x}," for w in words[i:i + 4]))
     print("};")
+    show_longs("tia_turns", turns(60))
+    show_longs("tia_sines", sines(64))
 
 
 main()

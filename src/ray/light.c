@@ -1,5 +1,6 @@
 #include "light.h"
 
+#include "math.h"
 #include "turn.h"
 
 static num_d cosine(tia_q16 degrees)
@@ -44,6 +45,7 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
 
     l->kind = given->kind;
     l->samples = !area ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;
+    l->part = num_fraction(NUM_X_ONE, num_int((int32_t)(32 * l->samples)));
     l->emission[0] = num_x_of_d(num_d_of(given->emission.r));
     l->emission[1] = num_x_of_d(num_d_of(given->emission.g));
     l->emission[2] = num_x_of_d(num_d_of(given->emission.b));
@@ -56,14 +58,21 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
     prepare_shape(l, given);
 }
 
-/* The base-2 radical inverse of i < 2^bits, times 2^bits. */
-static unsigned mirrored(unsigned i, int bits)
+/* The bits of i < 16 the other way round. */
+static unsigned mirrored(unsigned i)
 {
-    unsigned m = 0;
+    static const uint8_t mirror[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
 
-    for (int k = 0; k < bits; k++)
-        m |= (i >> k & 1) << (bits - 1 - k);
-    return m;
+    return mirror[i];
+}
+
+/* sin(2 pi v/256) */
+static num_d sine(unsigned v)
+{
+    unsigned place = v & 63;
+    num_d s = num_d_of62(tia_sines[v & 64 ? 64 - place : place]);
+
+    return v & 128 ? -s : s;
 }
 
 unsigned ray_pixel_class(int x, int y)
@@ -73,25 +82,22 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* u, and v in units of 1/256. */
+/* u = frac((i + 1/2)/n + b/16), of which the integers know when it is 0; and v in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_d *u, unsigned *v)
 {
-    *u = num_fraction(num_int((int32_t)(2 * i + 1)), num_int((int32_t)(2 * l->samples))) +
-         NUM_D_ONE / 16 * (num_d) class;
-    if (*u >= NUM_D_ONE)
-        *u -= NUM_D_ONE;
-    *v = (mirrored(i, 8) + 16 * mirrored(class, 4)) & 255;
+    unsigned n = l->samples;
+
+    *u = l->part * (num_d)((32 * i + 16 + 2 * n * class) % (32 * n));
+    *v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
 }
 
 /* A point of the disc around the centre with these axes. */
 static struct num_point on_disc(const struct ray_light *l, const struct num_dir axes[2], num_d u, unsigned v)
 {
     num_x r = num_times(l->radius, num_sqrt_d(u));
-    int64_t sine, cos;
+    struct num_point a = num_point_along(axes[0], num_times(r, sine(v + 64)));
+    struct num_point b = num_point_along(axes[1], num_times(r, sine(v)));
 
-    tia_sincos((tia_q16)(v * (360 * 256)), &sine, &cos); /* v/256 of a turn */
-    struct num_point a = num_point_along(axes[0], num_times(r, num_d_of62(cos)));
-    struct num_point b = num_point_along(axes[1], num_times(r, num_d_of62(sine)));
     return num_point_add(l->centre, num_point_add(a, b));
 }
 
@@ -100,26 +106,36 @@ static struct num_point scaled(struct num_point p, num_d s)
     return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
 }
 
-/* The point that sample i shines from. */
-static struct num_point source(const struct ray_light *l, struct num_point point, unsigned class, unsigned i)
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_point point, unsigned class)
 {
-    struct num_dir axes[2], from;
+    struct num_dir from;
+
+    aim->light = l;
+    aim->point = point;
+    aim->class = class;
+    aim->axes[0] = l->axes[0];
+    aim->axes[1] = l->axes[1];
+    if (l->kind == TIA_SPHERE_LIGHT) {
+        if (!num_normalise(num_point_sub(point, l->centre), &from))
+            from = (struct num_dir){NUM_D_ONE, 0, 0};
+        shape_axes(from, aim->axes);
+    }
+}
+
+/* The point that sample i shines from. */
+static struct num_point source(const struct ray_aim *aim, unsigned i)
+{
+    const struct ray_light *l = aim->light;
     num_d u;
     unsigned v;
 
     if (l->kind < TIA_RECTANGLE_LIGHT)
         return l->centre;
-    pattern(l, class, i, &u, &v);
-    if (l->kind == TIA_RECTANGLE_LIGHT) {
-        num_d s = 2 * (u - NUM_D_ONE / 2), t = NUM_D_ONE / 128 * (num_d)((int)v - 128);
-        return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
-    }
-    if (l->kind == TIA_DISC_LIGHT)
-        return on_disc(l, l->axes, u, v);
-    if (!num_normalise(num_point_sub(point, l->centre), &from))
-        return l->centre;
-    shape_axes(from, axes);
-    return on_disc(l, axes, u, v);
+    pattern(l, aim->class, i, &u, &v);
+    if (l->kind != TIA_RECTANGLE_LIGHT)
+        return on_disc(l, aim->axes, u, v);
+    num_d s = 2 * (u - NUM_D_ONE / 2), t = NUM_D_ONE / 128 * (num_d)((int)v - 128);
+    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
 }
 
 /* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more. */
@@ -141,16 +157,17 @@ static num_x spot(const struct ray_light *l, struct num_dir to)
     return c <= l->outer ? 0 : num_x_of_d(num_fraction(c - l->outer, l->inner - l->outer));
 }
 
-bool ray_light_sample(const struct ray_light *l, struct num_point point, unsigned class, unsigned i,
-                      struct ray_sample *s)
+bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *s)
 {
+    const struct ray_light *l = aim->light;
+
     if (l->kind == TIA_DIRECTIONAL_LIGHT) {
         s->to = num_dir_turned(l->direction);
         s->distance = NUM_X_MOST;
         s->factor = NUM_X_ONE;
         return true;
     }
-    struct num_point way = num_point_sub(source(l, point, class, i), point);
+    struct num_point way = num_point_sub(source(aim, i), aim->point);
     if (!num_normalise(way, &s->to))
         return false;
     s->distance = num_dot_x(way, s->to);

@@ -7,6 +7,7 @@
 struct ray_light {
     enum tia_light_kind kind;
     unsigned samples; /* 1 for lights without area */
+    num_d part;       /* 1/(32 samples) */
     num_x emission[3];
     struct num_point centre;
     struct num_dir direction; /* of length 1 */
@@ -28,10 +29,18 @@ struct ray_sample {
 
 void ray_light_prepare(struct ray_light *light, const struct tia_light *given);
 
-/* Sample i < light->samples for `point` in a pixel of class `class`, 0..15. Not for ambient lights. False
- * when the light gives nothing. */
-bool ray_light_sample(const struct ray_light *light, struct num_point point, unsigned class, unsigned i,
-                      struct ray_sample *sample);
+/* A light as a point sees it, in a pixel of class `class`, 0..15. */
+struct ray_aim {
+    const struct ray_light *light;
+    struct num_point point;
+    struct num_dir axes[2]; /* of the disc that samples are taken from */
+    unsigned class;
+};
+
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, unsigned class);
+
+/* Sample i < light->samples. Not for ambient lights. False when the light gives nothing. */
+bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
 /* Where a ray meets the light's surface, 0 <= t < limit. */
 bool ray_light_seen(const struct ray_light *light, const struct ray *ray, num_x limit, num_x *t);

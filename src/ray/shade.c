@@ -80,40 +80,43 @@ static void reflectance(const struct shading *s, struct num_dir to, num_d lamber
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* Sample i of light n: adds what arrives, without the light's emission, to the mean of the samples. Whether it
+/* Sample i of a light: adds what arrives, without the light's emission, to the mean of the samples. Whether it
  * arrives. */
-static bool add_sample(struct path *path, const struct shading *s, uint32_t n, unsigned i, num_x mean[3])
+static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i,
+                       uint32_t *blocker, num_x mean[3])
 {
-    const struct ray_light *light = &path->view->lights[n];
     struct ray_sample sample;
     num_x through[3], rgb[3];
 
-    if (!ray_light_sample(light, s->point, path->class, i, &sample))
+    if (!ray_light_sample(aim, i, &sample))
         return false;
     num_d lambert = num_dot_d(s->normal, sample.to);
     if (lambert <= 0 || num_dot_d(s->geometric, sample.to) <= 0)
         return false;
     struct ray shadow = {beside(s, false), sample.to};
-    if (!ray_passes(path->view, &shadow, sample.distance, &path->blocker[n % PATH_BLOCKERS], through))
+    if (!ray_passes(path->view, &shadow, sample.distance, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
-        mean[c] += num_product_within(num_product(rgb[c], through[c]), sample.factor) / (num_x)light->samples;
+        mean[c] += num_times(num_product_within(num_product(rgb[c], through[c]), sample.factor), 32 * aim->light->part);
     return true;
 }
 
 static void add_light(struct path *path, const struct shading *s, uint32_t n, num_x own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
+    uint32_t *blocker = &path->blocker[n % PATH_BLOCKERS];
     num_x mean[3] = {0, 0, 0};
+    struct ray_aim aim;
 
     if (light->kind == TIA_AMBIENT_LIGHT) {
         for (int c = 0; c < 3; c++)
             own[c] = num_sum_within(own[c], num_product(s->colour[c], light->emission[c]));
         return;
     }
+    ray_light_aim(&aim, light, s->point, path->class);
     for (unsigned i = 0; i < light->samples; i++)
-        path_note(path, add_sample(path, s, n, i, mean));
+        path_note(path, add_sample(path, s, &aim, i, blocker, mean));
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }
