@@ -79,6 +79,37 @@ static void measure(const char *path)
     scene_close(&file);
 }
 
+/* A scene file of a megabyte: spheres in rows. */
+static void measure_reading(void)
+{
+    const size_t most = 1 << 20;
+    char *text = malloc(most + 64);
+    static const char view[] = "v\nfrom 50 50 200\nat 50 50 0\nup 0 1 0\nangle 40\nhither 1\nresolution 640 480\n";
+    struct tia_reader reader = {.format = TIA_FORMAT_NFF, .text = text};
+    struct tia_scene scene;
+    void *memory;
+    size_t need;
+
+    must(text ? TIA_OK : TIA_ERR_MEMORY);
+    reader.length = (size_t)sprintf(text, "%s", view);
+    for (unsigned i = 0; reader.length < most; i++)
+        reader.length += (size_t)sprintf(text + reader.length, "s %u.%02u %u %u 0.1%04u\n", i % 100, i % 97,
+                                         i / 100 % 100, i / 10000, i % 9973);
+    double start = milliseconds();
+    must(tia_read(&reader, &scene, NULL, 0, &need) == TIA_ERR_MEMORY ? TIA_OK : TIA_ERR_RANGE);
+    memory = malloc(need);
+    must(memory ? tia_read(&reader, &scene, memory, need, &need) : TIA_ERR_MEMORY);
+    double read = milliseconds() - start;
+    size_t size = tia_bvh_size(&scene);
+    void *boxes = malloc(size);
+    must(boxes ? tia_bvh_build(&scene.bvh, boxes, size, NULL, &scene) : TIA_ERR_MEMORY);
+    printf("\n%u spheres in %.1f MB of text: read in %.0f ms, hierarchy built in %.0f ms.\n",
+           (unsigned)scene.sphere_count, (double)reader.length / 1e6, read, milliseconds() - start - read);
+    free(boxes);
+    free(memory);
+    free(text);
+}
+
 void bench_rays(void)
 {
     printf("\n| scene, %dx%d | spheres | read, ms | q16, ms |", WIDTH, HEIGHT);
@@ -91,4 +122,5 @@ void bench_rays(void)
     measure("scenes/nff/balls_2.nff");
     measure("scenes/nff/balls_3.nff");
     measure("scenes/nff/balls_4.nff");
+    measure_reading();
 }
