@@ -79,6 +79,7 @@
 #define placement_prepare NAMES(placement_prepare)
 #define placement_ray NAMES(placement_ray)
 #define placement_distance NAMES(placement_distance)
+#define placement_limit NAMES(placement_limit)
 #define placement_distance_back NAMES(placement_distance_back)
 #define placement_point NAMES(placement_point)
 #define placement_normal NAMES(placement_normal)

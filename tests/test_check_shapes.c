@@ -249,6 +249,21 @@ TEST(places)
     }
 }
 
+/* Also of a transform that no shape has. */
+TEST(positions)
+{
+    set_up(TIA_BOX);
+    scene.shape_count = 0;
+    transform.position.z = INT32_MIN + 2;
+    check_accepted();
+    transform.position.z--;
+    check_refused("transform", 0, "position", FAR);
+    transform.position = (struct tia_vec3){0, 3 * (INT32_MAX / 5), 4 * (INT32_MAX / 5)}; /* 2^31 - 3 */
+    check_accepted();
+    scene.camera.eye.y = -8;
+    check_refused("transform", 0, "position", FAR);
+}
+
 TEST(scales)
 {
     tia_q16 *const scale[] = {&transform.scale.x, &transform.scale.y, &transform.scale.z};
@@ -289,6 +304,7 @@ int main(void)
     RUN(triangles);
     RUN(distances);
     RUN(places);
+    RUN(positions);
     RUN(scales);
     RUN(flatness);
     return check_status();

@@ -109,7 +109,7 @@ struct tia_shape {
 /* An instance: scaled along the shape's axes, rotated, moved. Not for planes. Not too flat for its size: half
  * the diagonal of the box around what is placed, over the smallest component of scale, is below 32768. */
 struct tia_transform {
-    struct tia_vec3 position;
+    struct tia_vec3 position; /* nearer to the eye than 32768, wherever the shapes are */
     struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */
     struct tia_vec3 scale;    /* each TIA_SCALE_MIN..TIA_SCALE_MAX */
 };

@@ -2,7 +2,10 @@
 
 int check_transform(const struct check *check)
 {
-    REQUIRE(check_is_scale(check->scene->transforms[check->index].scale), "scale", "must be in 2^-10..1024");
+    const struct tia_transform *t = &check->scene->transforms[check->index];
+
+    REQUIRE(check_is_near(check, t->position, 0), "position", CHECK_FAR);
+    REQUIRE(check_is_scale(t->scale), "scale", "must be in 2^-10..1024");
     return TIA_OK;
 }
 

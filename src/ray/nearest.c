@@ -11,11 +11,11 @@ static bool meet_shape(const struct shape *shape, const struct ray *ray, num_x l
     if (!placement)
         return shape->kind->intersect(shape, ray, limit, crossing);
     placement_ray(placement, ray, &placed);
-    limit = placement_distance(&placed, limit);
-    if (limit < 0 || !shape->kind->intersect(shape, &placed.ray, limit, crossing))
+    num_x within = placement_limit(&placed, limit);
+    if (within < 0 || !shape->kind->intersect(shape, &placed.ray, within, crossing))
         return false;
     crossing->t = placement_distance_back(&placed, crossing->t);
-    return true;
+    return crossing->t <= limit;
 }
 
 static bool meet(const struct ray_view *view, const struct ray *ray, uint32_t object, num_x limit,

@@ -65,6 +65,18 @@ num_x placement_distance(const struct placed_ray *placed, num_x t)
     return t < placed->start ? -1 : num_scaled(t - placed->start, placed->scale);
 }
 
+/* There and back is off by 2^-57 of t and by units of 2^-45, of which one in the world is k <= 2^10 in the shape's
+ * axes: 2^-40 k and as much again. */
+num_x placement_limit(const struct placed_ray *placed, num_x t)
+{
+    num_x more = t / (num_x)(INT64_C(1) << 40) + NUM_X_BIAS / (1 << 27);
+
+    if (t < placed->start)
+        return -1;
+    num_x limit = num_scaled(t - placed->start + more, placed->scale) + more;
+    return limit < NUM_X_MOST ? limit : NUM_X_MOST;
+}
+
 num_x placement_distance_back(const struct placed_ray *placed, num_x t)
 {
     return placed->start + num_unscaled(t, placed->scale);

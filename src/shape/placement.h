@@ -37,6 +37,10 @@ void placement_ray(const struct placement *placement, const struct ray *ray, str
 num_x placement_distance(const struct placed_ray *placed, num_x t);
 num_x placement_distance_back(const struct placed_ray *placed, num_x t);
 
+/* What placement_distance gives for t, and a little more than it is off by: a crossing that is not beyond t in the
+ * world is not beyond that. */
+num_x placement_limit(const struct placed_ray *placed, num_x t);
+
 /* A world point on the shape in the shape's axes, and a normal back in the world. */
 struct num_point placement_point(const struct placement *placement, struct num_point point);
 struct num_dir placement_normal(const struct placement *placement, struct num_dir normal);

@@ -294,6 +294,8 @@ static inline void mend(struct made *m, const struct tia_fault *f)
         m->spheres[f->index] = (struct tia_sphere){eye, 2 << 16, 0};
     else if (!strcmp(f->thing, "light"))
         m->lights[f->index] = (struct tia_light){eye, 0, TIA_RGB(1, 1, 1)};
+    else if (!strcmp(f->thing, "transform"))
+        m->transforms[f->index].position = eye;
     else if (!strcmp(f->thing, "grid"))
         m->grid = (struct tia_grid){{0, 0, 0}, TIA_RADIUS_MIN, {1, 1, 1}, m->cells};
     else if (!strcmp(f->thing, "camera"))

@@ -1,0 +1,203 @@
+/* General scenes at their worst, by q16 and by the checking build, tried object by object and found by a
+ * hierarchy: nothing leaves its range, and all of them draw the same picture. Sums that overflow end the
+ * program: the compiler checks them. */
+#include "arch/frames.h"
+#include "check.h"
+
+#define MOST INT32_MAX
+#define ONE TIA_Q16_ONE
+
+static char first_report[200];
+static unsigned reports;
+
+void tia_chk_report(const char *file, int line, const char *range);
+
+void tia_chk_report(const char *file, int line, const char *range)
+{
+    if (!reports++)
+        (void)snprintf(first_report, sizeof first_report, "%s:%d: %s", file, line, range);
+}
+
+static void keep(void *ctx, const char *name, uint32_t crc)
+{
+    uint32_t *last = ctx;
+
+    (void)name;
+    *last = crc;
+}
+
+static uint32_t draw(const struct tia_core *core, const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    uint32_t crc = 0;
+    struct frames_canvas canvas = {.core = core, .report = keep, .ctx = &crc};
+    bool open = frames_open(&canvas, scene, width, height);
+
+    CHECK(open);
+    if (open) {
+        frames_draw(&canvas, 61, 47, true, false);
+        frames_tell(&canvas, "");
+    }
+    frames_close(&canvas);
+    return crc;
+}
+
+static void draw_all(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    static uint64_t memory[1 << 13];
+    struct tia_scene with = *scene;
+    uint32_t crc = draw(&tia_core_q16, scene, width, height);
+
+    reports = 0;
+    CHECK_EQ(draw(&tia_core_chk, scene, width, height), crc);
+    CHECK_EQ(tia_bvh_build(&with.bvh, memory, sizeof memory, NULL, scene), TIA_OK);
+    CHECK_EQ(draw(&tia_core_chk, &with, width, height), crc);
+    CHECK_MSG(reports == 0, "%u reports, the first %s", reports, first_report);
+}
+
+static struct tia_material materials[2];
+static struct tia_shape shapes[2];
+static struct tia_light lights[3];
+static struct tia_transform transform;
+static struct tia_scene scene;
+
+static void set_up(uint32_t shape_count, uint32_t light_count)
+{
+    const struct tia_material white = {.colour = TIA_RGB(1, 1, 1), .mirror = TIA_RGB(1, 1, 1)};
+
+    for (int i = 0; i < 2; i++) {
+        materials[i] = white;
+        shapes[i] = (struct tia_shape){.material = (uint32_t)i};
+    }
+    memset(lights, 0, sizeof lights);
+    transform = (struct tia_transform){{0, 0, 0}, {0, 0, 0}, {ONE, ONE, ONE}};
+    scene = (struct tia_scene){.camera = {.fov = TIA_Q16(40)},
+                               .materials = materials,
+                               .material_count = 2,
+                               .shapes = shapes,
+                               .shape_count = shape_count,
+                               .lights = lights,
+                               .light_count = light_count,
+                               .transforms = &transform,
+                               .transform_count = 1};
+}
+
+TEST(random_scenes_by_their_hierarchies)
+{
+    static struct corpus_rays random;
+
+    for (unsigned i = 0; i < 30; i++) {
+        corpus_random_rays(&random, 29, i);
+        draw_all(&random.scene, 20, 15);
+    }
+}
+
+/* What fuzzing found, each once beyond some range, or by a hierarchy another picture. */
+
+TEST(windows_as_high_as_may_be_in_wide_images)
+{
+    static const uint16_t sizes[][2] = {{8192, 1}, {1, 8192}, {40, 30}};
+
+    for (int kind = TIA_FRUSTUM; kind <= TIA_ORTHOGRAPHIC; kind++) {
+        for (int i = 0; i < 3; i++) {
+            set_up(1, 0);
+            shapes[0].plane = (struct tia_plane){{0, -ONE, 0}, {0, TIA_Q30_ONE, 0}};
+            shapes[0].kind = TIA_PLANE;
+            scene.camera.projection = (enum tia_projection)kind;
+            scene.camera.window = (struct tia_window){0, 0, -MOST, MOST, 1};
+            draw_all(&scene, sizes[i][0], sizes[i][1]);
+        }
+    }
+}
+
+/* Lamps whose attenuation is nearly 0 at what they light: 2^17 bright. */
+TEST(light_without_end)
+{
+    set_up(1, 3);
+    shapes[0].kind = TIA_BOX;
+    shapes[0].box = (struct tia_box){{-ONE, -ONE, -3 * ONE}, {ONE, ONE, -2 * ONE}};
+    materials[0].specular = materials[0].colour;
+    materials[0].exponent = ONE;
+    for (int i = 0; i < 3; i++) {
+        lights[i] = (struct tia_light){{0, 0, -2 * ONE + ONE / 4}, 0, {MOST, MOST, MOST}, .linear = 1, .samples = 256};
+        lights[i].kind = i == 0 ? TIA_POINT_LIGHT : TIA_SPHERE_LIGHT;
+    }
+    draw_all(&scene, 6, 6);
+}
+
+/* Mirrors that reflect all, and as much again because refraction is total: after 16 of them 2^16 times as much. */
+TEST(a_hall_of_mirrors)
+{
+    set_up(2, 3);
+    scene.depth = TIA_DEPTH_MAX;
+    for (int i = 0; i < 3; i++)
+        lights[i] = (struct tia_light){{0, 0, 0}, 0, {MOST, MOST, MOST}, .kind = TIA_AMBIENT_LIGHT};
+    for (int i = 0; i < 2; i++) {
+        materials[i].refraction = materials[i].mirror;
+        materials[i].index = TIA_INDEX_MIN; /* from outside nearly all directions are reflected */
+        shapes[i].kind = TIA_PLANE;
+        shapes[i].plane.point.z = i ? 2 * ONE : -2 * ONE;
+        shapes[i].plane.normal.z = i ? -TIA_Q30_ONE : TIA_Q30_ONE;
+    }
+    scene.camera.up.y = ONE;
+    scene.camera.reference = (struct tia_vec3){ONE, ONE, -ONE};
+    draw_all(&scene, 6, 6);
+}
+
+/* 1024 cells of 48 are more than 32768, from -32768 on they end within. */
+TEST(grids_larger_than_their_numbers)
+{
+    static uint8_t cells[TIA_GRID_MAX];
+    static const struct tia_grid grid = {{-MOST, 0, -ONE}, 48 * ONE, {TIA_GRID_MAX, 1, 1}, cells};
+
+    for (int i = 0; i < TIA_GRID_MAX; i++)
+        cells[i] = i % 3 == 0;
+    set_up(1, 0);
+    shapes[0] = (struct tia_shape){.kind = TIA_GRID, .transform = 1};
+    scene.grids = &grid;
+    scene.grid_count = 1;
+    transform.scale = (struct tia_vec3){ONE / 4, ONE / 4, ONE / 4};
+    draw_all(&scene, 40, 30);
+}
+
+/* Of two faces at the same place that of the first object is met, though the search's limit comes from the other
+ * one's axes and goes back to them. The second is tried first: it has a face that ends beyond Q16.16. */
+TEST(placed_twice)
+{
+    static const struct tia_vec3 vertices[] = {
+        {-1000 * ONE, -900 * ONE, 0}, {1100 * ONE, -1000 * ONE, 0}, {50 * ONE, 1000 * ONE, 0}, {20000 * ONE, 0, 0}};
+#define CORNER(n)                                                                                                      \
+    {                                                                                                                  \
+        n, TIA_NO_INDEX, TIA_NO_INDEX                                                                                  \
+    }
+    static const struct tia_face faces[] = {{{CORNER(0), CORNER(1), CORNER(2)}}, {{CORNER(1), CORNER(3), CORNER(2)}}};
+    static const struct tia_mesh meshes[] = {{vertices, NULL, NULL, faces, 4, 0, 0, 1},
+                                             {vertices, NULL, NULL, faces, 4, 0, 0, 2}};
+
+    set_up(2, 1);
+    materials[1].colour.r = 0;
+    lights[0].kind = TIA_AMBIENT_LIGHT;
+    lights[0].emission = (struct tia_rgb)TIA_RGB(1, 1, 1);
+    scene.meshes = meshes;
+    scene.mesh_count = 2;
+    scene.camera.eye.x = 32760 * ONE;
+    for (uint32_t i = 0; i < 2; i++)
+        shapes[i] = (struct tia_shape){.kind = TIA_MESH, .material = i, .transform = 1, .mesh = i};
+    for (int turn = 0; turn < 20; turn++) {
+        transform.position = (struct tia_vec3){32760 * ONE, 0, -5 * ONE};
+        transform.rotation = (struct tia_vec3){turn * 77777, turn * 99999, 0};
+        transform.scale = (struct tia_vec3){118, 115 + turn, 105};
+        CHECK_EQ(tia_object_bounds(&scene, 1).max.x, MOST);
+        draw_all(&scene, 24, 18);
+    }
+}
+
+int main(void)
+{
+    RUN(random_scenes_by_their_hierarchies);
+    RUN(windows_as_high_as_may_be_in_wide_images);
+    RUN(light_without_end);
+    RUN(a_hall_of_mirrors);
+    RUN(grids_larger_than_their_numbers);
+    RUN(placed_twice);
+    return check_status();
+}
