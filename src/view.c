@@ -4,7 +4,7 @@
 #include "ray/ray_view.h"
 #include "span/span.h"
 
-#define ALIGN(size) (((size) + 7) & ~(size_t)7)
+#define ALIGN(size) (((size) + 7) / 8 * 8) /* of any width of integer */
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {

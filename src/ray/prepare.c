@@ -3,11 +3,11 @@
 #include "ray_view.h"
 #include "scene.h"
 
-#define ALIGN(size) (((size) + 7) & ~(size_t)7)
+#define ALIGN(size) (((size) + 7) / 8 * 8) /* of any width of integer */
 
 size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
-    uint64_t size = ALIGN(sizeof(struct ray_view)) + (uint64_t)light_capacity * sizeof(struct ray_light) +
+    uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
                     (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct placement));
 
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
@@ -87,7 +87,7 @@ int ray_prepare(struct tia_view *view, void *memory)
 
     rays->scene = scene;
     rays->lights = (struct ray_light *)(void *)((char *)memory + ALIGN(sizeof *rays));
-    rays->shapes = (struct shape *)(rays->lights + view->light_capacity);
+    rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
     rays->placements = (struct placement *)(rays->shapes + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
