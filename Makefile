@@ -154,7 +154,7 @@ $(BUILD)/tia-join: $(BUILD)/host/tools/tia/signals.o
 
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
-CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_shapes_chk)
+CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)

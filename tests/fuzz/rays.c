@@ -23,7 +23,7 @@ static uint64_t rays_of(const struct made *m, uint32_t pixels)
         samples += m->lights[i].kind < TIA_RECTANGLE_LIGHT ? 1 : m->lights[i].samples ? m->lights[i].samples : 16;
     for (uint32_t i = 0; i < (m->scene.depth ? m->scene.depth : TIA_DEPTH) && forks; i++)
         rays += forks == 2 ? rays : 1;
-    return rays * samples * pixels * m->scene.camera.samples;
+    return rays * samples * pixels * (m->scene.camera.samples ? m->scene.camera.samples : 1);
 }
 
 static uint64_t work_of(const struct made *m, uint32_t pixels)
