@@ -226,11 +226,16 @@ static inline num_d num_power(num_d d, tia_q16 e)
 
 #define NUM_D_LEVEL ((num_d)1 << 42) /* 2^-20 */
 
-/* 1/d with 42 bits behind the point, below 2^62: d is taken as NUM_D_LEVEL at least. */
+/* 1/d with 42 bits behind the point, below 2^62, rounded towards 0: d is taken as NUM_D_LEVEL at least. The
+ * reciprocal of d 2^z is 2^64/d 2^-z with 62 bits, and z is at most 21. */
 static inline num_x num_steep(num_d d)
 {
-    d = d < 0 ? (d > -NUM_D_LEVEL ? -NUM_D_LEVEL : d) : d < NUM_D_LEVEL ? NUM_D_LEVEL : d;
-    return wide_quotient(NUM_X_ONE >> 3, d, 62);
+    num_d size = d < 0 ? -d : d;
+    uint64_t divisor = (uint64_t)(size < NUM_D_LEVEL ? NUM_D_LEVEL : size);
+    unsigned z = tia_clz64(divisor);
+    num_x steep = wide_reciprocal(divisor << z) >> (22 - z);
+
+    return d < 0 ? -steep : steep;
 }
 
 /* x/d with 23 bits behind the point, rounded down. */

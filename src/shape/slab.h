@@ -6,7 +6,7 @@
 
 struct slab {
     num_x origin, steep; /* steep: 1/direction, see num_steep */
-    bool backward, level;
+    bool level;
 };
 
 /* A slope that num_steep cuts off makes entering early, which is safe; leaving would be too early as well, so a
@@ -15,13 +15,13 @@ static inline struct slab slab_of(num_x origin, num_d direction)
 {
     bool level = direction < NUM_D_LEVEL && direction > -NUM_D_LEVEL;
 
-    return (struct slab){origin, num_steep(direction), direction < 0, level};
+    return (struct slab){origin, num_steep(direction), level};
 }
 
 static inline void slab_clip(const struct slab *slab, num_x min, num_x max, num_x *near, num_x *far)
 {
-    num_x enter = num_slab((slab->backward ? max : min) - slab->origin, slab->steep);
-    num_x leave = num_slab((slab->backward ? min : max) - slab->origin, slab->steep);
+    num_x a = num_slab(min - slab->origin, slab->steep), b = num_slab(max - slab->origin, slab->steep);
+    num_x enter = a < b ? a : b, leave = a < b ? b : a;
 
     *near = enter > *near ? enter : *near;
     if (!slab->level || leave < 0)
