@@ -1,12 +1,6 @@
 /* viewer.c - the interactive loop: keys, light, time, tiles, present. Knows no OS. */
 #include "viewer/loop.h"
 
-uint64_t viewer_now(const struct loop *loop)
-{
-    const struct tia_viewer *v = loop->viewer;
-    return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
-}
-
 /* How long nothing will happen, in ms, rounded up; -1: until a key. */
 static int idle_ms(const struct loop *loop)
 {

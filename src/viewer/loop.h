@@ -44,7 +44,11 @@ struct loop {
     uint64_t repeat_us[VIEWER_HELD_KEYS]; /* when a held key moves the light again; 0: not held */
 };
 
-uint64_t viewer_now(const struct loop *loop);
+static inline uint64_t viewer_now(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
+}
 
 /* keys.c: all that waits is taken before a frame is drawn. VIEWER_QUIT after a quitting key. */
 int viewer_press(struct loop *loop, uint16_t key);
