@@ -28,7 +28,7 @@
  *   num_slab_start(s)            such a distance as num_x, a little less than it is
  *   num_divide(v, s, d)          the direction and length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled(t, length)
  *                                and num_unscaled: t times it and over it, at most NUM_X_MOST
- *   num_shown(x)                 a colour as what num_quantise takes, clamped to 0..1
+ *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise
  */
 #ifndef TIA_NUM_RAY_H
 #define TIA_NUM_RAY_H

@@ -13,6 +13,7 @@
 #define num_sqrt_x(x) (NUM_AT, num_sqrt_x(x))
 #define num_sqrt_d(d) (NUM_AT, num_sqrt_d(d))
 #define num_parts(a, p) (NUM_AT, num_parts(a, p))
+#define num_levels(c, n, t) (NUM_AT, num_levels(c, n, t))
 #define num_power(d, e) (NUM_AT, num_power(d, e))
 #define num_point_at(a, d, t) (NUM_AT, num_point_at(a, d, t))
 

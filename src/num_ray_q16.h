@@ -320,9 +320,10 @@ static inline num_d num_turn(num_d y, num_d x)
     return turned;
 }
 
-static inline num_u num_shown(num_x x)
+static inline unsigned num_levels(num_x c, unsigned levels, num_u threshold)
 {
-    return x <= 0 ? 0 : x >= NUM_X_ONE ? NUM_ONE : (num_u)tia_round_shift(x, 15);
+    NUM_CHECK(c >= 0 && c <= NUM_X_ONE && threshold < NUM_ONE);
+    return (unsigned)((c * (num_x)levels + ((num_x)threshold << 15)) >> 45);
 }
 
 #endif

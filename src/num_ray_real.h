@@ -239,9 +239,9 @@ static inline num_d num_turn(num_d y, num_d x)
     return num_angle(y, x) / (num_real)6.283185307179586476925286766559;
 }
 
-static inline num_u num_shown(num_x x)
+static inline unsigned num_levels(num_x c, unsigned levels, num_u threshold)
 {
-    return x <= 0 ? 0 : x >= 1 ? 1 : x;
+    return num_quantise(c, levels, threshold);
 }
 
 #endif

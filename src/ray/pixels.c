@@ -1,7 +1,6 @@
 /* pixels.c - a tile's pixels, ray by ray. */
 #include "ray_view.h"
 #include "rgb565.h"
-#include "span/kernels.h"
 #include "whitted.h"
 
 void ray_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
@@ -42,43 +41,36 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_x mean[3
     }
 }
 
-/* Up to CHUNK pixels of a row. */
-static void pixels(struct path *path, const struct tia_hits *hits, int x, int y, int count, const num_u threshold[8],
-                   uint32_t *reached, tia_rgb565 *out)
+/* Straight from 45 bits behind the point: what falls between two levels is not rounded twice. */
+static tia_rgb565 pack(const num_x mean[3], num_u threshold)
 {
-    num_u rgb[3][CHUNK];
+    unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),
+             b = num_levels(mean[2], 31, threshold);
 
-    for (int i = 0; i < count; i++) {
-        num_x mean[3];
-
-        path->class = ray_pixel_class(x + i, y);
-        path->hash = PATH_HASH;
-        pixel(path, x + i, y, hits->object[hits_index(hits, (unsigned)(x + i), (unsigned)y)], mean);
-        for (int c = 0; c < 3; c++)
-            rgb[c][i] = num_shown(mean[c]);
-        if (reached)
-            reached[i] = path->hash;
-    }
-    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, x, count, out);
+    return (tia_rgb565)(r << 11 | g << 5 | b);
 }
 
 static void row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
                 ptrdiff_t step, const struct tia_options *options)
 {
     uint32_t *reached = options->reached ? options->reached + (size_t)(y - tile.y) * tile.width : NULL;
+    const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
     struct path path = {.view = view->rays, .hashed = reached != NULL};
-    tia_rgb565 packed[CHUNK];
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     rgb565_thresholds(options->dither, y, threshold);
-    for (int x = 0; x < tile.width; x += CHUNK) {
-        int count = tile.width - x < CHUNK ? tile.width - x : CHUNK;
+    for (int i = 0; i < tile.width; i++) {
+        int x = tile.x + i;
+        num_x mean[3];
 
-        pixels(&path, hits, tile.x + x, y, count, threshold, reached ? reached + x : NULL, packed);
-        for (int i = 0; i < count; i++)
-            *(tia_rgb565 *)(void *)(out + (x + i) * step) = packed[i];
+        path.class = ray_pixel_class(x, y);
+        path.hash = PATH_HASH;
+        pixel(&path, x, y, objects[i], mean);
+        *(tia_rgb565 *)(void *)(out + i * step) = pack(mean, threshold[x & 7]);
+        if (reached)
+            reached[i] = path.hash;
     }
 }
 
