@@ -188,7 +188,36 @@ TEST(placed_twice)
         transform.scale = (struct tia_vec3){118, 115 + turn, 105};
         CHECK_EQ(tia_object_bounds(&scene, 1).max.x, MOST);
         draw_all(&scene, 24, 18);
+        shapes[1].mesh = 0;
+        uint32_t both = draw(&tia_core_q16, &scene, 24, 18);
+        scene.shape_count = 1;
+        CHECK_EQ(draw(&tia_core_q16, &scene, 24, 18), both);
+        scene.shape_count = 2;
+        shapes[1].mesh = 1;
     }
+}
+
+/* 20 veils, more than a search keeps at a time, leave 0.9^20 = 0.1216 of the light: 4 of 31 levels, 8 of 63. */
+TEST(many_veils)
+{
+    struct tia_shape veils[21] = {{.kind = TIA_PLANE, .plane = {{0, 0, 0}, {0, TIA_Q30_ONE, 0}}}};
+    tia_rgb565 expected[4];
+
+    set_up(21, 1);
+    scene.shapes = veils;
+    materials[0].mirror = (struct tia_rgb){0, 0, 0};
+    materials[1].transmission = (struct tia_rgb)TIA_RGB(0.9, 0.9, 0.9);
+    for (int i = 1; i < 21; i++)
+        veils[i] = (struct tia_shape){
+            .kind = TIA_DISC, .material = 1, .disc = {{0, i * ONE, 0}, {0, TIA_Q30_ONE, 0}, 9 * ONE}};
+    lights[0].kind = TIA_DIRECTIONAL_LIGHT;
+    lights[0].direction.y = -TIA_Q30_ONE;
+    lights[0].emission = (struct tia_rgb)TIA_RGB(1, 1, 1);
+    scene.camera = (struct tia_camera){.eye = {0, ONE / 2, 0}, .fov = 40 * ONE, .up = {ONE, 0, 0}};
+    for (int i = 0; i < 4; i++)
+        expected[i] = 4 << 11 | 8 << 5 | 4;
+    CHECK_EQ(draw(&tia_core_q16, &scene, 2, 2), tia_crc32(0, expected, 4));
+    draw_all(&scene, 2, 2);
 }
 
 int main(void)
@@ -199,5 +228,6 @@ int main(void)
     RUN(a_hall_of_mirrors);
     RUN(grids_larger_than_their_numbers);
     RUN(placed_twice);
+    RUN(many_veils);
     return check_status();
 }
