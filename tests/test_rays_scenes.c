@@ -1,6 +1,7 @@
 /* A small scene for each shape, material, light and camera: f64 draws it as the oracle does, q16 as f64 does.
  *
  * Objects on a floor, one of which, or whose light or camera, is what the scene is for. */
+#ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
 #include "common/corpus_rays.h"
@@ -60,7 +61,6 @@ static void begin(void)
     scene.camera.reference = (struct tia_vec3)TIA_VEC3(0.2, 0.9, 0);
 }
 
-#ifdef TIA_HAVE_F64
 /* Nothing of a scene as plain as these is left to rounding: all pixels but a few are the oracle's, and none of
  * q16 is more than a level off where it has f64's path. */
 static void draw(const char *what)
@@ -295,11 +295,9 @@ TEST(cameras)
     scene.camera.projection = TIA_PERSPECTIVE;
     draw("16 samples");
 }
-#endif
 
 int main(void)
 {
-#ifdef TIA_HAVE_F64
     pool = threads_create(threads_processors());
     RUN(spheres);
     RUN(planes);
@@ -314,8 +312,8 @@ int main(void)
     RUN(lights_one_by_one);
     RUN(cameras);
     threads_destroy(pool);
-#else
-    printf("skip rays_scenes: this build has no f64 (make F64=yes)\n");
-#endif
     return check_status();
 }
+#else
+#include "without_f64.h"
+#endif

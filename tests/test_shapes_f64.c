@@ -1,3 +1,7 @@
 /* Shapes as rays meet them, in double precision. */
+#ifdef TIA_HAVE_F64
 #define TIA_NUM_F64
 #include "shape_runs.h"
+#else
+#include "without_f64.h"
+#endif

@@ -40,8 +40,12 @@ static bool is_identifier(const char *text)
     for (size_t i = 0; i < length; i++)
         if (!isalpha((unsigned char)text[i]) && text[i] != '_' && (i == 0 || !isdigit((unsigned char)text[i])))
             return false;
-    (void)snprintf(word, sizeof word, " %s ", text);
-    return length > 0 && length < 64 && strstr(keywords, word) == NULL;
+    if (length == 0 || length >= 64)
+        return false;
+    word[0] = ' ';
+    memcpy(word + 1, text, length);
+    memcpy(word + 1 + length, " ", 2);
+    return strstr(keywords, word) == NULL;
 }
 
 /* 0: go on; 1: done; 2: a mistake. */

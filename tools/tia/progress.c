@@ -13,8 +13,8 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
     progress->terminal = isatty(STDERR_FILENO) == 1;
     progress->frame_pixels = frame_pixels;
     progress->frames = frames;
-    atomic_init(&progress->done, 0);
-    atomic_flag_clear(&progress->busy);
+    (void)pthread_mutex_init(&progress->lock, NULL);
+    progress->done = 0;
     progress->next_us = clock_now_us() + FIRST_US;
 }
 
@@ -33,18 +33,16 @@ static void tell(const struct progress *progress, uint64_t done)
 
 void progress_add(struct progress *progress, uint64_t pixels)
 {
-    uint64_t done = atomic_fetch_add(&progress->done, pixels) + pixels;
-    bool is_last = done >= progress->frame_pixels * progress->frames;
-    if (!progress->terminal || is_last || atomic_flag_test_and_set(&progress->busy)) {
-        return;
-    }
-    uint64_t now = clock_now_us();
-    if (now >= progress->next_us) {
-        tell(progress, done);
+    uint64_t now = progress->terminal ? clock_now_us() : 0;
+
+    (void)pthread_mutex_lock(&progress->lock);
+    progress->done += pixels;
+    if (now >= progress->next_us && progress->done < progress->frame_pixels * progress->frames) {
+        tell(progress, progress->done);
         progress->shown = true;
         progress->next_us = now + STEP_US;
     }
-    atomic_flag_clear(&progress->busy);
+    (void)pthread_mutex_unlock(&progress->lock);
 }
 
 void progress_end(struct progress *progress)

@@ -2,7 +2,7 @@
 #ifndef TOOLS_TIA_PROGRESS_H
 #define TOOLS_TIA_PROGRESS_H
 
-#include <stdatomic.h>
+#include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -10,8 +10,8 @@ struct progress {
     bool terminal;
     uint64_t frame_pixels;
     uint32_t frames;
-    atomic_uint_least64_t done; /* pixels */
-    atomic_flag busy;           /* one thread tells at a time; what follows is its */
+    pthread_mutex_t lock; /* of what follows */
+    uint64_t done;        /* pixels */
     bool shown;
     uint64_t next_us;
 };
