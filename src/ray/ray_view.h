@@ -16,7 +16,7 @@ int ray_prepare(struct tia_view *view, void *memory);
 /* The view's lights have changed. */
 void ray_set_lights(struct tia_view *view);
 
-/* What the first sample of each pixel sees: the hits' t is its object's element. */
+/* What the first sample of each pixel sees; the hits' t stays as it is. */
 void ray_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 void ray_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options);
