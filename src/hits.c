@@ -1,6 +1,8 @@
 #include "hits.h"
 
-#define HEADER ((sizeof(struct tia_hits) + 7) & ~(size_t)7)
+#include "align.h"
+
+#define HEADER ALIGN(sizeof(struct tia_hits))
 
 size_t tia_hits_size(struct tia_tile area)
 {

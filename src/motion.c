@@ -1,8 +1,7 @@
 #include <tia/motion.h>
 
+#include "align.h"
 #include "math.h"
-
-#define ALIGN(size) (((size) + 7) & ~(uint64_t)7)
 
 /* a / b as Q2.62, rounded down; 0 <= a <= b < 2^31, b not 0. */
 static int64_t fraction(int64_t a, int64_t b)

@@ -76,6 +76,8 @@
 #define round_prepare NAMES(round_prepare)
 #define walk_start NAMES(walk_start)
 #define walk_leaf NAMES(walk_leaf)
+#define candidates_start NAMES(candidates_start)
+#define candidates_next NAMES(candidates_next)
 #define placement_prepare NAMES(placement_prepare)
 #define placement_ray NAMES(placement_ray)
 #define placement_distance NAMES(placement_distance)

@@ -1,14 +1,11 @@
 #include "needs.h"
 
-static bool is_black(const struct tia_rgb *c)
-{
-    return !c->r && !c->g && !c->b;
-}
+#include "colour.h"
 
 static bool is_matt(const struct tia_material *m)
 {
-    return !m->texture && is_black(&m->specular) && is_black(&m->mirror) && is_black(&m->refraction) &&
-           is_black(&m->facing);
+    return !m->texture && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
+           colour_is_black(&m->refraction) && colour_is_black(&m->facing);
 }
 
 static bool is_plain_light(const struct tia_light *l)

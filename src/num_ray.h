@@ -7,7 +7,7 @@
  * language's own. What is a call:
  *
  *   num_x_of(q), num_d_of(q)     from Q16.16, from Q2.30; num_d_of62(n): from Q1.62
- *   num_x_of_d, num_d_of_x       from one to the other
+ *   num_x_of_d(d)                a fraction as a num_x
  *   num_times(a, d)              a d, a of either kind, rounded to nearest
  *   num_product(x, y)            x y, below 2^17; num_product_within(x, y): or 2^17, x, y >= 0
  *   num_sum_within(x, y)         x + y, or 2^17, both 0..2^17
@@ -16,7 +16,7 @@
  *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
  *   num_within(r, p)             |p| <= r, exactly
  *   num_beyond(p, r, k)          (|p|^2 - r^2)/k, at most NUM_X_MOST in size; |p| and r below 2^18
- *   num_length(p), num_sqrt_x(x), num_sqrt_d(d)
+ *   num_length(p), num_sqrt_d(d)
  *   num_over(x, d), num_ratio(x, y)  x/d, x/y as num_x, at most NUM_X_MOST in size
  *   num_fraction(x, y)           x/y as num_d, between -1 and 1
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_parts: see there
@@ -102,12 +102,6 @@ static inline num_d num_dot_d(struct num_dir a, struct num_dir d)
 }
 
 /* a x d, each component rounded once. */
-static inline struct num_point num_cross_x(struct num_point a, struct num_dir d)
-{
-    return (struct num_point){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),
-                              num_dot3(a.x, -a.y, 0, d.y, d.x, 0)};
-}
-
 static inline struct num_dir num_cross_d(struct num_dir a, struct num_dir d)
 {
     return (struct num_dir){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),

@@ -2,15 +2,12 @@
 #ifndef TIA_NUM_RAY_CHK_H
 #define TIA_NUM_RAY_CHK_H
 
-#define num_d_of_x(x) (NUM_AT, num_d_of_x(x))
 #define num_int(n) (NUM_AT, num_int(n))
 #define num_product(a, b) (NUM_AT, num_product(a, b))
 #define num_dot_x(a, d) (NUM_AT, num_dot_x(a, d))
 #define num_dot_d(a, d) (NUM_AT, num_dot_d(a, d))
-#define num_cross_x(a, d) (NUM_AT, num_cross_x(a, d))
 #define num_cross_d(a, d) (NUM_AT, num_cross_d(a, d))
 #define num_normalise(v, d) (NUM_AT, num_normalise(v, d))
-#define num_sqrt_x(x) (NUM_AT, num_sqrt_x(x))
 #define num_sqrt_d(d) (NUM_AT, num_sqrt_d(d))
 #define num_parts(a, p) (NUM_AT, num_parts(a, p))
 #define num_levels(c, n, t) (NUM_AT, num_levels(c, n, t))

@@ -35,12 +35,6 @@ static inline num_x num_x_of_d(num_d d)
     return tia_round_shift(d >> 1, 16);
 }
 
-static inline num_d num_d_of_x(num_x x)
-{
-    NUM_CHECK(x <= NUM_X_ONE * 2 && x >= -2 * NUM_X_ONE && x != 2 * NUM_X_ONE);
-    return x * ((num_d)1 << 17);
-}
-
 static inline num_x num_int(int32_t n)
 {
     NUM_CHECK(n < 1 << 18 && n > -(1 << 18));
@@ -142,12 +136,6 @@ static inline num_x num_length3(num_x x, num_x y, num_x z)
     return wide_sqrt(wide_dot(p, p));
 }
 
-static inline num_x num_sqrt_x(num_x x)
-{
-    NUM_CHECK(x >= 0);
-    return wide_sqrt(wide_product(x, NUM_X_ONE));
-}
-
 static inline num_d num_sqrt_d(num_d d)
 {
     NUM_CHECK(d >= 0);
@@ -244,7 +232,6 @@ static inline num_x num_slab(num_x x, num_x steep)
     return wide_high(wide_product(x, steep));
 }
 
-#define NUM_SLAB_ONE ((num_x)1 << 23)
 #define NUM_SLAB_ERROR ((num_x)2) /* what two of them may be off by */
 
 /* A distance as num_slab has it. */

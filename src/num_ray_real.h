@@ -33,11 +33,6 @@ static inline num_x num_x_of_d(num_d d)
     return d;
 }
 
-static inline num_d num_d_of_x(num_x x)
-{
-    return x;
-}
-
 static inline num_x num_int(int32_t n)
 {
     return (num_real)n;
@@ -103,11 +98,6 @@ static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
 static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
 {
     return r >= 0 && x * x + y * y + z * z <= r * r;
-}
-
-static inline num_x num_sqrt_x(num_x x)
-{
-    return num_root(x);
 }
 
 static inline num_d num_sqrt_d(num_d d)
@@ -198,7 +188,6 @@ static inline num_x num_slab(num_x x, num_x steep)
     return x * steep;
 }
 
-#define NUM_SLAB_ONE ((num_real)1)
 /* 2^-22; of float, whose coordinates are 2^-8 apart at the far end, 2^-4. */
 #define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 

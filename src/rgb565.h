@@ -7,14 +7,4 @@
 /* The rounding offsets of row y by x & 7: one half everywhere, or a row of the 8x8 Bayer matrix. */
 void rgb565_thresholds(bool dither, int y, num_u threshold[8]);
 
-static inline bool rgb565_is_black(const struct tia_rgb *c)
-{
-    return c->r == 0 && c->g == 0 && c->b == 0;
-}
-
-static inline bool rgb565_is_grey(const struct tia_rgb *c)
-{
-    return c->r == c->g && c->g == c->b;
-}
-
 #endif

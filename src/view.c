@@ -1,10 +1,9 @@
 #include "view.h"
 
+#include "align.h"
 #include "needs.h"
 #include "ray/ray_view.h"
 #include "span/span.h"
-
-#define ALIGN(size) (((size) + 7) / 8 * 8) /* of any width of integer */
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {

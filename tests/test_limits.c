@@ -6,21 +6,11 @@
 #include "check.h"
 #include "common/measure.h"
 #include "common/threads.h"
+#include "reports.h"
 
 #include "limit_cases.h"
 
 #include <tia/bvh.h>
-
-static char first_report[200];
-static unsigned reports;
-
-void tia_chk_report(const char *file, int line, const char *range);
-
-void tia_chk_report(const char *file, int line, const char *range)
-{
-    if (!reports++)
-        (void)snprintf(first_report, sizeof first_report, "%s:%d: %s", file, line, range);
-}
 
 static struct threads *pool;
 

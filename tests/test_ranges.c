@@ -2,19 +2,9 @@
  * pixels are q16's. Sums that overflow end the program: the compiler checks them. */
 #include "arch/frames.h"
 #include "check.h"
+#include "reports.h"
 
 #define SCENES 60
-
-static char first_report[200];
-static unsigned reports;
-
-void tia_chk_report(const char *file, int line, const char *range);
-
-void tia_chk_report(const char *file, int line, const char *range)
-{
-    if (!reports++)
-        (void)snprintf(first_report, sizeof first_report, "%s:%d: %s", file, line, range);
-}
 
 static void keep(void *ctx, const char *name, uint32_t crc)
 {

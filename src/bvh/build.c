@@ -3,10 +3,9 @@
  *     struct tia_bvh, the meshes' trees, then for each tree its items and nodes, the objects' last and with the
  *     planes between the two; at the memory's end, only while building, the boxes of one tree's items
  */
+#include "align.h"
 #include "bounds.h"
 #include "bvh/tree.h"
-
-#define ALIGN(size) (((size) + 7) & ~(uint64_t)7)
 
 /* Places are taken from the front, scratch is at the end. */
 struct room {

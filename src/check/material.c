@@ -1,9 +1,6 @@
 #include "check.h"
 
-static bool is_black(const struct tia_rgb *c)
-{
-    return !c->r && !c->g && !c->b;
-}
+#include "colour.h"
 
 int check_material(const struct check *check)
 {
@@ -16,9 +13,9 @@ int check_material(const struct check *check)
     REQUIRE(check_is_unit(&m->mirror), "mirror", CHECK_UNIT);
     REQUIRE(check_is_unit(&m->refraction), "refraction", CHECK_UNIT);
     REQUIRE(check_is_unit(&m->facing), "facing", CHECK_UNIT);
-    REQUIRE(is_black(&m->specular) || check_is_between(m->exponent, TIA_Q16_ONE, TIA_EXPONENT_MAX), "exponent",
+    REQUIRE(colour_is_black(&m->specular) || check_is_between(m->exponent, TIA_Q16_ONE, TIA_EXPONENT_MAX), "exponent",
             "must be in 1..10000");
-    REQUIRE(is_black(&m->refraction) || check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX), "index",
+    REQUIRE(colour_is_black(&m->refraction) || check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX), "index",
             "must be in 0.25..4");
     REQUIRE(m->texture <= check->scene->texture_count, "texture", "must be 0 or the number of a texture");
     return TIA_OK;

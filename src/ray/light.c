@@ -1,6 +1,7 @@
 #include "light.h"
 
 #include "math.h"
+#include "rgb.h"
 #include "turn.h"
 
 static num_d cosine(tia_q16 degrees)
@@ -46,9 +47,7 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
     l->kind = given->kind;
     l->samples = !area ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;
     l->part = num_fraction(NUM_X_ONE, num_int((int32_t)(32 * l->samples)));
-    l->emission[0] = num_x_of_d(num_d_of(given->emission.r));
-    l->emission[1] = num_x_of_d(num_d_of(given->emission.g));
-    l->emission[2] = num_x_of_d(num_d_of(given->emission.b));
+    ray_rgb(&given->emission, l->emission);
     l->centre = num_point_of(given->centre);
     l->radius = num_x_of(given->radius);
     l->constant = num_x_of(given->constant);

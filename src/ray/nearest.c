@@ -73,23 +73,13 @@ static void clear(struct hit *hit)
 
 void ray_nearest(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
-    const struct tia_scene *scene = view->scene;
-    const struct tia_bvh *bvh = scene->bvh;
-    const struct tia_bvh_node *leaf;
-    struct walk walk;
+    struct candidates candidates;
+    uint32_t object;
 
     clear(hit);
-    if (!bvh) {
-        for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
-            try_object(view, ray, i, hit);
-        return;
-    }
-    for (uint32_t i = 0; i < bvh->plane_count; i++)
-        try_object(view, ray, bvh->planes[i], hit);
-    walk_start(&walk, &bvh->objects, ray);
-    while ((leaf = walk_leaf(&walk, hit->t)))
-        for (uint32_t i = 0; i < leaf->count; i++)
-            try_object(view, ray, bvh->objects.items[leaf->index + i], hit);
+    candidates_start(&candidates, view->scene, ray);
+    while ((object = candidates_next(&candidates, hit->t)) != TIA_NO_OBJECT)
+        try_object(view, ray, object, hit);
 }
 
 void ray_meet(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit)

@@ -3,6 +3,7 @@
  * An object that lets nothing through ends the search. The others multiply what is left, and since products
  * are rounded, always in the order of their indices, in whatever order they are found: the lowest few are
  * kept, and where there are more, the search is made again for those above. */
+#include "colour.h"
 #include "scene.h"
 #include "walk.h"
 
@@ -35,11 +36,6 @@ static void keep(struct veils *veils, uint32_t object, uint32_t material)
     veils->count += veils->count < KEPT;
 }
 
-static bool is_opaque(const struct tia_material *m)
-{
-    return !m->transmission.r && !m->transmission.g && !m->transmission.b;
-}
-
 static bool is_grid(const struct ray_view *view, uint32_t object)
 {
     uint32_t spheres = view->scene->sphere_count;
@@ -58,7 +54,7 @@ static bool passes_object(const struct ray_view *view, const struct ray *ray, ui
     if (object < veils->from || !ray_occluded(view, ray, object, limit, grid ? &element : NULL))
         return true;
     uint32_t material = ray_material(view, object, element);
-    if (is_opaque(&materials[material])) {
+    if (colour_is_black(&materials[material].transmission)) {
         veils->blocker = object;
         return false;
     }
@@ -68,24 +64,14 @@ static bool passes_object(const struct ray_view *view, const struct ray *ray, ui
 
 static bool passes_all(const struct ray_view *view, const struct ray *ray, num_x limit, struct veils *veils)
 {
-    const struct tia_scene *scene = view->scene;
-    const struct tia_bvh *bvh = scene->bvh;
-    const struct tia_bvh_node *leaf;
-    struct walk walk;
-    bool passes = true;
+    struct candidates candidates;
+    uint32_t object;
 
-    if (!bvh) {
-        for (uint32_t i = 0; passes && i < scene->sphere_count + scene->shape_count; i++)
-            passes = passes_object(view, ray, i, limit, veils);
-        return passes;
-    }
-    for (uint32_t i = 0; passes && i < bvh->plane_count; i++)
-        passes = passes_object(view, ray, bvh->planes[i], limit, veils);
-    walk_start(&walk, &bvh->objects, ray);
-    while (passes && (leaf = walk_leaf(&walk, limit)))
-        for (uint32_t i = 0; passes && i < leaf->count; i++)
-            passes = passes_object(view, ray, bvh->objects.items[leaf->index + i], limit, veils);
-    return passes;
+    candidates_start(&candidates, view->scene, ray);
+    while ((object = candidates_next(&candidates, limit)) != TIA_NO_OBJECT)
+        if (!passes_object(view, ray, object, limit, veils))
+            return false;
+    return true;
 }
 
 static void multiply(const struct ray_view *view, const struct veils *veils, num_x through[3])

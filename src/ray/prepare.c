@@ -1,9 +1,8 @@
 /* prepare.c - a scene for general rays: the camera, the lights, shapes and their placements. */
+#include "align.h"
 #include "bounds.h"
 #include "ray_view.h"
 #include "scene.h"
-
-#define ALIGN(size) (((size) + 7) / 8 * 8) /* of any width of integer */
 
 size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
 {

@@ -4,6 +4,7 @@
 
 #include "camera.h"
 #include "light.h"
+#include "rgb.h"
 #include "shape/placement.h"
 
 struct ray_view {
@@ -44,18 +45,5 @@ bool ray_occluded(const struct ray_view *view, const struct ray *ray, uint32_t o
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
 void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_x uv[2]);
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
-
-/* A colour's channel as a number of rays. */
-static inline num_x ray_colour(tia_q30 c)
-{
-    return num_x_of_d(num_d_of(c));
-}
-
-static inline void ray_rgb(const struct tia_rgb *c, num_x rgb[3])
-{
-    rgb[0] = ray_colour(c->r);
-    rgb[1] = ray_colour(c->g);
-    rgb[2] = ray_colour(c->b);
-}
 
 #endif

@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include "colour.h"
 #include "texture.h"
 
 void path_note(struct path *path, uint32_t word)
@@ -8,18 +9,13 @@ void path_note(struct path *path, uint32_t word)
         path->hash = (path->hash ^ (word >> (8 * i) & 0xff)) * UINT32_C(16777619);
 }
 
-static bool is_black(const struct tia_rgb *c)
-{
-    return !c->r && !c->g && !c->b;
-}
-
 static void colour_of(struct path *path, const struct hit *hit, struct shading *s)
 {
     const struct tia_material *m = s->material;
     num_x uv[2], texel[3];
 
     ray_rgb(&m->colour, s->colour);
-    if (!m->texture || is_black(&m->colour))
+    if (!m->texture || colour_is_black(&m->colour))
         return;
     const struct tia_texture *texture = &path->view->scene->textures[m->texture - 1];
     ray_uv(path->view, hit, s->point, uv);
@@ -43,15 +39,10 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     ray_surface(view, hit, s->point, &surface);
     s->back = num_dot_d(surface.normal, s->viewer) < 0;
     s->geometric = s->back ? num_dir_turned(surface.normal) : surface.normal;
+    s->outside = num_point_at(s->point, s->geometric, NUM_X_BIAS);
     s->normal = s->back ? num_dir_turned(surface.smooth) : surface.smooth;
     s->facing = num_dot_d(s->normal, s->viewer);
     colour_of(path, hit, s);
-}
-
-/* P + 2^-13 G, or on the other side of the surface. */
-static struct num_point beside(const struct shading *s, bool behind)
-{
-    return num_point_at(s->point, s->geometric, behind ? -NUM_X_BIAS : NUM_X_BIAS);
 }
 
 /* max(0, R.L)^exponent with R = 2 (N.V) N - V. */
@@ -72,7 +63,7 @@ static void reflectance(const struct shading *s, struct num_dir to, num_d lamber
 
     for (int c = 0; c < 3; c++)
         rgb[c] = num_times(s->colour[c], lambert);
-    if (is_black(specular))
+    if (colour_is_black(specular))
         return;
     ray_rgb(specular, glossy);
     shine = highlight(s, to, lambert);
@@ -93,7 +84,7 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     num_d lambert = num_dot_d(s->normal, sample.to);
     if (lambert <= 0 || num_dot_d(s->geometric, sample.to) <= 0)
         return false;
-    struct ray shadow = {beside(s, false), sample.to};
+    struct ray shadow = {s->outside, sample.to};
     if (!ray_passes(path->view, &shadow, sample.distance, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
@@ -174,9 +165,9 @@ void shade_bounce(const struct shading *s, struct bounces *b)
 
     ray_rgb(&m->mirror, b->reflects);
     ray_rgb(&m->refraction, b->refracts);
-    if (!is_black(&m->refraction)) {
+    if (!colour_is_black(&m->refraction)) {
         num_d fresnel = refract(s, &b->refracted.direction);
-        b->refracted.origin = beside(s, true);
+        b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_X_BIAS);
         if (!m->fresnel && fresnel < NUM_D_ONE)
             fresnel = 0;
         for (int c = 0; c < 3; c++) {
@@ -187,7 +178,7 @@ void shade_bounce(const struct shading *s, struct bounces *b)
     }
     if (is_zero(b->reflects))
         return;
-    b->reflected.origin = beside(s, false);
+    b->reflected.origin = s->outside;
     struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
     b->reflected.direction = num_dir_unit(num_dir_add(num_dir_scaled(s->normal, s->facing), half)); /* R/2 */
 }

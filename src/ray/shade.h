@@ -7,6 +7,7 @@
 struct shading {
     const struct tia_material *material;
     struct num_point point;
+    struct num_point outside;         /* P + 2^-13 G: where reflected and shadow rays start */
     struct num_dir geometric, normal; /* G and N, turned to the viewer */
     struct num_dir viewer;            /* V */
     num_d facing;                     /* N.V */

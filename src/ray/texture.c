@@ -1,13 +1,12 @@
 #include "texture.h"
 
+#include "rgb.h"
+
 static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_x rgb[3])
 {
     uint32_t colour = (uint32_t)(cell[0] ^ cell[1]) & 1;
-    const struct tia_rgb *c = &t->cells[colour];
 
-    rgb[0] = num_x_of_d(num_d_of(c->r));
-    rgb[1] = num_x_of_d(num_d_of(c->g));
-    rgb[2] = num_x_of_d(num_d_of(c->b));
+    ray_rgb(&t->cells[colour], rgb);
     return colour;
 }
 

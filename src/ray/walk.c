@@ -60,3 +60,40 @@ const struct tia_bvh_node *walk_leaf(struct walk *w, num_x limit)
     }
     return NULL;
 }
+
+void candidates_start(struct candidates *c, const struct tia_scene *scene, const struct ray *ray)
+{
+    const struct tia_bvh *bvh = scene->bvh;
+
+    c->scene = scene;
+    c->ray = ray;
+    c->items = bvh ? bvh->planes : NULL;
+    c->next = 0;
+    c->end = bvh ? bvh->plane_count : scene->sphere_count + scene->shape_count;
+    c->walking = false;
+}
+
+/* The next leaf's objects; false: there is none. */
+static bool take_leaf(struct candidates *c, num_x limit)
+{
+    const struct tia_bvh_tree *tree = &c->scene->bvh->objects;
+
+    if (!c->walking)
+        walk_start(&c->walk, tree, c->ray);
+    c->walking = true;
+    const struct tia_bvh_node *leaf = walk_leaf(&c->walk, limit);
+    if (!leaf)
+        return false;
+    c->items = tree->items;
+    c->next = leaf->index;
+    c->end = leaf->index + leaf->count;
+    return true;
+}
+
+uint32_t candidates_next(struct candidates *c, num_x limit)
+{
+    if (c->next == c->end && (!c->scene->bvh || !take_leaf(c, limit)))
+        return TIA_NO_OBJECT;
+    uint32_t place = c->next++;
+    return c->items ? c->items[place] : place;
+}

@@ -22,4 +22,19 @@ void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct
 /* The next leaf that the ray enters at 0 <= t <= limit, or NULL. */
 const struct tia_bvh_node *walk_leaf(struct walk *walk, num_x limit);
 
+/* The objects of a scene that a ray may meet: what has no bounds, then leaf by leaf; without a hierarchy all. */
+struct candidates {
+    const struct tia_scene *scene;
+    const struct ray *ray;
+    const uint32_t *items; /* NULL: the indices themselves */
+    uint32_t next, end;
+    bool walking;
+    struct walk walk;
+};
+
+void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
+
+/* The next one, by the hierarchy of those at 0 <= t <= limit, or TIA_NO_OBJECT. */
+uint32_t candidates_next(struct candidates *candidates, num_x limit);
+
 #endif

@@ -1,6 +1,6 @@
 #include "shade.h"
 
-#include "rgb565.h"
+#include "colour.h"
 #include "shadow.h"
 
 /* A run on its way to colours. */
@@ -60,10 +60,10 @@ static void cast_shadows(const struct shading *s, const struct light_source *sou
             !shadow_line_prepare(&s->view->span.lattice, source, &s->view->span.bodies[j], run->x, run->y, &line))
             continue;
         line.count = run->count;
-        for (int i = 0; !rgb565_is_black(through) && i < run->count; i++)
+        for (int i = 0; !colour_is_black(through) && i < run->count; i++)
             before[i] = lit->facing[i];
         kernel_shadow(&line, run->t, lit);
-        if (!rgb565_is_black(through))
+        if (!colour_is_black(through))
             tint_light(through, j, before, lit, run->count, tint);
     }
 }
@@ -124,7 +124,7 @@ void shade_run(const struct tia_view *view, const struct shade_run *run, const n
     s.run = run;
     s.view = view;
     s.material = &scene->materials[scene->spheres[run->object].material];
-    s.grey = view->span.grey && rgb565_is_grey(&s.material->colour) && rgb565_is_grey(&s.material->emission);
+    s.grey = view->span.grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     for (int i = 0; i < run->count; i++) {
         s.sum[0][i] = num_colour(s.material->emission.r);
         s.sum[1][i] = num_colour(s.material->emission.g);

@@ -1,6 +1,6 @@
 #include "span.h"
 
-#include "rgb565.h"
+#include "colour.h"
 
 size_t span_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
@@ -27,8 +27,8 @@ void span_prepare(struct tia_view *view, void *memory)
         const struct tia_sphere *s = &scene->spheres[i];
         const struct tia_rgb *through = &scene->materials[s->material].transmission;
         prepare_body(view, i, s->centre, s->radius);
-        view->span.tinted = view->span.tinted || !rgb565_is_black(through);
-        view->span.grey_shadows = view->span.grey_shadows && rgb565_is_grey(through);
+        view->span.tinted = view->span.tinted || !colour_is_black(through);
+        view->span.grey_shadows = view->span.grey_shadows && colour_is_grey(through);
     }
 }
 
@@ -37,7 +37,7 @@ void span_set_lights(struct tia_view *view)
     view->span.grey = view->span.grey_shadows;
     for (uint32_t i = 0; i < view->light_count; i++) {
         const struct tia_light *light = &view->lights[i];
-        view->span.grey = view->span.grey && rgb565_is_grey(&light->emission);
+        view->span.grey = view->span.grey && colour_is_grey(&light->emission);
         prepare_body(view, view->scene->sphere_count + i, light->centre, light->radius);
     }
 }

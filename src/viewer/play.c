@@ -2,9 +2,10 @@
 #include <tia/bvh.h>
 #include <tia/motion.h>
 
+#include "align.h"
 #include "viewer/loop.h"
 
-#define SCENE_SIZE ((sizeof(struct tia_scene) + 7) & ~(size_t)7)
+#define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 
 /* The product stays below 2^15 2^20 2^16. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])

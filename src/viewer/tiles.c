@@ -1,9 +1,8 @@
 /* tiles.c - memory and a view for the display's mode, and a frame's tiles. */
 #include <tia/bvh.h>
 
+#include "align.h"
 #include "viewer/loop.h"
-
-#define ALIGN(size) (((size) + 7) & ~(size_t)7)
 
 static void lay_tiles(struct loop *loop, unsigned height)
 {
