@@ -22,7 +22,7 @@ VERSION := $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
 COMMON  := -std=c11 $(WARN) -Iinclude -MMD -MP
 CORE    := $(COMMON) -ffreestanding -iquote src
-HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -pthread
+HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -Itools -Ibench -pthread
 
 # ---- what Debian 12 has for it all; `make deps` installs what is missing, with sudo when not root ----
 DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-format libclang-rt-14-dev \
@@ -83,19 +83,19 @@ HOSTED += -DTIA_HAVE_F64
 endif
 
 # ---- sources: one object per file and arithmetic ----
-CORE_DIRS := src src/span src/ray src/shape src/read src/bvh src/check src/viewer
-CORE_SRC  := $(sort $(filter-out src/no_%,$(wildcard $(CORE_DIRS:%=%/*.c))))
-# Boards without the room for more than spheres.
-LARGE_SRC := $(filter src/ray/% src/shape/% src/read/% src/bvh/%,$(CORE_SRC)) $(addprefix src/,bounds.c motion.c turn.c) \
-             $(addprefix src/check/,shape.c mesh.c track.c)
-SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/no_rays.c src/no_shapes.c
-PLAIN_SRC := $(addprefix src/,crc.c math.c angle.c thesis.c viewer.c keys.c needs.c turn.c bounds.c motion.c no_shapes.c) \
-             $(wildcard src/read/*.c src/check/*.c src/bvh/*.c src/viewer/*.c)
-NUM_SRC   := $(filter-out $(PLAIN_SRC),$(CORE_SRC))
-PORT_DIRS := common memory none fbdev evdev terminal image scene $(if $(filter yes,$(DRM)),drm) \
+# All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
+c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
+CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c,$(call c_below,src))
+NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
+# Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
+LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,read scene/bvh render/geometry render/trace render/whitted)),$(CORE_SRC)) \
+             $(addprefix src/,math/rotation.c scene/bounds.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c track.c)
+SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c
+PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
-PORT_DIRS += ps2 spi-panel
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
+# What commands share, and the scenes and measures that commands, tests and benchmarks share.
+COMMON_SRC := $(call c_below,tools/common bench/corpus)
 ORACLE_SRC := $(sort $(wildcard tests/oracle/*.c))
 TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_*.c)))
 
@@ -103,9 +103,11 @@ obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
+LIBCOMMON := $(BUILD)/libcommon.a
+PROGRAMS := tia tia-compare tia-join tia-compile tia-pov
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(BUILD)/tia $(BUILD)/tia-compare $(BUILD)/tia-join $(BUILD)/tia-compile $(BUILD)/tia-pov
+all: $(LIBTIA) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
 
 $(BUILD)/q16/%.o: %.c
@@ -137,27 +139,25 @@ $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
+$(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 %.a:
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# A program of tools/ is NAME.c and, where it has more files, those of tools/NAME/.
+# A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,tools/$(1).c $(sort $(wildcard tools/$(1)/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $$(filter %.a,$$^) $$(LIBS)
 endef
-$(foreach p,$(patsubst tools/%.c,%,$(wildcard tools/*.c)),$(eval $(call program,$(p))))
-$(BUILD)/tia-compile $(BUILD)/tia-pov: $(call obj,host,tools/convert/convert.c)
-
-$(BUILD)/tia-join: $(BUILD)/host/tools/tia/signals.o
+$(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 # Scenes as const tables: for a test, and for boards without files.
@@ -200,7 +200,7 @@ run: all
 
 QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
 SLOW  := $(sort $(wildcard tests/slow/*))
-TOOLS := $(patsubst tools/%.c,$(BUILD)/%,$(wildcard tools/*.c))
+TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
@@ -216,7 +216,7 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@tests/run tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 bench: $(BUILD)/bench
 	@$(BUILD)/bench
@@ -224,8 +224,7 @@ bench: $(BUILD)/bench
 size: $(LIBTIA)
 	@$(CROSS)size -t $(LIBTIA)
 
-LINTED := $(sort $(wildcard include/tia/*.h src/*.[ch] src/*/*.[ch] port/*.[ch] port/*/*.[ch] tools/*.c tools/*/*.[ch] \
-            bench/*.[ch] tests/*.[ch] tests/*/*.[ch]))
+LINTED := $(sort $(foreach d,include src port tools bench tests,$(wildcard $(d)/*.[ch] $(d)/*/*.[ch] $(d)/*/*/*.[ch] $(d)/*/*/*/*.[ch])))
 lint:
 	@if command -v clang-format >/dev/null; then clang-format --dry-run -Werror $(LINTED); \
 	else echo "lint: no clang-format (make deps installs it)"; fi
@@ -264,7 +263,7 @@ SMALL_BOARDS := mps2-an385 microbit rv32
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
-microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"arm/mul64.h"'
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
 rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
 BARE := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BARE_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
@@ -302,7 +301,7 @@ define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	@mkdir -p $$(@D)
 	$$($(1)_CC) $$(BARE) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4) -c -o $$@ $$<
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter-out $(PLAIN_SRC),$(SMALL_SRC)))))
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(SMALL_SRC)))))
 endef
 # The viewer of a compiled scene, $(2).
 define shown

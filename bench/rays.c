@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "scene/scene.h"
+#include "common/scene/scene.h"
 
 #define WIDTH 640
 #define HEIGHT 480

@@ -1,7 +1,7 @@
-/* mesh_cases.h - src/shape/mesh.c, in whatever arithmetic they are compiled for: nothing passes
+/* mesh_cases.h - src/render/geometry/mesh.c, in whatever arithmetic they are compiled for: nothing passes
  * between two faces, and the nearest face is that of all faces. */
 #include "mesh_made.h"
-#include "shape/triangle.h"
+#include "render/geometry/triangle.h"
 
 static struct shape shape_of(const struct made *m)
 {

@@ -1,7 +1,7 @@
-/* placement_cases.h - src/shape/placement.c and sphere.c against matrices and quadratics in long double, in whatever
- * arithmetic they are compiled for. */
+/* placement_cases.h - src/render/geometry/instance.c and sphere.c against matrices and quadratics in long double, in
+ * whatever arithmetic they are compiled for. */
 #include "ray_cases.h"
-#include "shape/placement.h"
+#include "render/geometry/instance.h"
 
 /* What a coordinate in the world may be off by, when the largest of them has that size; and a direction. */
 #ifdef TIA_NUM_F64

@@ -1,4 +1,5 @@
-/* sphere_cases.h - src/shape/sphere.c against its equation in long double, in whatever arithmetic it is compiled for.
+/* sphere_cases.h - src/render/geometry/sphere.c against its equation in long double, in whatever arithmetic it is
+ * compiled for.
  */
 #include "ray_cases.h"
 

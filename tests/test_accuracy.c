@@ -7,8 +7,8 @@
  */
 #include "against.h"
 #include "check.h"
-#include "common/corpus.h"
 #include "common/threads.h"
+#include "corpus/corpus.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* tia_bvh_build: what every hierarchy must keep, hostile scenes, and its memory. */
-#include "bvh/split.h"
 #include "hierarchy.h"
+#include "scene/bvh/split.h"
 
 static bool is_nothing(const struct tia_bounds *b)
 {

@@ -4,7 +4,7 @@
 #include <tia/tia.h>
 
 #include "check.h"
-#include "scene/scene.h"
+#include "common/scene/scene.h"
 
 enum { WIDTH = 72, HEIGHT = 54 };
 

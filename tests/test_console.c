@@ -1,7 +1,7 @@
 /* The console where there is no VT to take: its listeners, and where signals are let in. What it
  * does to a real VT is tested in guests (tests/vm). */
 #include "check.h"
-#include "common/console.h"
+#include "console/console.h"
 
 #include <grp.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 /* Decimals to fixed point, against fractions of whole numbers: those of the table are Python's. */
 #include "check.h"
-#include "read/text.h"
+#include "read/text/text.h"
 
 static struct tia_word word_of(const char *string)
 {

@@ -1,6 +1,6 @@
 /* Quantising: plain and with Bayer's matrix, which is built here by its recursion. */
 #include "check.h"
-#include "rgb565.h"
+#include "render/dither.h"
 
 static unsigned matrix[8][8]; /* row, column */
 
@@ -39,8 +39,8 @@ TEST(thresholds)
 {
     for (int y = 0; y < 20; y++) {
         num_u dithered[8], plain[8];
-        rgb565_thresholds(true, y, dithered);
-        rgb565_thresholds(false, y, plain);
+        dither_thresholds(true, y, dithered);
+        dither_thresholds(false, y, plain);
         for (int x = 0; x < 8; x++) {
             CHECK_EQ(dithered[x], (2 * (int64_t)matrix[y % 8][x] + 1) * TIA_Q30_ONE / 128);
             CHECK_EQ(plain[x], TIA_Q30_ONE / 2);

@@ -1,7 +1,7 @@
 /* Every RGB565 value into every format, against the rule written another way: a number of w bits
  * written k times is the number times (2^(wk) - 1) / (2^w - 1). */
 #include "check.h"
-#include "common/expand.h"
+#include "pixels/expand.h"
 
 /* The upper `length` bits of `value` (w bits) repeated for ever. */
 static uint32_t rule(uint32_t value, unsigned w, unsigned length)

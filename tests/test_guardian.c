@@ -1,6 +1,6 @@
 /* The guardian puts a pseudo-terminal back after each kind of death, and only then. */
 #include "check.h"
-#include "common/guardian.h"
+#include "console/guardian.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 /* Picture files: their bytes, and that a file is there whole or not at all. */
-#include "image/image.h"
+#include "common/image/image.h"
 
 #include <dirent.h>
 #include <errno.h>

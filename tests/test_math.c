@@ -1,8 +1,8 @@
-/* The integer kernels of src/math.h and src/angle.h, thinned; exhaustive.c has the full sweeps. */
+/* The integer kernels of src/math/integer.h and src/math/trig.h, thinned; exhaustive.c has the full sweeps. */
 #include "check.h"
 #include "sweeps.h"
 
-#include "angle.h"
+#include "math/trig.h"
 
 /* Coprime to every power of two, so that thinned sweeps meet all residues. */
 #define THIN 4099

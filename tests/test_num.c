@@ -1,7 +1,7 @@
 /* The operations of q16's number layer, each against what its header states: exact ones at their
  * boundaries, rounded ones by the size, the sign and the mean of their errors. */
 #include "check.h"
-#include "num.h"
+#include "num/num.h"
 
 #include <math.h>
 

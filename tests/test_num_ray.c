@@ -1,6 +1,6 @@
 /* The numbers of general rays in integers, each operation against what num_ray.h states. */
 #include "check.h"
-#include "num_ray.h"
+#include "num/num_ray.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "read/names.h"
+#include "read/text/names.h"
 
 static struct tia_read_error error;
 

@@ -1,6 +1,6 @@
 /* slice_run against brute force: the cone's inequality at every pixel, in 128 bits. */
 #include "check.h"
-#include "span/slice.h"
+#include "render/span/cone_row.h"
 
 #ifdef __SIZEOF_INT128__
 

@@ -2,10 +2,10 @@
  * and its statistics.
  * The command is a program: its files are in no library, and are included here. */
 
-#include "../tools/tia/crc.c"
-#include "../tools/tia/stage.c"
-#include "../tools/tia/stats.c"
-#include "../tools/tia/turn.c"
+#include "tia/crc.c"
+#include "tia/letterbox.c"
+#include "tia/rotate.c"
+#include "tia/stats.c"
 
 #include "check.h"
 #include "memory/memory.h"

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "image/decode.h"
-#include "image/image.h"
+#include "common/image/decode.h"
+#include "common/image/image.h"
 #include "ports.h"
 
 static struct image_texels texels;

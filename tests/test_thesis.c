@@ -2,8 +2,8 @@
  * oracle's. */
 #include "against.h"
 #include "check.h"
-#include "common/corpus.h"
 #include "common/threads.h"
+#include "corpus/corpus.h"
 
 static struct threads *pool;
 static unsigned width = 640, height = 480; /* or the two arguments */

@@ -1,5 +1,5 @@
 /* Sine, cosine and rotations against long double. */
-#include "turn.h"
+#include "math/rotation.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
-/* triangle_cases.h - src/shape/triangle.c against long doubles, in whatever arithmetic it is compiled for. */
+/* triangle_cases.h - src/render/geometry/triangle.c against long doubles, in whatever arithmetic it is compiled for. */
+#include "math/wide.h"
 #include "ray_cases.h"
-#include "shape/triangle.h"
-#include "wide.h"
+#include "render/geometry/triangle.h"
 
 /* What a coordinate may be off by, when the largest of them has that size. */
 #ifdef TIA_NUM_F64

@@ -1,6 +1,6 @@
-/* walk_cases.h - src/ray/walk.c against boxes in long double, in whatever arithmetic it is compiled for. */
+/* walk_cases.h - src/render/geometry/walk.c against boxes in long double, in whatever arithmetic it is compiled for. */
 #include "mesh_made.h"
-#include "ray/walk.h"
+#include "render/geometry/walk.h"
 
 /* By how far the ray misses a box before the limit, below 0: it enters. */
 static long double misses_by(const struct tia_bounds *b, const struct ray *ray, long double limit)

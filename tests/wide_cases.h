@@ -1,8 +1,8 @@
-/* wide_cases.h - src/wide.h against exact definitions, in whatever way it makes its products. */
+/* wide_cases.h - src/math/wide.h against exact definitions, in whatever way it makes its products. */
 #include <math.h>
 
 #include "check.h"
-#include "wide.h"
+#include "math/wide.h"
 
 __extension__ typedef __int128 exact;
 

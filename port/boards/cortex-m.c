@@ -1,5 +1,5 @@
 /* cortex-m.c - the vector table of an ARMv6-M or ARMv7-M processor. */
-#include "boards/board.h"
+#include "board.h"
 
 extern uint32_t board_stack_end[];
 

@@ -1,6 +1,6 @@
 /* counter.c - a clock of 64 bits from a counter of 32. The counter wraps after 179 s: time that
  * passes unread beyond that is lost, but the clock never goes back. */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 
 #define TICKS_PER_US 24
 

@@ -2,7 +2,7 @@
 #ifndef PORT_PANEL_BOARD_H
 #define PORT_PANEL_BOARD_H
 
-#include "boards/board.h"
+#include "board.h"
 
 #define PANEL_WIDTH 640
 #define PANEL_HEIGHT 480

@@ -1,5 +1,5 @@
 /* pl011.c - the serial line, 115200 8N1, and what else board.h promises on a board with a panel. */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 
 enum {
     UARTDR = 0x00,

@@ -1,6 +1,6 @@
 /* pl050.c - a PS/2 keyboard behind a PL050. Registers: Arm DDI 0143. Nothing is lost while
  * nobody polls, up to the keyboard's own 16 bytes. */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 #include "ps2/ps2.h"
 
 enum {

@@ -1,6 +1,6 @@
 /* pl11x.c - the PL110 and PL111 panel controllers. Registers: Arm DDI 0161 and DDI 0293; the
  * Versatile's PL110 has LCDControl where the PL111 has it. */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 
 enum {
     LCD_TIMING0 = 0x00,

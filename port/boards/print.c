@@ -1,5 +1,5 @@
 /* print.c - numbers as text. */
-#include "boards/board.h"
+#include "board.h"
 
 void board_print_number(uint32_t value)
 {

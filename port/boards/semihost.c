@@ -1,6 +1,6 @@
 /* semihost.c - text and exit status through the debugger: Arm's semihosting, which RISC-V shares.
  * A debug probe or an emulator must be attached: without one, the trap is a fault. */
-#include "boards/board.h"
+#include "board.h"
 
 enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
 #define APPLICATION_EXIT 0x20026u /* ADP_Stopped_ApplicationExit */

@@ -1,5 +1,5 @@
 /* start.c - from the stack pointer, which the processor's own start-up code sets, to main. */
-#include "boards/board.h"
+#include "board.h"
 
 /* Made by sections.ld. */
 extern uint32_t board_data_load[], board_data[], board_data_end[], board_bss_end[], board_stack_end[];

@@ -1,5 +1,5 @@
 /* versatilepb.c - Arm Versatile/PB: ARM926EJ-S, PL110. Addresses and bits: Arm DUI 0225. */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 
 enum {
     SYSTEM = 0x10000000,

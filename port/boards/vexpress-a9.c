@@ -1,6 +1,6 @@
 /* vexpress-a9.c - Arm Versatile Express with the Cortex-A9 tile: PL111. Addresses and bits: Arm
  * DUI 0447 (motherboard) and DUI 0448 (tile). */
-#include "boards/panel_board.h"
+#include "panel_board.h"
 
 enum { SYSTEM = 0x10000000, SYS_24MHZ = 0x5c, SYS_CFGCTRL = 0xa4 };
 

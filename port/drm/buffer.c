@@ -5,7 +5,7 @@
 #include <sys/mman.h>
 #include <xf86drm.h>
 
-#include "drm/card.h"
+#include "card.h"
 
 /* In the order in which they are tried. The four letters mean little-endian pixels. */
 static const struct {

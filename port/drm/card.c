@@ -1,4 +1,4 @@
-#include "drm/card.h"
+#include "card.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include "common/node.h"
+#include "console/node.h"
 
 int card_failed(const struct card *card, const char *what, char why[PORT_WHY])
 {

@@ -2,8 +2,8 @@
 #ifndef PORT_DRM_CARD_H
 #define PORT_DRM_CARD_H
 
-#include "common/expand.h"
-#include "drm/pick.h"
+#include "pick.h"
+#include "pixels/expand.h"
 
 #define CARD "/dev/dri/card"
 #define CARDS 64 /* of the kernel: minors 0..63 */

@@ -1,14 +1,14 @@
-#include "drm/drm.h"
+#include "drm.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <xf86drm.h>
 
-#include "common/canvas.h"
-#include "common/console.h"
-#include "common/node.h"
-#include "drm/scanout.h"
+#include "console/console.h"
+#include "console/node.h"
+#include "pixels/canvas.h"
+#include "scanout.h"
 
 struct drm {
     struct port_wish wish;

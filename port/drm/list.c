@@ -3,10 +3,10 @@
 #include <string.h>
 #include <xf86drm.h>
 
-#include "common/console.h"
-#include "common/node.h"
-#include "drm/card.h"
-#include "drm/drm.h"
+#include "card.h"
+#include "console/console.h"
+#include "console/node.h"
+#include "drm.h"
 
 #define LINE 100
 

@@ -1,4 +1,4 @@
-#include "drm/pick.h"
+#include "pick.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "drm/scanout.h"
+#include "scanout.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 #include <xf86drm.h>
 
-#include "common/node.h"
+#include "console/node.h"
 
 /* No flip takes longer on a screen that works: the slowest modes have 24 pictures a second. */
 #define FLIP_MS 1000

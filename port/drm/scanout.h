@@ -2,7 +2,7 @@
 #ifndef PORT_DRM_SCANOUT_H
 #define PORT_DRM_SCANOUT_H
 
-#include "drm/card.h"
+#include "card.h"
 
 #define SCANOUT_CONNECTORS 8 /* that a CRTC lights at once */
 

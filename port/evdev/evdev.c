@@ -1,5 +1,5 @@
 /* evdev.c - the keyboards of /dev/input as one input. */
-#include "evdev/evdev.h"
+#include "evdev.h"
 
 #include <dirent.h>
 #include <poll.h>
@@ -10,8 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/console.h"
-#include "evdev/keyboard.h"
+#include "console/console.h"
+#include "keyboard.h"
 
 #define DIRECTORY "/dev/input"
 #define KEYBOARDS 32

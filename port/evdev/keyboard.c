@@ -1,5 +1,5 @@
 /* keyboard.c - an event device of the kernel. */
-#include "evdev/keyboard.h"
+#include "keyboard.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/node.h"
+#include "console/node.h"
 
 static bool get_pressed(const struct keyboard *keyboard, struct key_set *down)
 {

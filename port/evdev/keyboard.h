@@ -9,7 +9,7 @@
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
 
-#include "evdev/keys.h"
+#include "keys.h"
 #include "ports.h"
 
 #define KEYBOARD_EVENTS 64

@@ -1,5 +1,5 @@
 /* keys.c - key codes by position, and what a keyboard's events mean. */
-#include "evdev/keys.h"
+#include "keys.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "fbdev/fbdev.h"
+#include "fbdev.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -6,10 +6,10 @@
 #include <string.h>
 #include <sys/ioctl.h>
 
-#include "common/canvas.h"
-#include "common/console.h"
-#include "common/node.h"
-#include "fbdev/screen.h"
+#include "console/console.h"
+#include "console/node.h"
+#include "pixels/canvas.h"
+#include "screen.h"
 
 #define DEVICE "/dev/fb"
 #define DEVICES 32 /* FB_MAX of the kernel */

@@ -1,7 +1,7 @@
 /* format.c - what a framebuffer device says of its pixels: Documentation/fb/api.rst of the kernel. */
 #include <stdio.h>
 
-#include "fbdev/screen.h"
+#include "screen.h"
 
 static struct pixel_channel channel(const struct fb_bitfield *f)
 {

@@ -1,4 +1,4 @@
-#include "fbdev/screen.h"
+#include "screen.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,8 +10,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "common/guardian.h"
-#include "common/node.h"
+#include "console/guardian.h"
+#include "console/node.h"
 
 static int failed(const struct fb_screen *s, const char *what, char why[PORT_WHY])
 {

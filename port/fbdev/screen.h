@@ -4,7 +4,7 @@
 
 #include <linux/fb.h>
 
-#include "common/expand.h"
+#include "pixels/expand.h"
 #include "ports.h"
 
 struct fb_screen {

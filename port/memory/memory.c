@@ -1,7 +1,7 @@
 /* memory.c - the reference display. */
-#include "memory/memory.h"
+#include "memory.h"
 
-#include "common/canvas.h"
+#include "pixels/canvas.h"
 
 static int record(struct port_memory *memory, enum memory_call_kind kind, struct tia_tile tile, int result)
 {

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "common/canvas.h"
-#include "none/none.h"
+#include "none.h"
+#include "pixels/canvas.h"
 
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "common/console.h"
-#include "none/none.h"
+#include "console/console.h"
+#include "none.h"
 
 static int none_open(void *ctx)
 {

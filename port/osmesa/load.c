@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "osmesa/gl.h"
+#include "gl.h"
 #include "ports.h"
 
 int gl_fail(struct gl_screen *screen, int status, const char *format, ...)

@@ -5,9 +5,9 @@
 
 #include <GL/gl.h>
 
-#include "common/canvas.h"
-#include "osmesa/gl.h"
-#include "osmesa/osmesa.h"
+#include "gl.h"
+#include "osmesa.h"
+#include "pixels/canvas.h"
 
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480

@@ -1,5 +1,5 @@
 /* ps2.c - scan code set 2 as key events. The codes are those of the IBM PS/2 keyboard. */
-#include "ps2/ps2.h"
+#include "ps2.h"
 
 /* clang-format off */
 enum {

@@ -1,6 +1,6 @@
 /* spi_panel.c - see spi_panel.h. Commands and pauses are those of the ILI9341's data sheet (8.2),
  * which the ST7735 and ST7789 share. */
-#include "spi-panel/spi_panel.h"
+#include "spi_panel.h"
 
 enum {
     SWRESET = 0x01,

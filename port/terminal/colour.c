@@ -1,5 +1,5 @@
 /* colour.c - 24-bit colours, and 256 of them for terminals that have no more. */
-#include "terminal/colour.h"
+#include "colour.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* decode.c - a state machine after ECMA-48 and the xterm control sequences. */
-#include "terminal/decode.h"
+#include "decode.h"
 
 #include <tia/port.h>
 

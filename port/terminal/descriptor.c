@@ -1,4 +1,4 @@
-#include "terminal/descriptor.h"
+#include "descriptor.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -13,15 +13,15 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "common/canvas.h"
-#include "common/console.h"
-#include "common/guardian.h"
-#include "common/node.h"
-#include "terminal/colour.h"
-#include "terminal/descriptor.h"
-#include "terminal/encode.h"
-#include "terminal/signals.h"
-#include "terminal/terminal.h"
+#include "colour.h"
+#include "console/console.h"
+#include "console/guardian.h"
+#include "console/node.h"
+#include "descriptor.h"
+#include "encode.h"
+#include "pixels/canvas.h"
+#include "signals.h"
+#include "terminal.h"
 
 #define DEFAULT_COLUMNS 80 /* of a terminal that does not know its size, like a serial line */
 #define DEFAULT_ROWS 24

@@ -1,11 +1,11 @@
 /* encode.c - half blocks, with as few bytes as a frame's changes need. */
-#include "terminal/encode.h"
+#include "encode.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "terminal/colour.h"
+#include "colour.h"
 
 #define BLACK_256 16
 #define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */

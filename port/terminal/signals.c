@@ -1,5 +1,5 @@
 /* signals.c - SIGWINCH and SIGCONT, for the display and the keyboard of one terminal. */
-#include "terminal/signals.h"
+#include "signals.h"
 
 #include <signal.h>
 #include <stddef.h>

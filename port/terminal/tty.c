@@ -13,13 +13,13 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/console.h"
-#include "common/guardian.h"
-#include "common/node.h"
-#include "terminal/decode.h"
-#include "terminal/descriptor.h"
-#include "terminal/signals.h"
-#include "terminal/terminal.h"
+#include "console/console.h"
+#include "console/guardian.h"
+#include "console/node.h"
+#include "decode.h"
+#include "descriptor.h"
+#include "signals.h"
+#include "terminal.h"
 
 /* How long after an ESC the rest of a sequence may take. The bytes of one key are sent at once;
  * 50 ms allow for a network's packets, and are too short for a person's next key. */

@@ -1,5 +1,5 @@
 /* job.c - a .tia file's arrays and names. */
-#include "read/job.h"
+#include "job.h"
 
 uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array)
 {

@@ -7,8 +7,8 @@
 #ifndef TIA_SRC_READ_JOB_H
 #define TIA_SRC_READ_JOB_H
 
-#include "read/fields.h"
-#include "read/names.h"
+#include "read/text/fields.h"
+#include "read/text/names.h"
 
 enum tia_kind_of_name {
     TIA_NAMED_MATERIAL, /* index: of the material; of a texture likewise */

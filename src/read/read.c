@@ -1,5 +1,5 @@
 /* read.c - a scene file of any format. */
-#include "read/readers.h"
+#include "readers.h"
 
 static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {

@@ -11,8 +11,8 @@
 #ifndef TIA_SRC_READ_READERS_H
 #define TIA_SRC_READ_READERS_H
 
-#include "read/arena.h"
-#include "read/text.h"
+#include "read/text/arena.h"
+#include "read/text/text.h"
 
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);

@@ -1,6 +1,6 @@
-#include "read/surface.h"
+#include "surface.h"
 
-#include "math.h"
+#include "math/integer.h"
 
 tia_q30 tia_q30_product(tia_q30 a, tia_q30 b)
 {

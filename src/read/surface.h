@@ -2,7 +2,7 @@
 #ifndef TIA_SRC_READ_SURFACE_H
 #define TIA_SRC_READ_SURFACE_H
 
-#include "read/text.h"
+#include "read/text/text.h"
 
 static inline struct tia_rgb tia_grey(tia_q30 x)
 {

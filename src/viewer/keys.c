@@ -1,5 +1,5 @@
 /* keys.c - keys that are pressed, released and held. */
-#include "viewer/loop.h"
+#include "loop.h"
 
 int viewer_press(struct loop *loop, uint16_t key)
 {

@@ -2,8 +2,8 @@
 #include <tia/bvh.h>
 #include <tia/motion.h>
 
-#include "align.h"
-#include "viewer/loop.h"
+#include "loop.h"
+#include "math/align.h"
 
 #define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 

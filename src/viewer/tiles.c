@@ -1,8 +1,8 @@
 /* tiles.c - memory and a view for the display's mode, and a frame's tiles. */
 #include <tia/bvh.h>
 
-#include "align.h"
-#include "viewer/loop.h"
+#include "loop.h"
+#include "math/align.h"
 
 static void lay_tiles(struct loop *loop, unsigned height)
 {

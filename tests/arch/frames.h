@@ -9,8 +9,8 @@
 
 #include <tia/bvh.h>
 
-#include "common/corpus.h"
-#include "common/corpus_rays.h"
+#include "corpus/corpus.h"
+#include "corpus/corpus_rays.h"
 
 #define FRAMES_RANDOM 20
 #define FRAMES_RAYS 20

@@ -1,6 +1,6 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or `hasher f32` for the same
  * frames in single precision. Needs nothing but the libraries, so that it is built for any machine. */
-#include "arch/frames.h"
+#include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
 {

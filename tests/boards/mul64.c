@@ -2,7 +2,7 @@
  * for every pair of numbers whose halves are edges, and for random ones. */
 #include "boards/board.h"
 
-#include "math.h"
+#include "math/integer.h"
 
 static uint32_t wrong, tried;
 

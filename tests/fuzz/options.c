@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "bytes.h"
-#include "tools/tia/fail.h"
-#include "tools/tia/film.h"
-#include "tools/tia/options.h"
+#include "tia/fail.h"
+#include "tia/film.h"
+#include "tia/options.h"
 
 #define ARGUMENTS 24
 

@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 #include "bytes.h"
-#include "image/decode.h"
-#include "image/part.h"
+#include "common/image/decode.h"
+#include "common/image/part.h"
 
 #define SIDE 50
 #define MOST 5000

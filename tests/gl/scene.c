@@ -4,7 +4,7 @@
  * buffer and interpolates positions over them. Only lighting is the same formula, in a shader:
  * Lambert's law and a shadow ray against both spheres.
  */
-#include "gl/scene.h"
+#include "scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* camera.c - the rays of a picture. */
-#include "oracle/rays.h"
+#include "rays.h"
 
 /* The camera's axes: u to the right, v up, n towards the eye. */
 struct frame {

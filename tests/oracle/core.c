@@ -1,6 +1,6 @@
 /* core.c - the oracle behind the library's table of functions, so that it draws whatever the
  * library's arithmetics draw. A hit buffer keeps all that the oracle found. */
-#include "oracle/oracle.h"
+#include "oracle.h"
 
 struct tia_view {
     const struct tia_scene *scene;

@@ -1,5 +1,5 @@
 /* flat.c - boxes, triangles, meshes and grids. */
-#include "oracle/shape.h"
+#include "shape.h"
 
 static double coordinate(struct oracle_vec v, int axis)
 {

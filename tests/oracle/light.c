@@ -1,4 +1,4 @@
-#include "oracle/light.h"
+#include "light.h"
 
 static bool is_area(const struct tia_light *light)
 {

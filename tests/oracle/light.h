@@ -2,7 +2,7 @@
 #ifndef TESTS_ORACLE_LIGHT_H
 #define TESTS_ORACLE_LIGHT_H
 
-#include "oracle/shape.h"
+#include "shape.h"
 
 /* Light on its way to a point. */
 struct beam {

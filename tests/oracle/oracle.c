@@ -1,6 +1,6 @@
-#include "oracle/oracle.h"
+#include "oracle.h"
 
-#include "oracle/rays.h"
+#include "rays.h"
 
 #define BIAS (1.0 / 8192.0)
 

@@ -1,5 +1,5 @@
 /* place.c - a scene's objects where their transforms put them. */
-#include "oracle/shape.h"
+#include "shape.h"
 
 #define FAR 65536.0
 

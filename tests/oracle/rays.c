@@ -1,6 +1,6 @@
-#include "oracle/rays.h"
+#include "rays.h"
 
-#include "oracle/light.h"
+#include "light.h"
 
 #define BIAS (1.0 / 8192.0)
 #define FAINT (1.0 / 65536.0)

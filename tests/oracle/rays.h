@@ -4,7 +4,7 @@
 #ifndef TESTS_ORACLE_RAYS_H
 #define TESTS_ORACLE_RAYS_H
 
-#include "oracle/vec.h"
+#include "vec.h"
 
 /* Whether a scene asks for general rays, see tia/scene.h. */
 bool oracle_needs_rays(const struct tia_scene *scene);

@@ -1,5 +1,5 @@
 /* round.c - spheres, discs, cylinders and cones. */
-#include "oracle/shape.h"
+#include "shape.h"
 
 /* atan2(z, x)/(2 pi) + 1/2 */
 static double turn(double z, double x)

@@ -2,7 +2,7 @@
 #ifndef TESTS_ORACLE_SHAPE_H
 #define TESTS_ORACLE_SHAPE_H
 
-#include "oracle/vec.h"
+#include "vec.h"
 
 /* Where a ray meets a surface. The normals are of length 1 and on the surface's own side. */
 struct hit {

@@ -1,5 +1,5 @@
 /* texture.c - what a texture multiplies a colour with. */
-#include "oracle/rays.h"
+#include "rays.h"
 
 /* The index of a texel, wherever the whole numbers x and y are. */
 static uint32_t texel_index(const struct tia_texture *texture, double x, double y)

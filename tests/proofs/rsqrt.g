@@ -2,7 +2,7 @@
 #
 # s = 1/sqrt(N) with N = n / 2^64 is exact, the seed is y0 = s (1 + d). Its error bound is what
 # `make check-exhaustive` finds for all 3 2^30 arguments, 3.2e-6, and 2^-31 for the lower word of n.
-# Every right shift of src/math.h is a rounding down here.
+# Every right shift of src/math/integer.h is a rounding down here.
 
 N = 1 / (s * s);
 y0 = s * (1 + d);

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "image/image.h"
+#include "common/image/image.h"
 
 #define REACH 2  /* a square's half width: a lone pixel of a large picture would not be seen */
 #define GUTTER 4 /* white columns between two panels */

@@ -2,7 +2,7 @@
 #ifndef TIA_COMPARE_HEATMAP_H
 #define TIA_COMPARE_HEATMAP_H
 
-#include "common/measure.h"
+#include "corpus/measure.h"
 
 struct heatmap {
     unsigned width, height, core_count;

@@ -8,8 +8,8 @@
 
 #include <tia/tia.h>
 
+#include "common/scene/scene.h"
 #include "common/threads.h"
-#include "scene/scene.h"
 
 enum { THESIS = 256, RANDOM, SEED, JSON, SUMMARY, HEATMAP, IDENTICAL, FLIPS, RAYS_RANDOM, LEVELS };
 

@@ -2,7 +2,7 @@
 #ifndef TIA_COMPARE_REPORT_H
 #define TIA_COMPARE_REPORT_H
 
-#include "common/measure.h"
+#include "corpus/measure.h"
 
 struct report {
     bool json, summary;

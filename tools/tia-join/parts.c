@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "image/part.h"
+#include "common/image/part.h"
 
 __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
 {

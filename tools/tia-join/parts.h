@@ -2,7 +2,7 @@
 #ifndef TIA_JOIN_PARTS_H
 #define TIA_JOIN_PARTS_H
 
-#include "image/image.h"
+#include "common/image/image.h"
 
 #define PARTS_WHY 512
 

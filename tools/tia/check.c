@@ -2,8 +2,8 @@
 
 #include <string.h>
 
+#include "common/image/series.h"
 #include "fail.h"
-#include "image/series.h"
 #include "ports.h"
 
 static bool is_one_of(const char *name, const char *const *names)

@@ -5,13 +5,13 @@
 #include <stdio.h>
 
 #include "common/clock.h"
+#include "common/image/series.h"
+#include "common/signals.h"
 #include "fail.h"
 #include "film.h"
-#include "image/series.h"
 #include "moment.h"
 #include "picture.h"
 #include "ports.h"
-#include "signals.h"
 #include "stats.h"
 
 struct drawing {

@@ -3,7 +3,7 @@
 #define TOOLS_TIA_FILM_H
 
 #include "options.h"
-#include "turn.h"
+#include "rotate.h"
 
 /* The time of frame `frame`, counted from 0 at --time: exact to the nearest 2^-16 s, whatever came before. */
 tia_q16 film_time(const struct options *options, uint32_t frame);

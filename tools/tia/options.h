@@ -4,8 +4,8 @@
 
 #include <tia/tia.h>
 
-#include "image/image.h"
-#include "scene/scene.h"
+#include "common/image/image.h"
+#include "common/scene/scene.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 

@@ -2,9 +2,9 @@
 
 #include <stdlib.h>
 
+#include "common/signals.h"
 #include "crc.h"
 #include "film.h"
-#include "signals.h"
 
 /* Enough pixels that the threads seldom wait for the last of them, and little memory: a band's
  * hits are some tens of bytes a pixel. A job is some full rows: the core works by rows. */

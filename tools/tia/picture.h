@@ -5,11 +5,11 @@
 
 #include <stdatomic.h>
 
+#include "common/image/image.h"
 #include "common/threads.h"
-#include "image/image.h"
 #include "options.h"
 #include "progress.h"
-#include "turn.h"
+#include "rotate.h"
 
 struct picture_band {
     unsigned y, rows; /* of the file's rows */

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "common/clock.h"
+#include "common/signals.h"
 #include "fail.h"
-#include "signals.h"
 
 struct session *session_create(const struct options *options)
 {

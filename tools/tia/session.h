@@ -5,10 +5,10 @@
 #include <stdio.h>
 
 #include "common/threads.h"
+#include "letterbox.h"
 #include "lights.h"
 #include "options.h"
 #include "ports.h"
-#include "stage.h"
 #include "stats.h"
 
 struct session {

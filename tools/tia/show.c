@@ -6,11 +6,11 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
 #include "ports.h"
 #include "session.h"
-#include "signals.h"
 
 static const struct port_display *find_display(const char *name)
 {

@@ -1,0 +1,228 @@
+#include "console.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/ioctl.h>
+#include <time.h>
+
+#include "vt.h"
+
+/* What the kernel sends when it wants the console, and when it gives it back. */
+#define LEAVE SIGUSR1
+#define ENTER SIGUSR2
+
+static struct console {
+    enum console_state state;
+    struct vt vt;
+    struct console_listener *listeners; /* in the order in which they began to listen */
+    sigset_t mask;                      /* what console_open changed */
+    struct sigaction on_leave, on_enter;
+} console = {.state = CONSOLE_FREE, .vt.fd = -1};
+
+static volatile sig_atomic_t leave_asked, enter_asked;
+
+static void note_signal(int number)
+{
+    if (number == LEAVE)
+        leave_asked = 1;
+    else
+        enter_asked = 1;
+}
+
+static void switching_signals(sigset_t *set)
+{
+    (void)sigemptyset(set);
+    (void)sigaddset(set, LEAVE);
+    (void)sigaddset(set, ENTER);
+}
+
+/* ---- listeners ---- */
+
+enum console_state console_state(void)
+{
+    return console.state;
+}
+
+void console_listen(struct console_listener *listener)
+{
+    struct console_listener **end = &console.listeners;
+
+    console_ignore(listener);
+    while (*end != NULL)
+        end = &(*end)->next;
+    listener->next = NULL;
+    *end = listener;
+}
+
+void console_ignore(struct console_listener *listener)
+{
+    for (struct console_listener **l = &console.listeners; *l != NULL; l = &(*l)->next)
+        if (*l == listener) {
+            *l = listener->next;
+            return;
+        }
+}
+
+static void enter(void)
+{
+    console.state = CONSOLE_OURS;
+    for (struct console_listener *l = console.listeners; l != NULL; l = l->next)
+        l->enter(l->arg);
+}
+
+static void leave(enum console_state state)
+{
+    struct console_listener *last = NULL, *l;
+
+    console.state = state;
+    while (last != console.listeners) {
+        for (l = console.listeners; l->next != last; l = l->next)
+            ;
+        l->leave(l->arg);
+        last = l;
+    }
+}
+
+/* ---- switching ---- */
+
+/* A signal that the kernel did not send finds nothing to answer, and the screen stays ours. */
+static void answer_leave(void)
+{
+    leave_asked = 0;
+    if (console.state != CONSOLE_OURS)
+        return;
+    leave(CONSOLE_AWAY);
+    if (!vt_let_go(&console.vt))
+        enter();
+}
+
+static void answer_enter(void)
+{
+    enter_asked = 0;
+    if (console.state != CONSOLE_AWAY || !vt_in_front(&console.vt))
+        return;
+    vt_entered(&console.vt);
+    enter();
+}
+
+/* The kernel asks for the console only while it is ours, and waits for the answer: when both have
+ * been asked, the state tells which came first. */
+static void answer(void)
+{
+    while (console.vt.fd >= 0 && (leave_asked || enter_asked)) {
+        if (console.state == CONSOLE_AWAY ? enter_asked : !leave_asked)
+            answer_enter();
+        else
+            answer_leave();
+    }
+}
+
+int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms)
+{
+    const struct timespec time = {.tv_sec = timeout_ms / 1000, .tv_nsec = timeout_ms % 1000 * 1000000L};
+    sigset_t none;
+    int ready;
+
+    (void)sigemptyset(&none);
+    ready = ppoll(fds, count, timeout_ms < 0 ? NULL : &time, &none);
+    if (ready < 0 && errno != EINTR)
+        return TIA_ERR_DEVICE;
+    answer();
+    return ready < 0 ? 0 : ready;
+}
+
+void console_switch(unsigned vt)
+{
+    if (console.state != CONSOLE_FREE && console.vt.fd >= 0 && vt >= 1 && vt <= MAX_NR_CONSOLES)
+        (void)ioctl(console.vt.fd, VT_ACTIVATE, (long)vt);
+}
+
+/* ---- taking and giving back ---- */
+
+static void take_signals(void)
+{
+    struct sigaction action = {.sa_handler = note_signal, .sa_flags = SA_RESTART};
+    sigset_t set;
+
+    switching_signals(&set);
+    (void)sigprocmask(SIG_BLOCK, &set, &console.mask);
+    (void)sigaction(LEAVE, &action, &console.on_leave);
+    (void)sigaction(ENTER, &action, &console.on_enter);
+    leave_asked = enter_asked = 0;
+}
+
+/* Moves signals that are pending into the flags. */
+static void collect_signals(void)
+{
+    const struct timespec now = {0};
+    sigset_t set;
+    int number;
+
+    switching_signals(&set);
+    while ((number = sigtimedwait(&set, NULL, &now)) > 0)
+        note_signal(number);
+}
+
+static void give_signals(void)
+{
+    collect_signals();
+    (void)sigaction(LEAVE, &console.on_leave, NULL);
+    (void)sigaction(ENTER, &console.on_enter, NULL);
+    (void)sigprocmask(SIG_SETMASK, &console.mask, NULL);
+}
+
+int console_open(char why[PORT_WHY])
+{
+    int status;
+
+    if (console.state != CONSOLE_FREE) {
+        (void)snprintf(why, PORT_WHY, "console: this program has taken it already");
+        return TIA_ERR_DEVICE;
+    }
+    vt_find(&console.vt);
+    take_signals();
+    status = vt_take(&console.vt, LEAVE, ENTER, why);
+    if (status != TIA_OK) {
+        give_signals();
+        vt_close(&console.vt);
+        return status;
+    }
+    enter();
+    return TIA_OK;
+}
+
+void console_close(void)
+{
+    if (console.state == CONSOLE_FREE)
+        return;
+    /* Somebody may have asked for another console a moment ago. */
+    collect_signals();
+    answer();
+    leave(CONSOLE_FREE);
+    vt_give(&console.vt);
+    give_signals();
+    vt_close(&console.vt);
+}
+
+const char *console_name(char text[PORT_WHY])
+{
+    struct vt vt;
+
+    if (console.state != CONSOLE_FREE) {
+        (void)snprintf(text, PORT_WHY, "%s", console.vt.name);
+        return text;
+    }
+    vt_find(&vt);
+    vt_close(&vt);
+    (void)snprintf(text, PORT_WHY, "%s", vt.name);
+    return text;
+}
+
+void console_list(port_line *line, void *arg)
+{
+    char text[PORT_WHY + 16], name[PORT_WHY];
+
+    (void)snprintf(text, sizeof text, "console: %s", console_name(name));
+    line(arg, text);
+}

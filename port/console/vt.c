@@ -1,0 +1,167 @@
+#include "vt.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/kd.h>
+#include <linux/major.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/ioctl.h>
+#include <sys/sysmacros.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "guardian.h"
+#include "node.h"
+
+#define OPEN_FLAGS (O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)
+
+/* The controlling terminal's number, or 0 when it is no VT (serial lines share the major). */
+static unsigned controlling(int fd)
+{
+    unsigned device = 0;
+
+    if (fd < 0 || ioctl(fd, TIOCGDEV, &device) != 0)
+        return 0;
+    return major(device) == TTY_MAJOR && minor(device) <= MAX_NR_CONSOLES ? minor(device) : 0;
+}
+
+static unsigned in_front(int fd)
+{
+    struct vt_stat state;
+
+    return ioctl(fd, VT_GETSTATE, &state) == 0 ? state.v_active : 0;
+}
+
+static void found(struct vt *vt, int fd, unsigned number, const char *which)
+{
+    vt->fd = fd;
+    vt->number = number;
+    (void)snprintf(vt->path, sizeof vt->path, "/dev/tty%u", number & 63u);
+    (void)snprintf(vt->name, sizeof vt->name, "tty%u, %s", number, which);
+}
+
+static void none(struct vt *vt, const char *path)
+{
+    const char *fix = errno == EACCES || errno == EPERM ? " (run it on that console or as root)" : "";
+    char reason[PORT_WHY];
+
+    (void)snprintf(vt->name, sizeof vt->name, "none: %s: %.100s%s", path, node_error(errno, reason), fix);
+    vt_close(vt);
+}
+
+void vt_find(struct vt *vt)
+{
+    unsigned number;
+    int fd = open("/dev/tty", OPEN_FLAGS);
+
+    *vt = (struct vt){.fd = -1};
+    number = controlling(fd);
+    if (number != 0) {
+        found(vt, fd, number, "the controlling terminal");
+        return;
+    }
+    if (fd >= 0)
+        (void)close(fd);
+    fd = open("/dev/tty0", OPEN_FLAGS);
+    if (fd < 0) {
+        none(vt, "/dev/tty0");
+        return;
+    }
+    /* tty0 is whatever is in front at the time: from here on it must be this one. */
+    number = in_front(fd);
+    (void)close(fd);
+    found(vt, -1, number, "the console in front");
+    vt->fd = open(vt->path, OPEN_FLAGS);
+    if (vt->fd < 0)
+        none(vt, vt->path);
+}
+
+void vt_close(struct vt *vt)
+{
+    if (vt->fd >= 0)
+        (void)close(vt->fd);
+    vt->fd = -1;
+}
+
+/* Waits for the console to come in front; a program that holds the one in front may not let go. */
+static int bring_in_front(struct vt *vt, int enter)
+{
+    const struct timespec limit = {.tv_sec = 3};
+    sigset_t set;
+
+    if (vt->back_to == 0)
+        return 0;
+    (void)sigemptyset(&set);
+    (void)sigaddset(&set, enter);
+    if (ioctl(vt->fd, VT_ACTIVATE, (long)vt->number) != 0 || sigtimedwait(&set, NULL, &limit) < 0)
+        return -1;
+    vt_entered(vt);
+    return 0;
+}
+
+static int take_modes(struct vt *vt, int leave, int enter)
+{
+    struct vt_mode mode = {.mode = VT_PROCESS, .relsig = (short)leave, .acqsig = (short)enter};
+
+    if (!vt_in_front(vt))
+        vt->back_to = in_front(vt->fd);
+    (void)guardian_keep_vt(vt->path, vt->back_to);
+    if (ioctl(vt->fd, VT_SETMODE, &mode) != 0) {
+        guardian_forget_vt(vt->path);
+        return -1;
+    }
+    return 0;
+}
+
+int vt_take(struct vt *vt, int leave, int enter, char why[PORT_WHY])
+{
+    if (vt->fd < 0)
+        return TIA_OK;
+    if (ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0) {
+        none(vt, vt->path);
+        return TIA_OK;
+    }
+    if (vt->mode.mode != VT_AUTO) {
+        (void)snprintf(why, PORT_WHY,
+                       "%s: another program draws there (end it, or start this on another console; if it is gone, "
+                       "switch consoles once)",
+                       vt->path);
+        return TIA_ERR_DEVICE;
+    }
+    if (take_modes(vt, leave, enter) != 0) {
+        none(vt, vt->path);
+        return TIA_OK;
+    }
+    if (bring_in_front(vt, enter) == 0 && ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) == 0)
+        return TIA_OK;
+    (void)snprintf(why, PORT_WHY, "%s: cannot come in front of tty%u (switch to it first)", vt->path, vt->back_to);
+    vt_give(vt);
+    return TIA_ERR_DEVICE;
+}
+
+void vt_give(struct vt *vt)
+{
+    struct vt_mode mode = vt->mode;
+
+    if (vt->fd < 0)
+        return;
+    (void)ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
+    (void)ioctl(vt->fd, VT_SETMODE, &mode);
+    if (vt->back_to != 0 && vt_in_front(vt))
+        (void)ioctl(vt->fd, VT_ACTIVATE, (long)vt->back_to);
+    guardian_forget_vt(vt->path);
+}
+
+bool vt_let_go(const struct vt *vt)
+{
+    return ioctl(vt->fd, VT_RELDISP, 1L) == 0;
+}
+void vt_entered(const struct vt *vt)
+{
+    (void)ioctl(vt->fd, VT_RELDISP, (long)VT_ACKACQ);
+}
+bool vt_in_front(const struct vt *vt)
+{
+    return in_front(vt->fd) == vt->number;
+}

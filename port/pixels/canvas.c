@@ -1,0 +1,37 @@
+/* canvas.c - a picture in ordinary memory. */
+#include "canvas.h"
+
+#include <stdlib.h>
+
+int canvas_resize(struct canvas *canvas, uint16_t width, uint16_t height)
+{
+    canvas_free(canvas);
+    canvas->pixels = calloc((size_t)width * height, sizeof *canvas->pixels);
+    if (!canvas->pixels)
+        return TIA_ERR_MEMORY;
+    canvas->width = width;
+    canvas->height = height;
+    return TIA_OK;
+}
+
+int canvas_tile(const struct canvas *canvas, struct tia_tile tile, struct tia_surface *surface)
+{
+    if (!tile_inside(tile, canvas->width, canvas->height))
+        return TIA_ERR_ARGUMENT;
+    surface->pixels = canvas->pixels + (size_t)tile.y * canvas->width + tile.x;
+    surface->step = (ptrdiff_t)sizeof *canvas->pixels;
+    surface->pitch = surface->step * canvas->width;
+    return TIA_OK;
+}
+
+void canvas_free(struct canvas *canvas)
+{
+    free(canvas->pixels);
+    *canvas = (struct canvas){0};
+}
+
+bool tile_inside(struct tia_tile tile, uint16_t width, uint16_t height)
+{
+    return tile.width > 0 && tile.height > 0 && tile.x < width && tile.y < height && tile.width <= width - tile.x &&
+           tile.height <= height - tile.y;
+}

@@ -1,0 +1,261 @@
+/* integer.h - the integer kernels under every computation of the core.
+ *
+ * All of them are branch-free or nearly so, keep no state, use no floating point and give the
+ * same bits on every machine. "ulp" is the last bit of the result. The kernels use wide products
+ * (32 x 32 to 64) and count-leading-zeros, one instruction each where the machine has them.
+ *
+ * The bounds are shown three times: by proof (tests/proofs, make prove), by trying every 32-bit
+ * argument (make check-exhaustive), and thinned with every make check.
+ */
+#ifndef TIA_SRC_MATH_H
+#define TIA_SRC_MATH_H
+
+#include <stdint.h>
+#include <tia/vec.h>
+
+#ifndef TIA_MUL64
+#define TIA_MUL64 "mul64.h"
+#endif
+#include TIA_MUL64
+
+/* Signed right shifts keep the sign, as every compiler in use has it. */
+_Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
+
+/* Seeds: straight lines, see tools/generate/tables.py. */
+extern const uint32_t tia_rsqrt_lines[384];
+extern const uint32_t tia_reciprocal_lines[128];
+
+extern const uint8_t tia_clz_places[32];
+
+/* atan(2^-i)/(2 pi), Q1.62. */
+extern const int64_t tia_turns[60];
+
+/* sin(2 pi i/256), i = 0..64, Q1.62. */
+extern const int64_t tia_sines[65];
+
+/* Leading zero bits, x not 0, for machines without an instruction for it: with all bits below the
+ * first one set, x = 2^n - 1, and the product's upper five bits differ for every n. */
+static inline unsigned tia_clz32_table(uint32_t x)
+{
+    x |= x >> 1;
+    x |= x >> 2;
+    x |= x >> 4;
+    x |= x >> 8;
+    x |= x >> 16;
+    return tia_clz_places[x * UINT32_C(0x07c4acdd) >> 27];
+}
+
+/* Leading zero bits. x must not be 0. */
+static inline unsigned tia_clz32(uint32_t x)
+{
+#if defined(__GNUC__) && !defined(TIA_NO_CLZ)
+    return (unsigned)__builtin_clz((unsigned)x);
+#else
+    return tia_clz32_table(x);
+#endif
+}
+
+/* Leading zero bits. x must not be 0. */
+static inline unsigned tia_clz64(uint64_t x)
+{
+#if defined(__GNUC__) && UINTPTR_MAX > UINT32_MAX
+    return (unsigned)__builtin_clzll((unsigned long long)x);
+#else
+    uint32_t high = (uint32_t)(x >> 32);
+    return high ? tia_clz32(high) : 32 + tia_clz32((uint32_t)x);
+#endif
+}
+
+/* x / 2^s to nearest, ties up. s <= 63, |x| < 2^62. */
+/*@ requires s <= 63 && -0x4000000000000000 < x < 0x4000000000000000;
+    assigns \nothing;
+    ensures s == 0 ==> \result == x;
+    ensures s > 0 ==> \result == (x + (1 << (s - 1))) >> s; */
+static inline int64_t tia_round_shift(int64_t x, unsigned s)
+{
+    int64_t half = (int64_t)((UINT64_C(1) << s) / 2);
+    /*@ assert half <= 0x4000000000000000; */
+    return (x + half) >> s;
+}
+
+/* The same, s >= 1, in words of 32 bits and without a sum that carries: the bit below the last one
+ * is added. For machines that have no wider shift (TIA_SHIFTS_WORDS). */
+#define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
+static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
+{
+    uint32_t low = (uint32_t)x;
+    int32_t high = (int32_t)(x >> 32);
+    if (s >= 32)
+        return (high >> (s - 32)) + (int64_t)(s == 32 ? low >> 31 : (uint32_t)(high >> (s - 33)) & 1);
+    uint64_t floor = (uint64_t)(uint32_t)(high >> s) << 32 | (low >> s | (uint32_t)high << (32 - s));
+    return (int64_t)(floor + (low >> (s - 1) & 1));
+}
+
+/* The lower 32 bits of it, x without a sign. */
+static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
+{
+    uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
+    if (s >= 32)
+        return (high >> (s - 32)) + (s == 32 ? low >> 31 : high >> (s - 33) & 1);
+    return (low >> s) + (high << (32 - s)) + (low >> (s - 1) & 1);
+}
+
+/* The line of a table's entry at f / 2^16: Q1.31 in [2^31, 2^32). */
+static inline uint32_t tia_seed(uint32_t line, uint32_t f)
+{
+    uint32_t c0 = UINT32_C(0x80000000) | ((line >> 1) & ~UINT32_C(0x7ff));
+    return c0 - (((line & 0xfff) * f) >> 3);
+}
+
+/* 2^31 / sqrt(a / 2^32) within 3.2e-6, relative. a >= 2^30. */
+static inline uint32_t tia_rsqrt_seed(uint32_t a)
+{
+    return tia_seed(tia_rsqrt_lines[(a >> 23) - 128], (a >> 7) & 0xffff);
+}
+
+/* 2^63 / d within 7.9e-6, relative. d >= 2^31. */
+static inline uint32_t tia_reciprocal_seed(uint32_t d)
+{
+    return tia_seed(tia_reciprocal_lines[(d >> 24) - 128], (d >> 8) & 0xffff);
+}
+
+/* 2^31 / sqrt(n / 2^64), Q1.31 in [2^31, 2^32), within 2 ulp. n >= 2^62.
+ *
+ * One Newton step y (1 + e/2), e = 1 - n y^2, on the upper word of n: the lower one may be
+ * anything. Where a factor is cut to 32 bits half a unit is added, n as a + 1/2 and y^2 as
+ * q + 1/2; and e is raised by 2^-32, so that rounding down at the end loses nothing on average
+ * where y is near 2 and an ulp weighs least. y + step stays below 2^32 for every n. */
+static inline uint32_t tia_rsqrt(uint64_t n)
+{
+    uint32_t a = (uint32_t)(n >> 32);
+    uint32_t y = tia_rsqrt_seed(a);
+    uint32_t q = (uint32_t)(tia_mul_u32(y, y) >> 32);
+    uint64_t product = tia_mul_u32(a, q) + ((a & q) + ((a ^ q) >> 1));
+    int64_t e = (int64_t)((UINT64_C(1) << 62) + (UINT64_C(1) << 30) - product);
+    return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
+}
+
+/* 2^63 / d, at most 2^32 - 1; errs by -1.02 to +0.25 ulp. d >= 2^31.
+ *
+ * One Newton step y (1 + e), e = 1 - d y, rounded down. It leaves -e^2, a quarter of an ulp at
+ * d = 2^31; e is raised by 2^-34 to give that back, and no more, so that 2^63 / 2^31 stays below
+ * 2^32. */
+static inline uint32_t tia_reciprocal(uint32_t d)
+{
+    uint32_t y = tia_reciprocal_seed(d);
+    int64_t e = (int64_t)((UINT64_C(1) << 63) + (UINT64_C(1) << 29) - tia_mul_u32(d, y));
+    return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
+}
+
+/* The square root of n >= 2^62, rounded down, exact.
+ *
+ * r0 = n y with the seed y; then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. It errs by
+ * -3/2 e^2 r, less than 0.1, and by less than 2^-12 either way; 2^12 off the remainder, 1/32 to
+ * 1/16 in the root, keep it from ever being too large, and rounding down takes less than one
+ * more: the root is what it gives, or one more. */
+static inline uint32_t tia_sqrt_normalised(uint64_t n)
+{
+    uint32_t a = (uint32_t)(n >> 32);
+    uint32_t y = tia_rsqrt_seed(a);
+    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* r0 = 2 half may need a bit more than 32 */
+    int32_t rest = (int32_t)((int64_t)(n - (tia_mul_u32(half, half) << 2)) >> 16) - (1 << 12);
+    uint32_t r = (half << 1) + (uint32_t)(tia_mul_s32(rest, (int32_t)(y >> 1)) >> 47);
+    return r + (n - tia_mul_u32(r, r) > 2 * (uint64_t)r);
+}
+
+/* The square root of x, rounded down, exact. */
+static inline uint32_t tia_sqrt64(uint64_t x)
+{
+    if (!x)
+        return 0;
+    unsigned s = tia_clz64(x) & ~1u;
+    return tia_sqrt_normalised(x << s) >> (s >> 1);
+}
+
+/* The square root of x, rounded down, exact: bit by bit, where speed does not matter. */
+/*@ assigns \nothing;
+    ensures \result * (integer)\result <= x < (\result + 1) * (integer)(\result + 1); */
+static inline uint32_t tia_sqrt32(uint32_t x)
+{
+    uint32_t r = 0;
+    /*@ loop invariant bit == 0 || bit == 1 || bit == 2 || bit == 4 || bit == 8 || bit == 16 || bit == 32 ||
+          bit == 64 || bit == 128 || bit == 256 || bit == 512 || bit == 1024 || bit == 2048 || bit == 4096 ||
+          bit == 8192 || bit == 16384 || bit == 32768;
+        loop invariant r + 2 * bit <= 65536 && r <= 65535;
+        loop invariant r * (integer)r <= x;
+        loop invariant bit > 0 ==> x < (r + 2 * (integer)bit) * (r + 2 * (integer)bit);
+        loop invariant bit == 0 ==> x < (r + 1) * (integer)(r + 1);
+        loop assigns r, bit;
+        loop variant bit; */
+    for (uint32_t bit = 32768; bit; bit /= 2) {
+        uint32_t t = r + bit;
+        /*@ assert t <= 65535; */
+        /*@ ghost uint32_t r0 = r; */
+        if (t * t <= x)
+            r = t;
+        /*@ assert r == r0 || r == r0 + bit; */
+        /*@ assert x < (r + (integer)bit) * (r + (integer)bit); */
+        /*@ assert bit == 1 ? bit / 2 == 0 : 2 * (bit / 2) == bit; */
+    }
+    return r;
+}
+
+/* (x, y, z), in any unit, over its length: within 1.5 ulp a component. Not all three may be 0. */
+static inline struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
+{
+    uint64_t n = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y) + (uint64_t)((int64_t)z * z);
+    unsigned s = tia_clz64(n) & ~1u;
+    int64_t scale = tia_rsqrt(n << s);
+    /* 1/sqrt(n) = scale 2^(s/2 - 63), and 30 bits stay behind the point */
+    unsigned shift = 33 - (s >> 1);
+    return (struct tia_dir3){(tia_q30)tia_round_shift(x * scale, shift), (tia_q30)tia_round_shift(y * scale, shift),
+                             (tia_q30)tia_round_shift(z * scale, shift)};
+}
+
+/* An unsigned 128-bit integer in two halves. */
+struct tia_wide {
+    uint64_t high, low;
+};
+
+/* a b, exact, by halves: for compilers without 128-bit integers. */
+static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
+{
+    uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
+    uint64_t low = tia_mul_u32(a0, b0), middle = tia_mul_u32(a1, b0) + (low >> 32);
+    uint64_t cross = tia_mul_u32(a0, b1) + (uint32_t)middle;
+    return (struct tia_wide){tia_mul_u32(a1, b1) + (middle >> 32) + (cross >> 32), cross << 32 | (uint32_t)low};
+}
+
+/* a b, exact. */
+static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
+{
+#if defined(__SIZEOF_INT128__)
+    __extension__ typedef unsigned __int128 wide;
+    wide p = (wide)a * b;
+    return (struct tia_wide){(uint64_t)(p >> 64), (uint64_t)p};
+#else
+    return tia_wide_product_by_halves(a, b);
+#endif
+}
+
+/* a b / 2^shift to nearest, halves away from zero: the same for -a. The result must fit, shift is 1..63. */
+static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
+{
+    struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));
+    int64_t size = (int64_t)((p.high << (64 - shift) | p.low >> shift) + (p.low >> (shift - 1) & 1));
+    return (a < 0) != (b < 0) ? -size : size;
+}
+
+/* The sign of a b - c d, exact: -1, 0 or 1. */
+static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
+{
+    struct tia_wide p = tia_wide_product(a, b), q = tia_wide_product(c, d);
+    if (p.high != q.high)
+        return p.high < q.high ? -1 : 1;
+    /* Not (p.low > q.low) - (p.low < q.low): gcc 12 for aarch64 compares that signed at -O3. */
+    if (p.low != q.low)
+        return p.low < q.low ? -1 : 1;
+    return 0;
+}
+
+#endif

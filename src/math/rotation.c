@@ -1,0 +1,48 @@
+#include "rotation.h"
+
+#include "integer.h"
+#include "trig.h"
+
+#define RIGHT (90 * TIA_Q16_ONE)
+
+void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine)
+{
+    int32_t turn = degrees % (4 * RIGHT);
+    uint32_t angle = (uint32_t)(turn < 0 ? turn + 4 * RIGHT : turn);
+    uint32_t quadrant = angle / RIGHT, z = angle % RIGHT;
+    bool beyond = z > RIGHT / 2; /* 45 degrees: sin x = cos(90 - x) */
+    uint64_t s63, c63;
+
+    tia_octant(2 * (beyond ? RIGHT - z : z), &s63, &c63);
+    int64_t s = (int64_t)((s63 + 1) >> 1), c = (int64_t)((c63 + 1) >> 1);
+    /* Each quarter turn makes (cos, sin) of (-sin, cos); so does 45 degrees' mirror, but for the sign. */
+    bool swap = beyond != (quadrant % 2 == 1);
+    *sine = swap ? c : s;
+    *cosine = swap ? s : c;
+    if (quadrant >= 2)
+        *sine = -*sine;
+    if (quadrant == 1 || quadrant == 2)
+        *cosine = -*cosine;
+}
+
+static int64_t product(int64_t a, int64_t b)
+{
+    return tia_scaled_product(a, b, 62);
+}
+
+void turn_axes(struct tia_vec3 rotation, int64_t axes[3][3])
+{
+    int64_t sx, cx, sy, cy, sz, cz;
+
+    tia_sincos(rotation.x, &sx, &cx);
+    tia_sincos(rotation.y, &sy, &cy);
+    tia_sincos(rotation.z, &sz, &cz);
+    /* About x and y, the axes are at (cy, 0, -sy), (sy sx, cx, cy sx), (sy cx, -sx, cy cx); then about z. */
+    const int64_t tilted[3][3] = {
+        {cy, 0, -sy}, {product(sy, sx), cx, product(cy, sx)}, {product(sy, cx), -sx, product(cy, cx)}};
+    for (int i = 0; i < 3; i++) {
+        axes[i][0] = product(cz, tilted[i][0]) - product(sz, tilted[i][1]);
+        axes[i][1] = product(sz, tilted[i][0]) + product(cz, tilted[i][1]);
+        axes[i][2] = tilted[i][2];
+    }
+}

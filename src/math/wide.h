@@ -1,0 +1,236 @@
+/* wide.h - sums of products of 64-bit integers, exact in 128 bits, and the roots and quotients of such.
+ *
+ * General rays are reflected again and again, and every mirror that bends multiplies what is wrong with a
+ * ray; so their coordinates have 64 bits, and products are rounded once. The compiler's 128-bit integers
+ * are used where it has them; by halves the bits are the same.
+ */
+#ifndef TIA_WIDE_H
+#define TIA_WIDE_H
+
+#include "integer.h"
+
+#if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
+__extension__ typedef __int128 wide;
+
+static inline wide wide_product(int64_t a, int64_t b)
+{
+    return (wide)a * b;
+}
+
+static inline wide wide_sum(wide a, wide b)
+{
+    return a + b;
+}
+
+static inline wide wide_difference(wide a, wide b)
+{
+    return a - b;
+}
+
+static inline bool wide_is_negative(wide a)
+{
+    return a < 0;
+}
+
+/* The upper and lower half. */
+static inline int64_t wide_high(wide a)
+{
+    return (int64_t)(a >> 64);
+}
+
+static inline uint64_t wide_low(wide a)
+{
+    return (uint64_t)a;
+}
+
+/* a 2^s, s in 0..127; no bit is lost. */
+static inline wide wide_up(wide a, unsigned s)
+{
+    __extension__ typedef unsigned __int128 bits;
+    return (wide)((bits)a << s);
+}
+
+/* a / 2^s rounded down, s in 1..127, the result below 2^63. */
+static inline int64_t wide_down(wide a, unsigned s)
+{
+    return (int64_t)(a >> s);
+}
+#else
+typedef struct {
+    int64_t high;
+    uint64_t low;
+} wide;
+
+static inline wide wide_product(int64_t a, int64_t b)
+{
+    struct tia_wide p = tia_wide_product((uint64_t)a, (uint64_t)b);
+    uint64_t high = p.high - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0);
+
+    return (wide){(int64_t)high, p.low};
+}
+
+static inline wide wide_sum(wide a, wide b)
+{
+    uint64_t low = a.low + b.low;
+
+    return (wide){(int64_t)((uint64_t)a.high + (uint64_t)b.high + (low < a.low)), low};
+}
+
+static inline wide wide_difference(wide a, wide b)
+{
+    return (wide){(int64_t)((uint64_t)a.high - (uint64_t)b.high - (a.low < b.low)), a.low - b.low};
+}
+
+static inline bool wide_is_negative(wide a)
+{
+    return a.high < 0;
+}
+
+static inline int64_t wide_high(wide a)
+{
+    return a.high;
+}
+
+static inline uint64_t wide_low(wide a)
+{
+    return a.low;
+}
+
+static inline wide wide_up(wide a, unsigned s)
+{
+    if (s == 0)
+        return a;
+    if (s >= 64)
+        return (wide){(int64_t)(a.low << (s - 64)), 0};
+    return (wide){(int64_t)((uint64_t)a.high << s | a.low >> (64 - s)), a.low << s};
+}
+
+static inline int64_t wide_down(wide a, unsigned s)
+{
+    if (s >= 64)
+        return a.high >> (s - 64);
+    return (int64_t)((uint64_t)a.high << (64 - s) | a.low >> s);
+}
+#endif
+
+/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. */
+static inline int64_t wide_round(wide a, unsigned s)
+{
+    return wide_down(wide_sum(a, wide_up(wide_product(1, 1), s - 1)), s);
+}
+
+/* |a| */
+static inline wide wide_size(wide a)
+{
+    return wide_is_negative(a) ? wide_difference(wide_product(0, 0), a) : a;
+}
+
+/* The sum of three products. |a|, |b| below 2^62. */
+static inline wide wide_dot(const int64_t a[3], const int64_t b[3])
+{
+    return wide_sum(wide_sum(wide_product(a[0], b[0]), wide_product(a[1], b[1])), wide_product(a[2], b[2]));
+}
+
+/* The length of a >= 0 in bits. */
+static inline int wide_bits(wide a)
+{
+    uint64_t high = (uint64_t)wide_high(a), low = wide_low(a);
+
+    return high ? 128 - (int)tia_clz64(high) : low ? 64 - (int)tia_clz64(low) : 0;
+}
+
+/* How far 0 < a < 2^126 is shifted up, an even number, to have 125 or 126 bits. */
+static inline unsigned wide_zeros(wide a)
+{
+    return (unsigned)(126 - wide_bits(a)) & ~1u;
+}
+
+/* One Newton step for the square root of n: r + (n - r^2)/(2r), where y is 2^31/sqrt(n / 2^126). */
+static inline int64_t wide_sqrt_step(wide n, int64_t r, uint32_t y)
+{
+    return r + wide_down(wide_product(wide_down(wide_difference(n, wide_product(r, r)), 35), y), 60);
+}
+
+/* The square root of 0 <= a < 2^126, rounded down, exact: from 29 bits to 57 to all 63, then the last
+ * unit. */
+static inline int64_t wide_sqrt(wide a)
+{
+    if (wide_bits(a) == 0)
+        return 0;
+    unsigned s = wide_zeros(a);
+    wide n = wide_up(a, s);
+    uint64_t top = (uint64_t)wide_high(n) << 2 | wide_low(n) >> 62;
+    uint32_t y = tia_rsqrt(top);
+    int64_t r = wide_down(wide_product((int64_t)(top >> 2), y), 30);
+
+    r = wide_sqrt_step(n, wide_sqrt_step(n, r, y), y);
+    wide rest = wide_difference(n, wide_product(r, r)), next = wide_sum(wide_product(2, r), wide_product(1, 1));
+    if (wide_is_negative(rest))
+        r--;
+    else if (!wide_is_negative(wide_difference(rest, next)))
+        r++;
+    return r >> (s / 2);
+}
+
+/* 2^62/sqrt(top / 2^64), at most 2^63 - 1, within 2^-59 of itself. top >= 2^62.
+ *
+ * y (1 + e/2 + 3/8 e^2) with e = 1 - n y^2 below 2^-28: what is left out is 5/16 e^3. */
+static inline int64_t wide_rsqrt(uint64_t top)
+{
+    uint32_t y = tia_rsqrt(top);
+    int64_t e = (int64_t)((UINT64_C(1) << 62) - tia_wide_product(top, tia_mul_u32(y, y)).high);
+    int64_t square = (e >> 6) * (e >> 6); /* of e below 2^34: 2^56, exponent 112 */
+    int64_t step = wide_down(wide_product(y, e + (square >> 51) + (square >> 52)), 32);
+    uint64_t r = ((uint64_t)y << 31) + (uint64_t)step;
+
+    return r >> 63 ? INT64_MAX : (int64_t)r;
+}
+
+/* 2^62/(b / 2^64), at most 2^63 - 1, within 2^-60 of itself. b >= 2^63. */
+static inline int64_t wide_reciprocal(uint64_t b)
+{
+    uint32_t y = tia_reciprocal((uint32_t)(b >> 32));
+    int64_t e = (int64_t)((UINT64_C(1) << 62) - tia_wide_product(b, (uint64_t)y << 31).high);
+    int64_t square = (e >> 6) * (e >> 6);
+    int64_t step = wide_down(wide_product(y, e + (square >> 50)), 31);
+    uint64_t r = ((uint64_t)y << 31) + (uint64_t)step;
+
+    return r >> 63 ? INT64_MAX : (int64_t)r;
+}
+
+/* a/b * 2^e, within 2^-59 of itself and half a unit; at most 2^62 in size, also where b is 0. |a|, |b| <
+ * 2^63, e in 0..126. */
+static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
+{
+    uint64_t divisor = b < 0 ? 0 - (uint64_t)b : (uint64_t)b;
+    int64_t most = a == 0 ? 0 : (a < 0) != (b < 0) ? -(INT64_C(1) << 62) : INT64_C(1) << 62;
+
+    if (!divisor)
+        return most;
+    unsigned z = tia_clz64(divisor);
+    wide product = wide_product(a < 0 ? -a : a, wide_reciprocal(divisor << z));
+    int shift = 126 - (int)z - e;
+    if (shift < 1 || wide_bits(product) - shift > 62)
+        return most;
+    int64_t quotient = shift > 126 ? 0 : wide_round(product, (unsigned)shift);
+    return (a < 0) != (b < 0) ? -quotient : quotient;
+}
+
+/* The vector v, any unit, over its length, Q1.62 within 2^-58, into d. False, and d = 0, when v is 0.
+ * |v| < 2^62. */
+static inline bool wide_normalise(const int64_t v[3], int64_t d[3])
+{
+    wide n = wide_dot(v, v);
+
+    d[0] = d[1] = d[2] = 0;
+    if (wide_bits(n) == 0)
+        return false;
+    unsigned s = wide_zeros(n);
+    n = wide_up(n, s);
+    int64_t scale = wide_rsqrt((uint64_t)wide_high(n) << 2 | wide_low(n) >> 62);
+    for (int i = 0; i < 3; i++)
+        d[i] = wide_round(wide_product(v[i], scale), 63 - s / 2);
+    return true;
+}
+
+#endif

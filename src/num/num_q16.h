@@ -1,0 +1,288 @@
+/* num_q16.h - integers: Q16.16 coordinates, 31-bit mantissas, 64-bit products. */
+#ifndef TIA_NUM_Q16_H
+#define TIA_NUM_Q16_H
+
+#ifndef NUM_NAME
+#define NUM_NAME "q16"
+#define NUM_PREFIX tia_
+#define NUM_CORE tia_core_q16
+#define NUM_CHECK(condition) ((void)0) /* what num_chk.h tests */
+#endif
+
+#include "names.h"
+#include <tia/render.h>
+
+#include "math/integer.h"
+
+typedef int32_t num;
+typedef uint32_t num_u;
+typedef int64_t num_wide;
+typedef uint64_t num_uwide;
+
+#define NUM_HALF ((num_wide)1 << 31)
+#define NUM_ONE ((num_u)1 << 30)   /* 1.0 of a colour, Q2.30 */
+#define NUM_ROUND ((num_u)1 << 29) /* the threshold of num_quantise that rounds to nearest */
+
+static inline num_wide num_coordinate(tia_q16 q)
+{
+    return q;
+}
+
+static inline num_wide num_lattice(int32_t n, int exponent)
+{
+    NUM_CHECK(exponent >= 0 && exponent <= 30);
+    return (num_wide)n * ((num_wide)1 << exponent);
+}
+
+/* height * cotangent (Q8.56, below 2^7) with the given exponent (at most 43). */
+static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
+{
+    NUM_CHECK(exponent >= 0 && exponent <= 43);
+    return tia_round_shift((num_wide)(height * (cotangent >> 13)), (unsigned)(43 - exponent));
+}
+
+static inline num_u num_colour(tia_q30 c)
+{
+    return (num_u)c;
+}
+
+/* A product of two colours, each at most 2, rounded to nearest. */
+static inline num_u num_colour_product(num_u a, num_u b)
+{
+    NUM_CHECK(a <= (num_u)1 << 31 && b <= (num_u)1 << 31);
+    return (num_u)((tia_mul_u32(a, b) + ((uint64_t)1 << 29)) >> 30);
+}
+
+/* A mantissa below 2^31 as a signed one. */
+static inline num num_signed(num_u t)
+{
+    NUM_CHECK(t >> 31 == 0);
+    return (num)t;
+}
+
+static inline num_wide num_mul(num a, num b)
+{
+    return tia_mul_s32(a, b);
+}
+
+static inline num_uwide num_mul_u(num_u a, num_u b)
+{
+    return tia_mul_u32(a, b);
+}
+
+static inline int num_bits(num_wide x)
+{
+    uint64_t magnitude = x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
+    return magnitude ? 64 - (int)tia_clz64(magnitude) : 0;
+}
+
+static inline num_wide num_shift(num_wide x, int s)
+{
+    NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
+    if (s >= 0)
+        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* 0 is often what exponents differ by */
+    return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
+}
+
+/* x * 2^-s, rounded to nearest, ties up; s in 0..63. */
+static inline num_wide num_down(num_wide x, int s)
+{
+    NUM_CHECK(s >= 0 && s <= 63);
+    if (!TIA_SHIFTS_WORDS)
+        return tia_round_shift(x, (unsigned)s);
+    return s > 0 ? tia_round_shift_words(x, (unsigned)s) : x;
+}
+
+static inline num num_top(num_wide x)
+{
+    return (num)(x >> 32);
+}
+
+static inline num_u num_top_u(num_wide x)
+{
+    NUM_CHECK(x >= 0);
+    return (num_u)((num_uwide)x >> 32);
+}
+
+/* The larger of 0 and a product of mantissas less another. */
+static inline num_uwide num_excess(num_uwide a, num_uwide b)
+{
+    return a > b ? a - b : 0;
+}
+
+static inline num_u num_sqrt(num_uwide x)
+{
+    return tia_sqrt64(x);
+}
+
+/* a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. The reciprocal of b is good
+ * to one part in 2^31. */
+static inline num_u num_quotient(num_u a, num_u b, int s)
+{
+    NUM_CHECK(b > 0);
+    unsigned z = tia_clz32(b);
+    int shift = s - (int)z;
+    num_uwide product = num_mul_u(a, tia_reciprocal(b << z));
+    NUM_CHECK(a == 0 || (shift >= 1 && (shift > 63 || product >> shift <= INT32_MAX)));
+    shift = shift < 1 ? 1 : shift > 63 ? 63 : shift;
+    return (num_u)(((product >> (shift - 1)) + 1) >> 1);
+}
+
+/* x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
+struct num_normal {
+    num_uwide mantissa;
+    num_u inverse;
+    int half;
+};
+
+static inline struct num_normal num_normal(num_wide x)
+{
+    NUM_CHECK(x > 0);
+    unsigned z = tia_clz64((uint64_t)x) & ~1u;
+    struct num_normal n = {(uint64_t)x << z, 0, (int)(z / 2)};
+    n.inverse = tia_rsqrt(n.mantissa);
+    return n;
+}
+
+/* 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
+static inline num_u num_inverse(num_wide r)
+{
+    NUM_CHECK(r > 0 && r <= UINT32_MAX);
+    return tia_reciprocal((uint32_t)r << tia_clz32((uint32_t)r));
+}
+
+/* b >= 0 and b^2 >= c q, exactly; q > 0. */
+static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
+{
+    NUM_CHECK(q > 0);
+    return b >= 0 && (c <= 0 || tia_cmp_products((uint64_t)b, (uint64_t)b, (uint64_t)c, (uint64_t)q) >= 0);
+}
+
+/* a b > c d, exactly; b >= 0 and c > 0. */
+static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
+{
+    NUM_CHECK(b >= 0 && c > 0);
+    if (a > 0 ? d < 0 : d >= 0)
+        return a > 0;
+    if (a > 0)
+        return tia_cmp_products((uint64_t)a, (uint64_t)b, (uint64_t)c, (uint64_t)d) > 0;
+    return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
+}
+
+/* x * 2^s as a mantissa; the caller knows that it fits. */
+static inline num_u num_scale(num_wide x, int s)
+{
+    NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
+    return TIA_SHIFTS_WORDS && s < 0 && s >= -63 ? tia_round_shift_low((num_uwide)x, (unsigned)-s)
+                                                 : (num_u)num_shift(x, s);
+}
+
+/* x * 2^s as a mantissa, or the largest there is. */
+static inline num_u num_scale_within(num_wide x, int s)
+{
+    NUM_CHECK(x >= 0);
+    if (!TIA_SHIFTS_WORDS || s >= 0 || s < -63)
+        return num_bits(x) + s > 32 ? UINT32_MAX : (num_u)num_shift(x, s);
+    return s > -32 && (num_u)(x >> 32) >> -s ? UINT32_MAX : tia_round_shift_low((num_uwide)x, (unsigned)-s);
+}
+
+/* The upper half of a product of mantissas, rounded to nearest. */
+static inline num_u num_mul_top(num_u a, num_u b)
+{
+    return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
+}
+
+/* The mantissa as a num_u, rounded down. */
+static inline num_u num_normal_top(struct num_normal n)
+{
+    return (num_u)(n.mantissa >> 32);
+}
+
+/* a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) is a num_normal, swell
+ * has the exponent 32 and `e` is twice a's exponent less those of d and k. Mantissas of 32 and 31
+ * bits: each product is off by less than 2^-29 of itself. */
+static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
+{
+    NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
+    int a_zeros = (int)tia_clz64((uint64_t)a), k_zeros = (int)tia_clz64((uint64_t)k);
+    int shift = 1 - 2 * half - k_zeros + 2 * a_zeros + e;
+
+    if (shift > 3) /* left < 2^64, right >= 2^60 */
+        return false;
+    num_u top = (num_u)((uint64_t)a << a_zeros >> 32), power = (num_u)((uint64_t)k << k_zeros >> 33);
+    num_uwide left = num_mul_u(top, top), right = num_mul_u(near, power + num_mul_top(power, swell));
+
+    if (shift < 0)
+        return left >= (shift < -63 ? 0 : right >> -shift);
+    return left >> shift >= right;
+}
+
+/* A cosine from r N.w/|w| as the renderer scales it (see span/light.c) and the radius's inverse. */
+static inline num_u num_lambert(num_u scaled, num_u inverse)
+{
+    num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;
+    return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
+}
+
+/* With R = 2^16 r and inverse = num_inverse(r), which is 2^(31 + num_bits(R)) / R, bias/r is
+ * 2^(-28 - num_bits(R)) inverse. */
+
+/* bias/r as a fraction of 2^32, for a radius of `bits` bits. */
+static inline num_u num_bias(num_u inverse, int bits)
+{
+    NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
+    return (num_u)num_shift(inverse, 4 - bits);
+}
+
+/* facing * inverse * 2^-s, rounded: bias N.w from r N.w and num_inverse(r). */
+static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
+{
+    NUM_CHECK(s >= 1);
+    s = s < 1 ? 1 : s > 63 ? 63 : s;
+    return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
+}
+
+/* x bias/r with the exponent e, where x has 30 and the radius `bits` bits. */
+static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
+{
+    int x_bits = num_bits(x), s = 88 + bits - x_bits - e;
+
+    NUM_CHECK(x == 0 || s >= 0);
+    if (s > 63)
+        return 0;
+    return tia_round_shift(num_shift(x, 30 - x_bits) * (num_wide)inverse, s < 0 ? 0 : (unsigned)s);
+}
+
+#define NUM_LEAST 1            /* the least positive mantissa */
+#define NUM_BIAS ((num_wide)8) /* of shadow rays: 2^-13, exponent 16 */
+
+/* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */
+static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
+{
+    NUM_CHECK(c <= NUM_ONE && threshold < NUM_ONE);
+    return (unsigned)(((num_uwide)c * levels + threshold) >> 30);
+}
+
+/* (n + 1/2) / 64 as a threshold. */
+static inline num_u num_threshold(unsigned n)
+{
+    return (num_u)(2 * n + 1) << 23;
+}
+
+/* Whether t with exponent e is nearer than u with exponent f. */
+static inline bool num_nearer(num_u t, int e, num_u u, int f)
+{
+    int d = f - e;
+    if (d >= 0)
+        return (num_uwide)t << (d < 32 ? d : 32) < u;
+    return t < (num_uwide)u << (d > -32 ? -d : 32);
+}
+
+static inline num_wide num_sum_of_squares30(num_wide a, num_wide b, num_wide c)
+{
+    uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b), z = (uint64_t)(c < 0 ? -c : c);
+    NUM_CHECK(x >> 32 == 0 && y >> 32 == 0 && z >> 32 == 0);
+    return (num_wide)((x * x + y * y + z * z) >> 2);
+}
+
+#endif

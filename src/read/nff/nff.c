@@ -1,0 +1,281 @@
+/* nff.c - Eric Haines's Neutral File Format, version 3.1, of the Standard Procedural Databases.
+ *
+ * His words, and what becomes of them here:
+ *
+ *     v from at up angle      angle is the whole field of view, "from the center of top pixel row to bottom
+ *                             pixel row": the vertical fov, of the picture's edges, as other readers have it
+ *     hither resolution       for hidden surface machines and displays: read, and of no use
+ *     b r g b                 background; "if no background color is set, assume RGB = {0,0,0}"
+ *     l x y z [r g b]         a point light, without attenuation; without colour 1/sqrt(number of lights)
+ *     f r g b Kd Ks Shine T index
+ *                             diffuse Kd (r, g, b); "Ks the specular": highlight and mirror, both Ks in each
+ *                             channel; "Shine is the Phong cosine power for highlights": 0 is none, up to 1
+ *                             is 1, above TIA_EXPONENT_MAX (the databases say 100000, with Ks = 0) is that;
+ *                             "T is transmittance (fraction of contribution of the transmitting ray)": what is
+ *                             refracted and what a shadow ray keeps, in each channel; index 0 is 1. Before
+ *                             the first f things are white: f 1 1 1 1 0 0 0 1
+ *     s c                     a sphere; a cylinder or, with other radii at its ends, a cone, "without
+ *                             endcaps"; a negative radius shows the inside only, as every surface does here
+ *     p pp                    polygons and patches with normals, in any form, not only with a convex first
+ *                             corner: those of one f make one mesh
+ *
+ * "Normally, objects have one side": here they have two, as there they have with T > 0.
+ */
+#include "nff.h"
+#include "math/integer.h"
+#include "read/surface.h"
+
+/* ---- view, background, lights ---- */
+
+static int read_v(struct nff *n)
+{
+    n->view |= VIEW_V;
+    return TIA_OK;
+}
+
+static int read_from(struct nff *n)
+{
+    n->view |= VIEW_FROM;
+    return tia_text_vec3(&n->text, &n->scene->camera.eye);
+}
+
+static int read_at(struct nff *n)
+{
+    n->view |= VIEW_AT;
+    return tia_text_vec3(&n->text, &n->scene->camera.reference);
+}
+
+static int read_up(struct nff *n)
+{
+    struct tia_vec3 *up = &n->scene->camera.up;
+    struct tia_word first;
+
+    n->view |= VIEW_UP;
+    (void)tia_text_peek(&n->text, &first);
+    int status = tia_text_vec3(&n->text, up);
+    if (!status && !up->x && !up->y && !up->z)
+        return tia_text_error(&n->text, &first, "begins an up vector of no length", "three numbers that are not all 0");
+    return status;
+}
+
+static int read_angle(struct nff *n)
+{
+    n->view |= VIEW_ANGLE;
+    return tia_text_q16(&n->text, &n->scene->camera.fov);
+}
+
+static int read_hither(struct nff *n)
+{
+    int64_t distance;
+    return tia_text_q32(&n->text, &distance);
+}
+
+static int read_resolution(struct nff *n)
+{
+    int64_t size;
+    int status = tia_text_integer(&n->text, &size, 0, UINT32_MAX);
+
+    return status ? status : tia_text_integer(&n->text, &size, 0, UINT32_MAX);
+}
+
+static int read_b(struct nff *n)
+{
+    n->backgrounds++;
+    return tia_text_rgb(&n->text, &n->scene->background);
+}
+
+/* 1/sqrt(count), to nearest: the root of 2^62/count is twice that in Q2.30, rounded down. */
+static tia_q30 intensity(uint32_t count)
+{
+    return (tia_q30)((tia_sqrt64((UINT64_C(1) << 62) / count) + 1) >> 1);
+}
+
+static int read_l(struct nff *n)
+{
+    struct tia_light light = {.kind = TIA_POINT_LIGHT};
+    int status = tia_text_vec3(&n->text, &light.centre);
+
+    if (!status && tia_text_has_number(&n->text))
+        status = tia_text_rgb(&n->text, &light.emission);
+    else if (n->lights.capacity)
+        light.emission = tia_grey(intensity(n->lights.capacity));
+    tia_array_add(&n->lights, &light);
+    return status;
+}
+
+/* ---- materials ---- */
+
+static int read_f(struct nff *n)
+{
+    struct tia_text *t = &n->text;
+    struct tia_material m = {.index = TIA_Q16_ONE};
+    tia_q30 kd = 0, ks = 0, transmittance = 0;
+    tia_q16 exponent = 0;
+    int status = tia_text_rgb(t, &m.colour);
+
+    status = status ? status : tia_text_q30(t, &kd);
+    status = status ? status : tia_text_q30(t, &ks);
+    status = status ? status : tia_text_exponent(t, &exponent);
+    status = status ? status : tia_text_q30(t, &transmittance);
+    status = status ? status : tia_text_q16(t, &m.index);
+    m.colour = tia_rgb_product(m.colour, kd);
+    m.mirror = tia_grey(ks);
+    tia_set_highlight(&m, tia_grey(ks), exponent);
+    m.refraction = m.transmission = tia_grey(transmittance);
+    m.index = transmittance && m.index ? m.index : TIA_Q16_ONE;
+    tia_nff_close_mesh(n);
+    tia_array_add(&n->materials, &m);
+    return status;
+}
+
+/* ---- all of it ---- */
+
+static const struct {
+    const char *name;
+    int (*read)(struct nff *);
+} statements[] = {
+    {"v", read_v},
+    {"from", read_from},
+    {"at", read_at},
+    {"up", read_up},
+    {"angle", read_angle},
+    {"hither", read_hither},
+    {"resolution", read_resolution},
+    {"b", read_b},
+    {"l", read_l},
+    {"f", read_f},
+    {"s", tia_nff_s},
+    {"c", tia_nff_c},
+    {"p", tia_nff_p},
+    {"pp", tia_nff_pp},
+};
+
+static int read_statement(struct nff *n, const struct tia_word *word)
+{
+    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
+        if (tia_word_is(word, statements[i].name)) {
+            int status = statements[i].read(n);
+            return status ? status : tia_text_end(&n->text);
+        }
+    return tia_text_error(&n->text, word, "is no statement", "v, b, l, f, c, s, p, pp or a # comment");
+}
+
+static bool is_same(const char *a, const char *b)
+{
+    while (*a && *a == *b)
+        a++, b++;
+    return *a == *b;
+}
+
+/* Whether the thing at fault has been made. */
+static bool is_found(const struct nff *n)
+{
+    const struct {
+        const char *thing;
+        uint32_t made;
+    } kinds[] = {{"material", n->materials.count},
+                 {"light", n->lights.count},
+                 {"sphere", n->spheres.count},
+                 {"shape", n->shapes.count},
+                 {"mesh", n->meshes.count + (n->mesh.vertex_count > 0)},
+                 {"camera", n->view & VIEW_V},
+                 {"scene", n->backgrounds}};
+
+    for (size_t i = 0; n->fault && i < sizeof kinds / sizeof *kinds; i++)
+        if (is_same(n->fault->thing, kinds[i].thing))
+            return kinds[i].made > n->fault->index;
+    return false;
+}
+
+/* One pass. Where a thing is looked for, the error's place becomes that of the statement that makes it. */
+static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_read_error *error)
+{
+    struct tia_word word;
+
+    n->text = tia_text_begin(reader->text, reader->length, "", error);
+    while (tia_text_line(&n->text)) {
+        (void)tia_text_word(&n->text, &word);
+        int status = read_statement(n, &word);
+        if (status)
+            return status;
+        if (is_found(n)) {
+            error->line = word.line;
+            error->column = word.column;
+            return TIA_OK;
+        }
+    }
+    tia_nff_close_mesh(n);
+    return TIA_OK;
+}
+
+static struct nff begin(struct tia_scene *scene)
+{
+    return (struct nff){.scene = scene,
+                        .materials = {.item = sizeof(struct tia_material)},
+                        .lights = {.item = sizeof(struct tia_light)},
+                        .spheres = {.item = sizeof(struct tia_sphere)},
+                        .shapes = {.item = sizeof(struct tia_shape)},
+                        .meshes = {.item = sizeof(struct tia_mesh)},
+                        .vertices = {.item = sizeof(struct tia_vec3)},
+                        .normals = {.item = sizeof(struct tia_dir3)},
+                        .faces = {.item = sizeof(struct tia_face)}};
+}
+
+static void place(struct nff *n, struct tia_arena *arena)
+{
+    struct tia_scene *scene = n->scene;
+
+    scene->material_count = n->materials.count;
+    scene->light_count = n->lights.count;
+    scene->sphere_count = n->spheres.count;
+    scene->shape_count = n->shapes.count;
+    scene->mesh_count = n->meshes.count;
+    scene->materials = tia_array_place(arena, &n->materials);
+    scene->lights = tia_array_place(arena, &n->lights);
+    scene->spheres = tia_array_place(arena, &n->spheres);
+    scene->shapes = tia_array_place(arena, &n->shapes);
+    scene->meshes = tia_array_place(arena, &n->meshes);
+    (void)tia_array_place(arena, &n->vertices);
+    (void)tia_array_place(arena, &n->normals);
+    (void)tia_array_place(arena, &n->faces);
+    n->corners = tia_arena_take(arena, n->most_corners, sizeof *n->corners);
+}
+
+/* The first of a view's lines that is missing. */
+static int check_view(struct nff *n)
+{
+    static const char *const names[] = {"v", "from", "at", "up", "angle"};
+    struct tia_word end;
+
+    for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+        if (!(n->view >> i & 1)) {
+            (void)tia_text_word(&n->text, &end);
+            (void)tia_text_error_at(&n->text, &end);
+            tia_say(n->text.error, "the view has no '");
+            tia_say(n->text.error, names[i]);
+            tia_say(n->text.error, "', expected v, from, at, up and angle");
+            return TIA_ERR_RANGE;
+        }
+    return TIA_OK;
+}
+
+int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+{
+    struct nff n = begin(scene);
+    int status = read_all(&n, reader, &reader->error);
+
+    status = status ? status : check_view(&n);
+    if (status)
+        return status;
+    place(&n, arena);
+    return tia_arena_fits(arena) ? read_all(&n, reader, &reader->error) : TIA_OK;
+}
+
+void tia_locate_nff(struct tia_reader *reader, const struct tia_fault *fault)
+{
+    struct tia_scene scene = {.bvh = NULL};
+    struct nff n = begin(&scene);
+
+    n.fault = fault;
+    (void)read_all(&n, reader, &reader->error);
+}

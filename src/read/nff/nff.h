@@ -1,0 +1,31 @@
+/* nff.h - what the reader of .nff knows between its statements; see nff.c. */
+#ifndef TIA_SRC_READ_NFF_H
+#define TIA_SRC_READ_NFF_H
+
+#include "polygon.h"
+#include "read/readers.h"
+
+enum view { VIEW_V = 1, VIEW_FROM = 2, VIEW_AT = 4, VIEW_UP = 8, VIEW_ANGLE = 16, VIEW_ALL = 31 };
+
+struct nff {
+    struct tia_text text;
+    struct tia_scene *scene;
+    struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces;
+    struct tia_mesh mesh; /* of the present f; open as long as it has vertices */
+    struct polygon_corner *corners;
+    uint32_t most_corners;
+    unsigned view, backgrounds;
+
+    const struct tia_fault *fault; /* NULL, or only the place of the thing at fault is looked for */
+};
+
+/* The statements that make things. */
+int tia_nff_s(struct nff *n);
+int tia_nff_c(struct nff *n);
+int tia_nff_p(struct nff *n);
+int tia_nff_pp(struct nff *n);
+
+/* No more faces for the mesh. */
+void tia_nff_close_mesh(struct nff *n);
+
+#endif

@@ -1,0 +1,149 @@
+/* shape.c - the things in a .nff scene. */
+#include "nff.h"
+
+/* Of what comes now. */
+static uint32_t material(struct nff *n)
+{
+    static const struct tia_material white = {
+        .colour = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}, .exponent = TIA_Q16_ONE, .index = TIA_Q16_ONE};
+
+    if (!n->materials.count)
+        tia_array_add(&n->materials, &white);
+    return n->materials.count - 1;
+}
+
+/* A radius: that of an inside is negative. */
+static int read_radius(struct tia_text *t, tia_q16 *out)
+{
+    int status = tia_text_q16(t, out);
+
+    if (!status && *out < 0)
+        *out = *out == INT32_MIN ? INT32_MAX : -*out;
+    return status;
+}
+
+int tia_nff_s(struct nff *n)
+{
+    struct tia_sphere s = {.material = material(n)};
+    int status = tia_text_vec3(&n->text, &s.centre);
+
+    status = status ? status : read_radius(&n->text, &s.radius);
+    tia_array_add(&n->spheres, &s);
+    return status;
+}
+
+int tia_nff_c(struct nff *n)
+{
+    struct tia_shape shape = {.kind = TIA_CONE, .material = material(n)};
+    struct tia_cone cone = {.capped = false};
+    int status = tia_text_vec3(&n->text, &cone.base);
+
+    status = status ? status : read_radius(&n->text, &cone.base_radius);
+    status = status ? status : tia_text_vec3(&n->text, &cone.top);
+    status = status ? status : read_radius(&n->text, &cone.top_radius);
+    shape.cone = cone;
+    if (cone.base_radius == cone.top_radius) {
+        shape.kind = TIA_CYLINDER;
+        shape.cylinder = (struct tia_cylinder){.base = cone.base, .top = cone.top, .radius = cone.base_radius};
+    }
+    tia_array_add(&n->shapes, &shape);
+    return status;
+}
+
+void tia_nff_close_mesh(struct nff *n)
+{
+    if (n->mesh.vertex_count)
+        tia_array_add(&n->meshes, &n->mesh);
+    n->mesh.vertex_count = 0;
+}
+
+/* Where an array's next item will be. */
+static const void *next_item(const struct tia_array *array)
+{
+    return array->items ? array->items + array->count * array->item : NULL;
+}
+
+static void open_mesh(struct nff *n)
+{
+    struct tia_shape shape = {.kind = TIA_MESH, .material = material(n), .mesh = n->meshes.count};
+
+    if (n->mesh.vertex_count)
+        return;
+    tia_array_add(&n->shapes, &shape);
+    n->mesh = (struct tia_mesh){
+        .vertices = next_item(&n->vertices), .normals = next_item(&n->normals), .faces = next_item(&n->faces)};
+}
+
+/* Adds the faces of the polygon whose `count` vertices came last. */
+static void add_faces(struct nff *n, uint32_t count, bool has_normals)
+{
+    struct tia_face face = {0};
+    struct polygon polygon;
+    uint32_t triangle[3];
+
+    n->mesh.face_count += count - 2;
+    if (!n->corners) {
+        n->most_corners = count > n->most_corners ? count : n->most_corners;
+        for (uint32_t i = 0; i < count - 2; i++)
+            tia_array_add(&n->faces, &face);
+        return;
+    }
+    uint32_t vertex = n->mesh.vertex_count - count, normal = n->mesh.normal_count - count;
+    for (uint32_t i = 0; i < count; i++)
+        n->corners[i].point = n->mesh.vertices[vertex + i];
+    tia_polygon_begin(&polygon, n->corners, count);
+    while (tia_polygon_next(&polygon, triangle)) {
+        for (int i = 0; i < 3; i++)
+            face.corner[i] = (struct tia_corner){vertex + triangle[i],
+                                                 has_normals ? normal + triangle[i] : TIA_NO_INDEX, TIA_NO_INDEX};
+        tia_array_add(&n->faces, &face);
+    }
+}
+
+/* A vertex, on this line or on a later one, and its normal. */
+static int read_vertex(struct nff *n, bool has_normal)
+{
+    struct tia_vec3 vertex = {0, 0, 0};
+    struct tia_dir3 normal = {0, 0, 0};
+    struct tia_word word;
+
+    if (!tia_text_peek(&n->text, &word))
+        (void)tia_text_line(&n->text);
+    int status = tia_text_vec3(&n->text, &vertex);
+    if (!status && has_normal)
+        status = tia_text_dir3(&n->text, &normal);
+    tia_array_add(&n->vertices, &vertex);
+    n->mesh.vertex_count++;
+    if (has_normal) {
+        tia_array_add(&n->normals, &normal);
+        n->mesh.normal_count++;
+    }
+    return status;
+}
+
+static int read_polygon(struct nff *n, bool has_normals)
+{
+    int64_t count;
+    int status = tia_text_integer(&n->text, &count, 3, POLYGON_MAX);
+
+    if (status)
+        return status;
+    open_mesh(n);
+    for (int64_t i = 0; i < count; i++) {
+        status = read_vertex(n, has_normals);
+        if (status)
+            return status;
+    }
+    add_faces(n, (uint32_t)count, has_normals);
+    return TIA_OK;
+}
+
+int tia_nff_p(struct nff *n)
+{
+    return read_polygon(n, false);
+}
+
+int tia_nff_pp(struct nff *n)
+{
+    return read_polygon(n, true);
+}

@@ -1,0 +1,212 @@
+/* face.c - faces, gathered by their materials into meshes. */
+#include "obj.h"
+
+enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
+
+/* The index that begins at *p: a whole number below 2^32, perhaps negative; 0 is none. */
+static int64_t take_index(const char **p, const char *end)
+{
+    int64_t index = 0;
+    bool negative = *p < end && **p == '-';
+
+    for (*p += negative; *p < end && **p >= '0' && **p <= '9'; ++*p)
+        index = index < UINT32_MAX ? index * 10 + (**p - '0') : index;
+    return negative ? -index : index;
+}
+
+/* V, V/VT, V//VN or V/VT/VN; a part that is not there is 0. False: it is none of these. */
+static bool split(const struct tia_word *word, int64_t index[PARTS])
+{
+    const char *p = word->at, *end = word->at + word->length;
+
+    index[PART_UV] = index[PART_NORMAL] = 0;
+    index[PART_VERTEX] = take_index(&p, end);
+    for (int part = PART_UV; part < PARTS && p < end && *p == '/'; part++) {
+        const char *start = ++p;
+        index[part] = take_index(&p, end);
+        if (p > start ? !index[part] : part == PART_NORMAL || p == end || *p != '/')
+            return false;
+    }
+    return p == end && index[PART_VERTEX];
+}
+
+static int unknown(struct obj *o, const struct tia_word *word, enum part part, uint32_t count)
+{
+    static const char *const names[] = {"vertex", "texture coordinate", "normal"};
+
+    (void)tia_text_error_at(&o->text, word);
+    tia_say_word(o->text.error, word);
+    tia_say(o->text.error, " asks for a ");
+    tia_say(o->text.error, names[part]);
+    tia_say(o->text.error, " that is not there, expected ");
+    if (count) {
+        tia_say(o->text.error, "1 to ");
+        tia_say_number(o->text.error, count);
+        tia_say(o->text.error, ", those before this line");
+    } else {
+        tia_say(o->text.error, "one before this line");
+    }
+    return TIA_ERR_RANGE;
+}
+
+/* One corner, its indices from 0. */
+static int read_corner(struct obj *o, struct tia_corner *corner)
+{
+    const uint32_t counts[PARTS] = {o->vertices.count, o->uvs.count, o->normals.count};
+    uint32_t found[PARTS];
+    int64_t index[PARTS];
+    struct tia_word word;
+
+    (void)tia_text_word(&o->text, &word);
+    if (!split(&word, index))
+        return tia_text_error(&o->text, &word, "is no corner", "V, V/VT, V//VN or V/VT/VN");
+    for (enum part part = PART_VERTEX; part < PARTS; part++) {
+        int64_t i = index[part] < 0 ? counts[part] + index[part] : index[part] - 1;
+        if (index[part] && (i < 0 || i >= counts[part]))
+            return unknown(o, &word, part, counts[part]);
+        found[part] = index[part] ? (uint32_t)i : TIA_NO_INDEX;
+    }
+    *corner = (struct tia_corner){.vertex = found[PART_VERTEX], .normal = found[PART_NORMAL], .uv = found[PART_UV]};
+    return TIA_OK;
+}
+
+/* ---- triangles ---- */
+
+static void use(struct obj_group *g, enum part part, uint32_t index)
+{
+    if (index == TIA_NO_INDEX)
+        return;
+    g->low[part] = index < g->low[part] ? index : g->low[part];
+    g->high[part] = index > g->high[part] ? index : g->high[part];
+}
+
+static void add_faces(struct obj *o, uint32_t count)
+{
+    const struct tia_vec3 *vertices = (const struct tia_vec3 *)(void *)o->vertices.items;
+    struct obj_group *g = &o->groups[o->group];
+    struct polygon polygon;
+    uint32_t triangle[3];
+
+    for (uint32_t i = 0; i < count; i++) {
+        o->polygon[i].point = vertices[o->corners[i].vertex];
+        use(g, PART_VERTEX, o->corners[i].vertex);
+        use(g, PART_UV, o->corners[i].uv);
+        use(g, PART_NORMAL, o->corners[i].normal);
+    }
+    tia_polygon_begin(&polygon, o->polygon, count);
+    while (tia_polygon_next(&polygon, triangle)) {
+        struct tia_face *face = &o->faces[g->next_face++];
+        for (int i = 0; i < 3; i++)
+            face->corner[i] = o->corners[triangle[i]];
+    }
+}
+
+/* The corners of this line; those that a face has are stored in the last pass. */
+static int read_corners(struct obj *o, uint32_t *count)
+{
+    struct tia_corner corner, first = {0, 0, 0};
+    struct tia_word word;
+
+    for (*count = 0; *count < 3 || tia_text_peek(&o->text, &word); ++*count) {
+        (void)tia_text_peek(&o->text, &word);
+        int status = read_corner(o, &corner);
+        if (status)
+            return status;
+        if (*count == POLYGON_MAX)
+            return tia_text_error(&o->text, &word, "is one too many", "at most 4096 corners");
+        first = *count ? first : corner;
+        if ((corner.uv == TIA_NO_INDEX) != (first.uv == TIA_NO_INDEX) ||
+            (corner.normal == TIA_NO_INDEX) != (first.normal == TIA_NO_INDEX))
+            return tia_text_error(&o->text, &word, "is of another form", "all corners of a face alike");
+        if (o->pass == OBJ_FILL)
+            o->corners[*count] = corner;
+    }
+    return TIA_OK;
+}
+
+int tia_obj_f(struct obj *o)
+{
+    uint32_t count;
+    int status = read_corners(o, &count);
+
+    if (status)
+        return status;
+    if (o->pass == OBJ_COUNT) {
+        o->most_corners = count > o->most_corners ? count : o->most_corners;
+        o->face_count += count - 2;
+    } else if (o->pass == OBJ_MEASURE) {
+        o->groups[o->group].face_count += count - 2;
+    } else {
+        add_faces(o, count);
+    }
+    return TIA_OK;
+}
+
+/* ---- meshes ---- */
+
+void tia_obj_place_groups(struct obj *o)
+{
+    uint32_t next = 0;
+
+    for (uint32_t i = 0; i < o->scene->material_count; i++) {
+        o->groups[i].next_face = next;
+        next += o->groups[i].face_count;
+    }
+}
+
+static const void *item(const struct tia_array *array, uint32_t index)
+{
+    return array->items + index * array->item;
+}
+
+/* The mesh of a group: it sees only what lies between the first and the last vertex that it uses. */
+static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
+{
+    struct tia_face *faces = &o->faces[g->next_face - g->face_count];
+    struct tia_mesh mesh = {.faces = faces, .face_count = g->face_count};
+
+    mesh.vertices = item(&o->vertices, g->low[PART_VERTEX]);
+    mesh.vertex_count = g->high[PART_VERTEX] - g->low[PART_VERTEX] + 1;
+    if (g->low[PART_UV] <= g->high[PART_UV]) {
+        mesh.uvs = item(&o->uvs, g->low[PART_UV]);
+        mesh.uv_count = g->high[PART_UV] - g->low[PART_UV] + 1;
+    }
+    if (g->low[PART_NORMAL] <= g->high[PART_NORMAL]) {
+        mesh.normals = item(&o->normals, g->low[PART_NORMAL]);
+        mesh.normal_count = g->high[PART_NORMAL] - g->low[PART_NORMAL] + 1;
+    }
+    for (uint32_t i = 0; i < 3 * g->face_count; i++) {
+        struct tia_corner *c = &faces[i / 3].corner[i % 3];
+        c->vertex -= g->low[PART_VERTEX];
+        c->uv -= c->uv == TIA_NO_INDEX ? 0 : g->low[PART_UV];
+        c->normal -= c->normal == TIA_NO_INDEX ? 0 : g->low[PART_NORMAL];
+    }
+    return mesh;
+}
+
+/* Where many materials are used all over the text, each mesh sees all its vertices, and whoever looks at
+ * them all takes a time that grows with the square of the text. */
+#define SEEN_MAX (UINT64_C(1) << 26)
+
+int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
+{
+    uint32_t count = 0;
+    uint64_t seen = 0;
+
+    for (uint32_t i = 0; i < o->scene->material_count; i++) {
+        if (!o->groups[i].face_count)
+            continue;
+        meshes[count] = make_mesh(o, &o->groups[i]);
+        shapes[count] = (struct tia_shape){.kind = TIA_MESH, .material = i, .mesh = count};
+        seen += (uint64_t)meshes[count].vertex_count + meshes[count].normal_count + meshes[count].uv_count;
+        count++;
+    }
+    o->scene->meshes = meshes;
+    o->scene->shapes = shapes;
+    o->scene->mesh_count = o->scene->shape_count = count;
+    if (seen <= SEEN_MAX || count == 1)
+        return TIA_OK;
+    tia_say(&o->reader->error,
+            "the materials are scattered over the vertices, expected those of each to be near each other");
+    return TIA_ERR_RANGE;
+}

@@ -1,0 +1,183 @@
+/* frame.c - how a model without unit, camera and light is seen.
+ *
+ * A model's own coordinates are the scene's, as long as they are within 4096 and it is at least 1 long, high
+ * or deep: then the camera below, at most 3.93 radii from any point, has all of it nearer than 32768, and a
+ * coordinate's last bit is at most 2^-16 of it. Others are moved so that the middle of the model's
+ * bounds is 0, and scaled by a power of two so that they reach from there 8 to 16 far: nothing in an
+ * .obj has a size but the model, and the picture is the same. Only models of less than 2^-15 are refused, for
+ * then not even 28 bits behind the point say what they look like.
+ */
+#include "math/integer.h"
+#include "obj.h"
+#include "read/surface.h"
+
+#define COORDINATE_BITS 28
+#define FAR_AWAY (INT64_C(4096) << COORDINATE_BITS)
+#define SMALL (INT64_C(1) << (COORDINATE_BITS - 1))
+#define TINY (INT64_C(1) << (COORDINATE_BITS - 16))
+
+/* The next number with 28 bits behind the point, rounded down. */
+static int read_coordinate(struct tia_text *t, int64_t *out)
+{
+    int64_t wide;
+    int status = tia_text_q32(t, &wide);
+
+    *out = status ? 0 : wide >> (32 - COORDINATE_BITS);
+    return status;
+}
+
+static void count_vertex(struct obj *o, const int64_t v[3])
+{
+    bool first = !o->vertices.count;
+
+    for (int i = 0; i < 3; i++) {
+        o->min[i] = first || v[i] < o->min[i] ? v[i] : o->min[i];
+        o->max[i] = first || v[i] > o->max[i] ? v[i] : o->max[i];
+    }
+}
+
+/* A vertex of a model that is moved: |v - origin| < 2^61, and after the shift below 2^21. */
+static tia_q16 move(const struct obj *o, int64_t v, int axis)
+{
+    int64_t from = v - o->origin[axis];
+    return (tia_q16)(o->shift >= 0 ? tia_round_shift(from, (unsigned)o->shift)
+                                   : (int64_t)((uint64_t)from << (unsigned)-o->shift));
+}
+
+int tia_obj_v(struct obj *o)
+{
+    struct tia_vec3 vertex = {0, 0, 0};
+    int64_t v[3] = {0, 0, 0};
+    int status = TIA_OK;
+
+    if (o->pass != OBJ_COUNT && !o->moved) {
+        status = tia_text_vec3(&o->text, &vertex);
+    } else {
+        for (int i = 0; !status && i < 3; i++)
+            status = read_coordinate(&o->text, &v[i]);
+        if (o->pass == OBJ_COUNT)
+            count_vertex(o, v);
+        else
+            vertex = (struct tia_vec3){move(o, v[0], 0), move(o, v[1], 1), move(o, v[2], 2)};
+    }
+    for (int i = 0; !status && i < 4 && tia_text_has_number(&o->text); i++)
+        status = read_coordinate(&o->text, &v[0]);
+    tia_array_add(&o->vertices, &vertex);
+    return status;
+}
+
+/* An error of no place. */
+static int refuse(struct obj *o, const char *why)
+{
+    tia_say(&o->reader->error, why);
+    return TIA_ERR_RANGE;
+}
+
+int tia_obj_fit(struct obj *o)
+{
+    int64_t half = 0, farthest = 0;
+
+    if (!o->face_count)
+        return refuse(o, "the model has no faces, expected some f");
+    if (o->face_count > TIA_OBJECTS_MAX)
+        return refuse(o, "the model has too many faces, expected at most 16777216");
+    for (int i = 0; i < 3; i++) {
+        int64_t size = (o->max[i] - o->min[i] + 1) / 2;
+        half = size > half ? size : half;
+        farthest = o->max[i] > farthest ? o->max[i] : farthest;
+        farthest = -o->min[i] > farthest ? -o->min[i] : farthest;
+        o->origin[i] = o->min[i] + size;
+    }
+    if (half < TINY)
+        return refuse(o, "the model is too small, expected an extent of more than 1/32768");
+    o->moved = half < SMALL || farthest > FAR_AWAY;
+    /* half has 64 - clz bits, of which 20 are to stay: 8..16 in Q16.16. */
+    o->shift = 44 - (int)tia_clz64((uint64_t)half);
+    return TIA_OK;
+}
+
+/* ---- the camera and the lights ---- */
+
+struct bounds {
+    int64_t min[3], max[3];
+};
+
+static void extend(struct bounds *b, const struct tia_vec3 *v)
+{
+    const int64_t at[3] = {v->x, v->y, v->z};
+
+    for (int i = 0; i < 3; i++) {
+        b->min[i] = at[i] < b->min[i] ? at[i] : b->min[i];
+        b->max[i] = at[i] > b->max[i] ? at[i] : b->max[i];
+    }
+}
+
+static uint64_t square(int64_t x)
+{
+    return (uint64_t)(x * x);
+}
+
+static struct tia_vec3 middle(const struct bounds *b)
+{
+    return (struct tia_vec3){(tia_q16)((b->min[0] + b->max[0]) >> 1), (tia_q16)((b->min[1] + b->max[1]) >> 1),
+                             (tia_q16)((b->min[2] + b->max[2]) >> 1)};
+}
+
+/* The square of the distance from c to the farthest vertex of a face. Coordinates are within 4096: the sum of
+ * squares stays below 2^61. */
+static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
+{
+    uint64_t most = 0;
+
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        for (uint32_t i = 0; i < 3 * scene->meshes[m].face_count; i++) {
+            const struct tia_mesh *mesh = &scene->meshes[m];
+            const struct tia_vec3 *v = &mesh->vertices[mesh->faces[i / 3].corner[i % 3].vertex];
+            uint64_t distance = square((int64_t)v->x - c.x) + square((int64_t)v->y - c.y) + square((int64_t)v->z - c.z);
+            most = distance > most ? distance : most;
+        }
+    return most;
+}
+
+/* From the right and from above: 35 degrees to the right of +z, 25 above the horizon. The sphere around the model
+ * touches the edges of a field of 40 degrees, at the distance of 1/sin 20 radii. */
+#define TOWARDS_X TIA_Q30(0.519837)
+#define TOWARDS_Y TIA_Q30(0.422618)
+#define TOWARDS_Z TIA_Q30(0.742403)
+#define DISTANCE TIA_Q16(2.9238044)
+
+static struct tia_camera look_at(struct tia_vec3 c, uint64_t radius)
+{
+    int64_t distance = (int64_t)((radius * (uint64_t)DISTANCE + 65535) >> 16);
+
+    return (struct tia_camera){.eye = {c.x + (tia_q16)tia_round_shift(distance * TOWARDS_X, 30),
+                                       c.y + (tia_q16)tia_round_shift(distance * TOWARDS_Y, 30),
+                                       c.z + (tia_q16)tia_round_shift(distance * TOWARDS_Z, 30)},
+                               .reference = c,
+                               .up = {0, TIA_Q16_ONE, 0},
+                               .fov = TIA_Q16(40)};
+}
+
+int tia_obj_frame(struct obj *o, struct tia_light *lights)
+{
+    struct tia_scene *scene = o->scene;
+    struct bounds b = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
+
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        for (uint32_t i = 0; i < 3 * scene->meshes[m].face_count; i++)
+            extend(&b, &scene->meshes[m].vertices[scene->meshes[m].faces[i / 3].corner[i % 3].vertex]);
+    struct tia_vec3 c = middle(&b);
+    uint64_t radius = tia_sqrt64(farthest(scene, c)) + UINT64_C(1);
+    if (radius < TIA_RADIUS_MIN)
+        return refuse(o, "all faces lie in one point, expected a model");
+    scene->camera = look_at(c, radius);
+    scene->background = tia_grey(TIA_Q30(0.8));
+    /* The sun stands to the camera's left, and higher; the sky fills its shadows. */
+    lights[0] = (struct tia_light){.kind = TIA_DIRECTIONAL_LIGHT,
+                                   .emission = tia_grey(TIA_Q30(0.75)),
+                                   .direction = {TIA_Q30(0.36), TIA_Q30(-0.8), TIA_Q30(-0.48)}};
+    lights[1] = (struct tia_light){.kind = TIA_AMBIENT_LIGHT, .emission = tia_grey(TIA_Q30(0.25))};
+    scene->lights = lights;
+    scene->light_count = OBJ_LIGHTS;
+    return TIA_OK;
+}

@@ -1,0 +1,73 @@
+/* obj.h - what the reader of .obj knows between its statements; see obj.c. */
+#ifndef TIA_SRC_READ_OBJ_H
+#define TIA_SRC_READ_OBJ_H
+
+#include "read/nff/polygon.h"
+#include "read/readers.h"
+#include "read/text/names.h"
+
+#define OBJ_LIBRARIES 16 /* of materials, in one scene */
+
+/* The text is read three times, the libraries with it: nothing is stored by the first pass. */
+enum obj_pass {
+    OBJ_COUNT,
+    OBJ_MEASURE, /* libraries: names; the text: how many faces each material has */
+    OBJ_FILL
+};
+
+enum obj_name { OBJ_MATERIAL, OBJ_IMAGE };
+
+struct obj_library {
+    struct tia_word name; /* in the text */
+    const char *text;
+    size_t length;
+};
+
+/* The faces of one material, and which of the text's vertices, normals and uvs they use. */
+struct obj_group {
+    uint32_t face_count, next_face;
+    uint32_t low[3], high[3]; /* low > high: none */
+};
+
+struct obj {
+    struct tia_reader *reader;
+    struct tia_scene *scene;
+    struct tia_text text;
+    enum obj_pass pass;
+    struct obj_library libraries[OBJ_LIBRARIES];
+    uint32_t library_count;
+
+    struct tia_array materials, textures, names, vertices, normals, uvs;
+    struct tia_face *faces;
+    uint32_t face_count, material_uses, most_corners;
+    struct polygon_corner *polygon; /* room for the largest */
+    struct tia_corner *corners;
+
+    struct obj_group *groups; /* one for each material */
+    uint32_t group;           /* of the next face */
+
+    /* Of all vertices, Q.28, while they are counted; then how these coordinates become the scene's. */
+    int64_t min[3], max[3], origin[3];
+    int shift;
+    bool moved;
+};
+
+/* What is left of the line as a name, blanks and all: many programs write them so. */
+int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
+
+/* obj_face.c */
+int tia_obj_f(struct obj *o);
+void tia_obj_place_groups(struct obj *o);
+int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes);
+
+/* obj_frame.c */
+int tia_obj_v(struct obj *o);
+int tia_obj_fit(struct obj *o);
+int tia_obj_frame(struct obj *o, struct tia_light *lights);
+#define OBJ_LIGHTS 2
+
+/* mtl.c: the first material is that of faces without one. */
+void tia_mtl_add_default(struct obj *o);
+int tia_mtl_read(struct obj *o, const struct obj_library *library);
+
+#endif

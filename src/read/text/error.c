@@ -1,0 +1,76 @@
+/* error.c - what is wrong with a text, in words. */
+#include "text.h"
+
+#define SHOWN 40 /* bytes of a word */
+
+static void add_byte(struct tia_read_error *error, char c)
+{
+    size_t length = 0;
+
+    while (error->text[length])
+        length++;
+    if (length + 1 < sizeof error->text) {
+        error->text[length] = c;
+        error->text[length + 1] = 0;
+    }
+}
+
+void tia_say(struct tia_read_error *error, const char *string)
+{
+    while (*string)
+        add_byte(error, *string++);
+}
+
+void tia_say_word(struct tia_read_error *error, const struct tia_word *word)
+{
+    uint32_t length = word->length <= SHOWN ? word->length : SHOWN;
+
+    add_byte(error, '\'');
+    for (uint32_t i = 0; i < length; i++)
+        add_byte(error, word->at[i] >= ' ' && word->at[i] < 127 ? word->at[i] : '?');
+    tia_say(error, word->length <= SHOWN ? "'" : "...'");
+}
+
+void tia_say_number(struct tia_read_error *error, int64_t number)
+{
+    char digits[20];
+    int count = 0;
+    uint64_t left = number < 0 ? 0 - (uint64_t)number : (uint64_t)number;
+
+    do {
+        digits[count++] = (char)('0' + left % 10);
+        left /= 10;
+    } while (left);
+    if (number < 0)
+        add_byte(error, '-');
+    while (count)
+        add_byte(error, digits[--count]);
+}
+
+int tia_text_error_at(struct tia_text *t, const struct tia_word *word)
+{
+    unsigned i = 0;
+
+    for (; i < TIA_NAME_MAX && t->file[i]; i++)
+        t->error->file[i] = t->file[i];
+    t->error->file[i] = 0;
+    t->error->line = word->line;
+    t->error->column = word->column;
+    t->error->text[0] = 0;
+    return TIA_ERR_RANGE;
+}
+
+int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *what, const char *expected)
+{
+    (void)tia_text_error_at(t, word);
+    if (word->length) {
+        tia_say_word(t->error, word);
+        tia_say(t->error, " ");
+        tia_say(t->error, what);
+    } else {
+        tia_say(t->error, "the line ends here");
+    }
+    tia_say(t->error, ", expected ");
+    tia_say(t->error, expected);
+    return TIA_ERR_RANGE;
+}

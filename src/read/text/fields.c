@@ -1,0 +1,119 @@
+/* fields.c - a line of fields by a table of them. */
+#include "fields.h"
+
+int tia_colour(struct tia_text *t, struct tia_rgb *out)
+{
+    int status = tia_text_q30(t, &out->r);
+
+    out->g = out->b = out->r;
+    if (status || !tia_text_has_number(t))
+        return status;
+    status = tia_text_q30(t, &out->g);
+    return status ? status : tia_text_q30(t, &out->b);
+}
+
+static int take_numbers(struct tia_text *t, tia_q16 *out, unsigned count)
+{
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < count && !status; i++)
+        status = tia_text_q16(t, &out[i]);
+    return status;
+}
+
+int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count)
+{
+    int status = tia_text_q16(t, out);
+
+    if (!status && tia_text_has_number(t))
+        return take_numbers(t, out + 1, count - 1);
+    for (unsigned i = 1; i < count; i++)
+        out[i] = out[0];
+    return status;
+}
+
+static int take_wholes(struct tia_text *t, uint16_t *out, const struct tia_field *field)
+{
+    int64_t value = 0;
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < field->count && !status; i++) {
+        status = tia_text_integer(t, &value, 1, field->max);
+        out[i] = (uint16_t)value;
+    }
+    return status;
+}
+
+static int take_values(struct tia_text *t, const struct tia_field *field, void *out)
+{
+    switch ((enum tia_field_kind)field->kind) {
+    case TIA_NUMBERS:
+        return take_numbers(t, out, field->count);
+    case TIA_SPREAD:
+        return tia_spread(t, out, field->count);
+    case TIA_COLOUR:
+        return tia_colour(t, out);
+    case TIA_DIRECTION:
+        return tia_text_dir3(t, out);
+    case TIA_WHOLE:
+        return take_wholes(t, out, field);
+    case TIA_FLAG:
+        *(bool *)out = true;
+        return TIA_OK;
+    case TIA_NAME_FIELD:
+        return tia_text_name(t, out, "a name");
+    case TIA_FILE_FIELD:
+        return tia_text_file(t, out, "a file's name");
+    }
+    return TIA_ERR_ARGUMENT;
+}
+
+static int refuse(struct tia_text *t, const struct tia_word *word, const char *what, const struct tia_field *fields,
+                  unsigned count)
+{
+    (void)tia_text_error_at(t, word);
+    tia_say_word(t->error, word);
+    tia_say(t->error, " is nothing that ");
+    tia_say(t->error, what);
+    tia_say(t->error, " has, expected ");
+    for (unsigned i = 0; i < count; i++) {
+        tia_say(t->error, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        tia_say(t->error, fields[i].word);
+    }
+    return TIA_ERR_RANGE;
+}
+
+/* Which of the fields `word` is; `count` for none. */
+static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
+{
+    unsigned i = 0;
+
+    while (i < count && !tia_word_is(word, fields[i].word))
+        i++;
+    return i;
+}
+
+int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
+               uint32_t *given)
+{
+    struct tia_word word;
+    uint32_t seen = 0;
+
+    while (tia_text_word(t, &word)) {
+        unsigned i = find(&word, fields, count);
+        if (i == count)
+            return refuse(t, &word, what, fields, count);
+        if (seen >> i & 1)
+            return tia_text_error(t, &word, "is here for a second time", "it once");
+        seen |= UINT32_C(1) << i;
+        int status = take_values(t, &fields[i], (unsigned char *)out + fields[i].offset);
+        if (status)
+            return status;
+    }
+    for (unsigned i = 0; i < count; i++)
+        if (fields[i].needed && !(seen >> i & 1))
+            return tia_text_error(t, &word, "", fields[i].word);
+    if (given)
+        *given = seen;
+    return TIA_OK;
+}

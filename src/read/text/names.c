@@ -1,0 +1,80 @@
+/* names.c - a heap sort, which needs no memory and no recursion, and a binary search. */
+#include "names.h"
+
+static int compare_words(const struct tia_word *a, const struct tia_word *b)
+{
+    if (a->length != b->length)
+        return a->length < b->length ? -1 : 1;
+    for (uint32_t i = 0; i < a->length; i++)
+        if (a->at[i] != b->at[i])
+            return a->at[i] < b->at[i] ? -1 : 1;
+    return 0;
+}
+
+static int compare(const struct tia_name *a, const struct tia_name *b)
+{
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    return compare_words(&a->word, &b->word);
+}
+
+/* By name and, among the same names, by place. */
+static bool is_before(const struct tia_name *a, const struct tia_name *b)
+{
+    int order = compare(a, b);
+
+    if (order || a->word.line != b->word.line)
+        return order ? order < 0 : a->word.line < b->word.line;
+    return a->word.column < b->word.column;
+}
+
+/* Lets names[i] sink until it is not before any below it: the heap's largest is at its top. */
+static void sink(struct tia_name *names, uint32_t i, uint32_t count)
+{
+    struct tia_name name = names[i];
+
+    while (i < count / 2) { /* it has at least one child */
+        uint32_t child = 2 * i + 1;
+        child += child + 1 < count && is_before(&names[child], &names[child + 1]);
+        if (!is_before(&name, &names[child]))
+            break;
+        names[i] = names[child];
+        i = child;
+    }
+    names[i] = name;
+}
+
+void tia_names_sort(struct tia_name *names, uint32_t count)
+{
+    for (uint32_t i = count / 2; i-- > 0;)
+        sink(names, i, count);
+    for (uint32_t last = count; last-- > 1;) {
+        struct tia_name largest = names[0];
+        names[0] = names[last];
+        names[last] = largest;
+        sink(names, 0, last);
+    }
+}
+
+struct tia_name *tia_names_find(struct tia_name *names, uint32_t count, uint32_t kind, const struct tia_word *word)
+{
+    struct tia_name sought = {*word, kind, 0};
+    uint32_t low = 0, high = count;
+
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (compare(&names[middle], &sought) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < count && compare(&names[low], &sought) == 0 ? &names[low] : NULL;
+}
+
+const struct tia_name *tia_names_twice(const struct tia_name *names, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++)
+        if (compare(&names[i - 1], &names[i]) == 0)
+            return &names[i];
+    return NULL;
+}

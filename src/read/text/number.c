@@ -1,0 +1,192 @@
+/* number.c - decimals straight to fixed point.
+ *
+ * Ties go away from zero, so the magnitude x 2^bits + 1/2 is rounded down, and its integer part follows
+ * from that of y = x 2^(bits + 1). Whether y reaches an integer k depends on the first bits + 1 digits of x's
+ * fraction alone, for k / 2^(bits + 1) has no more: digits beyond these are not looked at, and the
+ * result is exactly rounded all the same, however many there are.
+ */
+#include "text.h"
+
+#define LIMB UINT64_C(1000000000)
+#define LIMBS 4 /* 36 digits, at least the 33 that 32 bits and a half need */
+#define WHOLE_MAX (UINT64_C(1) << 32)
+
+/* A number's digits: "12.5e3" has the digits 125 and its point after 2 + 3 of them. */
+struct digits {
+    const char *at, *end; /* with the point among them */
+    int64_t point;
+    bool negative;
+};
+
+static bool is_digit(const char *p, const char *end)
+{
+    return p < end && *p >= '0' && *p <= '9';
+}
+
+static const char *skip_digits(const char *p, const char *end)
+{
+    while (is_digit(p, end))
+        p++;
+    return p;
+}
+
+static const char *take_sign(const char *p, const char *end, bool *negative)
+{
+    *negative = p < end && *p == '-';
+    return p < end && (*p == '-' || *p == '+') ? p + 1 : p;
+}
+
+/* The exponent in p..end, held within 2^33, beyond the length of any text; false where there is none. */
+static bool take_exponent(const char *p, const char *end, int64_t *exponent)
+{
+    const int64_t limit = INT64_C(1) << 33;
+    bool negative;
+
+    p = take_sign(p, end, &negative);
+    if (!is_digit(p, end))
+        return false;
+    for (*exponent = 0; is_digit(p, end); p++)
+        *exponent = *exponent < limit / 10 ? *exponent * 10 + (*p - '0') : limit;
+    if (negative)
+        *exponent = -*exponent;
+    return p == end;
+}
+
+static bool take_digits(struct digits *d, const struct tia_word *word)
+{
+    const char *end = word->at + word->length;
+    int64_t exponent = 0;
+
+    d->at = take_sign(word->at, end, &d->negative);
+    const char *point = skip_digits(d->at, end);
+    d->end = point < end && *point == '.' ? skip_digits(point + 1, end) : point;
+    if (d->end == d->at || (d->end == d->at + 1 && *d->at == '.'))
+        return false;
+    if (d->end < end && ((*d->end != 'e' && *d->end != 'E') || !take_exponent(d->end + 1, end, &exponent)))
+        return false;
+    d->point = point - d->at + exponent;
+    return true;
+}
+
+/* The next digit; 0 beyond the last one. */
+static uint32_t next_digit(const char **p, const char *end)
+{
+    if (*p < end && **p == '.')
+        ++*p;
+    return *p < end ? (uint32_t)(*(*p)++ - '0') : 0;
+}
+
+/* The digits before the point, WHOLE_MAX at most. */
+static uint64_t take_whole(const char **p, const struct digits *d)
+{
+    uint64_t whole = 0;
+
+    for (int64_t i = 0; i < d->point && whole < WHOLE_MAX && (*p < d->end || whole); i++)
+        whole = whole * 10 + next_digit(p, d->end);
+    return whole < WHOLE_MAX ? whole : WHOLE_MAX;
+}
+
+/* The digits after the point as a fraction, times 2^bits, rounded down; bits in 1..33. From the last limb
+ * on: the product with what comes up from below is at most LIMB 2^33 < 2^63, what goes up is below 2^33. */
+static uint64_t take_fraction(const char *p, const struct digits *d, unsigned bits)
+{
+    uint32_t limbs[LIMBS] = {0};
+    uint64_t carry = 0;
+    int64_t zeros = d->point < 0 ? -d->point : 0;
+
+    for (unsigned i = 0; i < LIMBS * 9 && (p < d->end || i % 9); i++)
+        limbs[i / 9] = limbs[i / 9] * 10 + (i < zeros ? 0 : next_digit(&p, d->end));
+    for (unsigned i = LIMBS; i-- > 0;)
+        carry = (((uint64_t)limbs[i] << bits) + carry) / LIMB;
+    return carry;
+}
+
+enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits)
+{
+    struct digits d;
+
+    if (!take_digits(&d, word))
+        return TIA_DECIMAL_NONE;
+    const char *p = d.at;
+    uint64_t whole = take_whole(&p, &d);
+    if (whole >= UINT64_C(1) << (63 - bits) || whole == WHOLE_MAX)
+        return TIA_DECIMAL_RANGE;
+    uint64_t doubled = (whole << (bits + 1)) + take_fraction(p, &d, bits + 1);
+    uint64_t rounded = (doubled >> 1) + (doubled & 1);
+    if (rounded > INT64_MAX)
+        return TIA_DECIMAL_RANGE;
+    *out = d.negative ? -(int64_t)rounded : (int64_t)rounded;
+    return TIA_DECIMAL_FINE;
+}
+
+bool tia_text_has_number(const struct tia_text *t)
+{
+    struct tia_word word;
+    struct digits d;
+
+    return tia_text_peek(t, &word) && take_digits(&d, &word);
+}
+
+/* The next word times 2^bits, in min..max. */
+static int take_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t min, int64_t max, const char *expected)
+{
+    struct tia_word word;
+
+    (void)tia_text_word(t, &word);
+    enum tia_decimal result = tia_decimal(out, &word, bits);
+    if (result == TIA_DECIMAL_NONE)
+        return tia_text_error(t, &word, "is no number", expected);
+    if (result == TIA_DECIMAL_RANGE || *out < min || *out > max)
+        return tia_text_error(t, &word, "is out of range", expected);
+    return TIA_OK;
+}
+
+static int take_number32(struct tia_text *t, int32_t *out, unsigned bits, const char *expected)
+{
+    int64_t wide;
+    int status = take_number(t, &wide, bits, INT32_MIN, INT32_MAX, expected);
+
+    if (!status)
+        *out = (int32_t)wide;
+    return status;
+}
+
+int tia_text_q16(struct tia_text *t, tia_q16 *out)
+{
+    return take_number32(t, out, 16, "a number from -32768 to below 32768");
+}
+
+int tia_text_q30(struct tia_text *t, tia_q30 *out)
+{
+    return take_number32(t, out, 30, "a number from -2 to below 2");
+}
+
+int tia_text_q32(struct tia_text *t, int64_t *out)
+{
+    return take_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");
+}
+
+/* Whole numbers have no point and no exponent: "1e3" is none. */
+static bool is_whole(const struct tia_word *word)
+{
+    const char *end = word->at + word->length;
+    bool negative;
+    const char *p = take_sign(word->at, end, &negative);
+
+    return p < end && skip_digits(p, end) == end;
+}
+
+int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max)
+{
+    struct tia_word word;
+
+    (void)tia_text_word(t, &word);
+    bool whole = is_whole(&word);
+    if (whole && tia_decimal(out, &word, 0) == TIA_DECIMAL_FINE && *out >= min && *out <= max)
+        return TIA_OK;
+    (void)tia_text_error(t, &word, whole ? "is out of range" : "is no whole number", "a whole number from ");
+    tia_say_number(t->error, min);
+    tia_say(t->error, " to ");
+    tia_say_number(t->error, max);
+    return TIA_ERR_RANGE;
+}

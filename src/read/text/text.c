@@ -1,0 +1,164 @@
+/* text.c - lines and words. */
+#include "text.h"
+
+struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error)
+{
+    struct tia_text t = {bytes, bytes, bytes, 1, file, error};
+
+    if (length)
+        t.end = bytes + length;
+    return t;
+}
+
+static void new_line(struct tia_text *t)
+{
+    t->line++;
+    t->line_start = t->next;
+}
+
+/* The length of a line's end at p: of LF or CRLF; 0 where there is none. */
+static unsigned line_end(const char *p, const char *end)
+{
+    if (p < end && *p == '\n')
+        return 1;
+    return end - p >= 2 && p[0] == '\r' && p[1] == '\n' ? 2 : 0;
+}
+
+/* The length of a backslash and a line's end at p. */
+static unsigned join(const char *p, const char *end)
+{
+    unsigned length = p < end && *p == '\\' ? line_end(p + 1, end) : 0;
+    return length ? length + 1 : 0;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
+}
+
+static void skip_blanks(struct tia_text *t)
+{
+    while (t->next < t->end) {
+        unsigned joined = join(t->next, t->end);
+        if (!joined && (!is_blank(*t->next) || line_end(t->next, t->end)))
+            return;
+        t->next += joined ? joined : 1;
+        if (joined)
+            new_line(t);
+    }
+}
+
+/* Skips blanks; whether a word follows. */
+static bool has_word(struct tia_text *t)
+{
+    skip_blanks(t);
+    return t->next < t->end && *t->next != '#' && !line_end(t->next, t->end);
+}
+
+void tia_text_skip(struct tia_text *t)
+{
+    while (t->next < t->end && *t->next != '\n')
+        t->next++;
+}
+
+bool tia_text_line(struct tia_text *t)
+{
+    while (!has_word(t)) {
+        tia_text_skip(t);
+        if (t->next == t->end)
+            return false;
+        t->next++;
+        new_line(t);
+    }
+    return true;
+}
+
+static struct tia_word empty_word(const struct tia_text *t)
+{
+    return (struct tia_word){t->next, 0, t->line, (uint32_t)(t->next - t->line_start) + 1};
+}
+
+bool tia_text_word(struct tia_text *t, struct tia_word *word)
+{
+    bool found = has_word(t);
+
+    *word = empty_word(t);
+    if (!found)
+        return false;
+    while (t->next < t->end && *t->next != '\n' && !is_blank(*t->next) && !join(t->next, t->end))
+        t->next++;
+    word->length = (uint32_t)(t->next - word->at);
+    return true;
+}
+
+bool tia_text_peek(const struct tia_text *t, struct tia_word *word)
+{
+    struct tia_text copy = *t;
+    return tia_text_word(&copy, word);
+}
+
+int tia_text_end(struct tia_text *t)
+{
+    struct tia_word word;
+
+    if (tia_text_word(t, &word))
+        return tia_text_error(t, &word, "is too much", "the end of the line");
+    return TIA_OK;
+}
+
+/* A word as a name, if it is one. */
+static int check_name(struct tia_text *t, const struct tia_word *name, const char *expected)
+{
+    if (!name->length)
+        return tia_text_error(t, name, "", expected);
+    if (name->length > TIA_NAME_MAX)
+        return tia_text_error(t, name, "is longer than 255 bytes", expected);
+    for (uint32_t i = 0; i < name->length; i++)
+        if ((unsigned char)name->at[i] < ' ' || name->at[i] == 127)
+            return tia_text_error(t, name, "has a control character in it", expected);
+    return TIA_OK;
+}
+
+int tia_text_name(struct tia_text *t, struct tia_word *name, const char *expected)
+{
+    (void)tia_text_word(t, name);
+    return check_name(t, name, expected);
+}
+
+int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expected)
+{
+    if (!tia_text_peek(t, name) || *name->at != '"')
+        return tia_text_name(t, name, expected);
+    skip_blanks(t);
+    const char *p = ++t->next;
+    while (p < t->end && *p != '"' && *p != '\n')
+        p++;
+    if (p == t->end || *p != '"')
+        return tia_text_error(t, name, "has no closing quote", expected);
+    *name = empty_word(t);
+    name->length = (uint32_t)(p - t->next);
+    t->next = p + 1;
+    if (!name->length) {
+        name->length = 2, name->at--; /* the quotes, to be shown */
+        return tia_text_error(t, name, "is empty", expected);
+    }
+    return check_name(t, name, expected);
+}
+
+bool tia_word_is(const struct tia_word *word, const char *string)
+{
+    uint32_t i = 0;
+
+    while (i < word->length && string[i] && word->at[i] == string[i])
+        i++;
+    return i == word->length && !string[i];
+}
+
+void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word)
+{
+    uint32_t length = word->length < TIA_NAME_MAX ? word->length : TIA_NAME_MAX;
+
+    for (uint32_t i = 0; i < length; i++)
+        out[i] = word->at[i];
+    out[length] = 0;
+}

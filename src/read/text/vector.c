@@ -1,0 +1,76 @@
+/* vector.c - three numbers. */
+#include "math/integer.h"
+#include "text.h"
+
+int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out)
+{
+    int status = tia_text_q16(t, &out->x);
+
+    status = status ? status : tia_text_q16(t, &out->y);
+    return status ? status : tia_text_q16(t, &out->z);
+}
+
+int tia_text_rgb(struct tia_text *t, struct tia_rgb *out)
+{
+    int status = tia_text_q30(t, &out->r);
+
+    status = status ? status : tia_text_q30(t, &out->g);
+    return status ? status : tia_text_q30(t, &out->b);
+}
+
+/* floor(sqrt(x)), bit by bit. */
+static uint64_t root(uint64_t x)
+{
+    uint64_t r = 0;
+
+    for (uint64_t bit = UINT64_C(1) << 62; bit; bit >>= 2) {
+        bool set = x >= r + bit;
+        x -= set ? r + bit : 0;
+        r = (r >> 1) + (set ? bit : 0);
+    }
+    return r;
+}
+
+static uint64_t magnitude(int64_t x)
+{
+    return x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
+}
+
+/* x shifted so that the largest of all lies in 2^30..2^31: squares add up to less than 2^64, their
+ * root is at least 2^30, and what both round off is below 2^-30 of it. */
+bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3])
+{
+    tia_q30 unit[3];
+    uint64_t all = magnitude(v[0]) | magnitude(v[1]) | magnitude(v[2]), part[3], square = 0;
+
+    if (!all)
+        return false;
+    unsigned zeros = tia_clz64(all);
+    for (int i = 0; i < 3; i++) {
+        part[i] = zeros < 33 ? magnitude(v[i]) >> (33 - zeros) : magnitude(v[i]) << (zeros - 33);
+        square += part[i] * part[i];
+    }
+    uint64_t length = root(square);
+    for (int i = 0; i < 3; i++) {
+        tia_q30 size = (tia_q30)(((part[i] << 30) + length / 2) / length);
+        unit[i] = v[i] < 0 ? -size : size;
+    }
+    *out = (struct tia_dir3){unit[0], unit[1], unit[2]};
+    return true;
+}
+
+int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out)
+{
+    struct tia_word first;
+    int64_t v[3];
+
+    (void)tia_text_peek(t, &first);
+    for (int i = 0; i < 3; i++) {
+        int status = tia_text_q32(t, &v[i]);
+        if (status)
+            return status;
+    }
+    if (!tia_dir3_of(out, v))
+        return tia_text_error(t, &first, "begins a direction of no length", "three numbers that are not all 0");
+    return TIA_OK;
+}

@@ -1,0 +1,146 @@
+/* lights.c - lights, and the keys that put them somewhere. */
+#include "read/job.h"
+#include <tia/port.h>
+
+struct light_line {
+    struct tia_word name;
+    struct tia_light light;
+};
+
+#define NUMBERS(field, n, part, need)                                                                                  \
+    {                                                                                                                  \
+        .word = field, .kind = TIA_NUMBERS, .count = n, .offset = offsetof(struct light_line, light.part),             \
+        .needed = need                                                                                                 \
+    }
+/* The name is the first field, so that keys, whose lights have none, begin with the second. */
+#define NAME                                                                                                           \
+    {                                                                                                                  \
+        .word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)                            \
+    }
+#define NAMED 1u
+#define EMISSION                                                                                                       \
+    {                                                                                                                  \
+        .word = "emission", .kind = TIA_COLOUR, .offset = offsetof(struct light_line, light.emission)                  \
+    }
+#define PLACED NAME, EMISSION, NUMBERS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
+_Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_light, constant) + 2 * sizeof(tia_q16),
+               "an attenuation is three numbers");
+#define DIRECTION                                                                                                      \
+    {                                                                                                                  \
+        .word = "direction", .kind = TIA_DIRECTION, .offset = offsetof(struct light_line, light.direction),            \
+        .needed = true                                                                                                 \
+    }
+#define SAMPLES                                                                                                        \
+    {                                                                                                                  \
+        .word = "samples", .kind = TIA_WHOLE, .count = 1, .max = TIA_LIGHT_SAMPLES_MAX,                                \
+        .offset = offsetof(struct light_line, light.samples)                                                           \
+    }
+
+static const struct tia_field point[] = {PLACED, NUMBERS("radius", 1, radius, false)};
+static const struct tia_field directional[] = {NAME, EMISSION, DIRECTION};
+static const struct tia_field ambient[] = {NAME, EMISSION};
+static const struct tia_field spot[] = {PLACED, DIRECTION, NUMBERS("inner", 1, inner, false),
+                                        NUMBERS("outer", 1, outer, true)};
+static const struct tia_field rectangle[] = {PLACED, NUMBERS("sides", 6, side, true), SAMPLES};
+static const struct tia_field disc[] = {PLACED, DIRECTION, NUMBERS("radius", 1, radius, true), SAMPLES};
+static const struct tia_field sphere[] = {PLACED, NUMBERS("radius", 1, radius, true), SAMPLES};
+
+static const struct {
+    const char *word, *what;
+    enum tia_light_kind kind;
+    const struct tia_field *fields;
+    unsigned count;
+} kinds[] = {
+    {"point", "a point light", TIA_POINT_LIGHT, point, TIA_COUNT_OF(point)},
+    {"directional", "a directional light", TIA_DIRECTIONAL_LIGHT, directional, TIA_COUNT_OF(directional)},
+    {"ambient", "an ambient light", TIA_AMBIENT_LIGHT, ambient, TIA_COUNT_OF(ambient)},
+    {"spot", "a spot light", TIA_SPOT_LIGHT, spot, TIA_COUNT_OF(spot)},
+    {"rectangle", "a rectangle light", TIA_RECTANGLE_LIGHT, rectangle, TIA_COUNT_OF(rectangle)},
+    {"disc", "a disc light", TIA_DISC_LIGHT, disc, TIA_COUNT_OF(disc)},
+    {"sphere", "a sphere light", TIA_SPHERE_LIGHT, sphere, TIA_COUNT_OF(sphere)},
+};
+
+/* The kind that the next word is; a point light, with the word left there, when it is none. */
+static unsigned take_kind(struct tia_text *t)
+{
+    struct tia_word word;
+    unsigned i = TIA_COUNT_OF(kinds);
+
+    (void)tia_text_peek(t, &word);
+    while (i-- > 0)
+        if (tia_word_is(&word, kinds[i].word)) {
+            (void)tia_text_word(t, &word);
+            return i;
+        }
+    return 0;
+}
+
+static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
+{
+    unsigned i = take_kind(&job->text);
+    bool skip = !nameable;
+
+    line->light = (struct tia_light){.kind = kinds[i].kind, .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};
+    return tia_fields(&job->text, kinds[i].what, kinds[i].fields + skip, kinds[i].count - skip, line, given);
+}
+
+int tia_line_light(struct tia_job *job)
+{
+    struct light_line line;
+    uint32_t given = 0;
+    int status = read_light(job, &line, true, &given);
+
+    if (!status && (given & NAMED) && tia_word_is(&line.name, "camera"))
+        status = tia_text_error(&job->text, &line.name, "is the camera's name", "another");
+    if (status)
+        return status;
+    uint32_t index = tia_job_add(job, TIA_OF_LIGHTS, &line.light);
+    if (given & NAMED)
+        tia_job_name(job, TIA_NAMED_MOVER, &line.name, 2 * index + 1);
+    return TIA_OK;
+}
+
+static const struct {
+    const char *word;
+    enum tia_key key;
+} keys[] = {{"left", TIA_KEY_LEFT}, {"right", TIA_KEY_RIGHT},     {"up", TIA_KEY_UP},
+            {"down", TIA_KEY_DOWN}, {"page-up", TIA_KEY_PAGE_UP}, {"page-down", TIA_KEY_PAGE_DOWN}};
+
+static int take_key(struct tia_text *t, uint16_t *key)
+{
+    struct tia_word word;
+
+    (void)tia_text_word(t, &word);
+    *key = word.length == 1 ? (unsigned char)*word.at : 0;
+    if ((*key >= 'a' && *key <= 'z') || (*key >= '0' && *key <= '9'))
+        return TIA_OK;
+    for (unsigned i = 0; i < TIA_COUNT_OF(keys); i++)
+        if (tia_word_is(&word, keys[i].word)) {
+            *key = (uint16_t)keys[i].key;
+            return TIA_OK;
+        }
+    return tia_text_error(t, &word, "is no key",
+                          "a small letter, a digit, left, right, up, down, page-up or page-down");
+}
+
+int tia_line_key(struct tia_job *job)
+{
+    struct tia_binding binding = {.key = 0};
+    struct light_line line;
+    struct tia_word word;
+    int64_t light = 0;
+    int status = take_key(&job->text, &binding.key);
+
+    if (status)
+        return status;
+    if (!tia_text_word(&job->text, &word) || !tia_word_is(&word, "light"))
+        return tia_text_error(&job->text, &word, "is nothing that a key puts", "light");
+    status = tia_text_integer(&job->text, &light, 1, UINT16_MAX + 1);
+    status = status ? status : read_light(job, &line, false, NULL);
+    if (status)
+        return status;
+    binding.light = (uint16_t)(light - 1);
+    binding.state = line.light;
+    (void)tia_job_add(job, TIA_OF_BINDINGS, &binding);
+    return TIA_OK;
+}

@@ -1,0 +1,121 @@
+/* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0 */
+#include "read/job.h"
+
+enum moving { CAMERA, LIGHT, SHAPE };
+
+static const struct property {
+    enum moving of;
+    const char *word;
+    enum tia_target target;
+} properties[] = {
+    {CAMERA, "eye", TIA_MOVES_EYE},         {CAMERA, "look", TIA_MOVES_REFERENCE},
+    {LIGHT, "at", TIA_MOVES_LIGHT},         {LIGHT, "direction", TIA_TURNS_LIGHT},
+    {SHAPE, "at", TIA_MOVES_TRANSFORM},     {SHAPE, "rotate", TIA_ROTATES_TRANSFORM},
+    {SHAPE, "scale", TIA_SCALES_TRANSFORM},
+};
+
+static const char *const expected[] = {"eye or look, of the camera", "at or direction, of a light",
+                                       "at, rotate or scale, of a shape"};
+
+static const struct property *find_property(enum moving of, const struct tia_word *word)
+{
+    for (unsigned i = 0; i < TIA_COUNT_OF(properties); i++)
+        if (properties[i].of == of && tia_word_is(word, properties[i].word))
+            return &properties[i];
+    return NULL;
+}
+
+/* What the name is. Before the names are known it may be a light or a shape. */
+static int take_moving(struct tia_job *job, enum moving *of, struct tia_track *track)
+{
+    struct tia_word word;
+    int status = tia_text_name(&job->text, &word, "a name, or camera");
+
+    *of = tia_word_is(&word, "camera") ? CAMERA : SHAPE;
+    if (status || *of == CAMERA)
+        return status;
+    tia_job_animate(job, &word);
+    const struct tia_name *name = tia_job_mover(job, &word);
+    if (job->pass != TIA_FILLING)
+        return TIA_OK;
+    if (!name)
+        return tia_text_error(&job->text, &word, "is not defined", "the name of a shape or light, or camera");
+    track->index = (uint32_t)(name - (const struct tia_name *)tia_job_at(job, TIA_OF_NAMES, 0));
+    *of = name->index % 2 ? LIGHT : SHAPE;
+    return TIA_OK;
+}
+
+static int take_property(struct tia_job *job, struct tia_track *track)
+{
+    struct tia_word word;
+    enum moving of;
+    int status = take_moving(job, &of, track);
+
+    if (status)
+        return status;
+    (void)tia_text_word(&job->text, &word);
+    const struct property *property = find_property(of, &word);
+    if (!property && job->pass != TIA_FILLING)
+        property = find_property(LIGHT, &word);
+    if (!property)
+        return tia_text_error(&job->text, &word, "is nothing that moves", expected[of]);
+    track->target = property->target;
+    return TIA_OK;
+}
+
+/* A number and a colon. */
+static int take_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
+{
+    struct tia_word word, number;
+    int64_t value = 0;
+
+    (void)tia_text_word(t, &word);
+    number = word;
+    if (number.length)
+        number.length--;
+    if (!number.length || word.at[number.length] != ':' || tia_decimal(&value, &number, 16) == TIA_DECIMAL_NONE)
+        return tia_text_error(t, &word, "is no time", "seconds and a colon, as in 2.5:");
+    if (tia_decimal(&value, &number, 16) == TIA_DECIMAL_RANGE || value < 0 || value > INT32_MAX)
+        return tia_text_error(t, &word, "is out of range", "0 to below 32768 seconds");
+    if (value <= before)
+        return tia_text_error(t, &word, "is not after the time before it", "rising times");
+    *time = (tia_q16)value;
+    return TIA_OK;
+}
+
+static int take_keyframe(struct tia_text *t, enum tia_target target, struct tia_keyframe *key)
+{
+    int status = take_time(t, key->time, &key->time);
+
+    if (status)
+        return status;
+    if (target != TIA_SCALES_TRANSFORM)
+        return tia_text_vec3(t, &key->value);
+    return tia_spread(t, &key->value.x, 3);
+}
+
+int tia_line_animate(struct tia_job *job)
+{
+    struct tia_text *t = &job->text;
+    uint32_t first = tia_job_count(job, TIA_OF_KEYS);
+    struct tia_track track = {.smooth = false};
+    struct tia_keyframe key = {.time = -1};
+    struct tia_word word;
+    int status = take_property(job, &track);
+
+    (void)tia_text_peek(t, &word);
+    if (!status && (tia_word_is(&word, "smooth") || tia_word_is(&word, "linear"))) {
+        track.smooth = tia_word_is(&word, "smooth");
+        (void)tia_text_word(t, &word);
+    }
+    do {
+        status = status ? status : take_keyframe(t, track.target, &key);
+        if (status)
+            return status;
+        (void)tia_job_add(job, TIA_OF_KEYS, &key);
+    } while (tia_text_peek(t, &word));
+    track.keys = tia_job_at(job, TIA_OF_KEYS, first);
+    track.key_count = tia_job_count(job, TIA_OF_KEYS) - first;
+    (void)tia_job_add(job, TIA_OF_TRACKS, &track);
+    return TIA_OK;
+}

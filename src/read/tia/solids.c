@@ -1,0 +1,256 @@
+/* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
+#include "read/job.h"
+
+/* The first word of a block's next line, or an error at the text's end. */
+static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
+{
+    if (tia_text_line(t)) {
+        (void)tia_text_word(t, word);
+        return TIA_OK;
+    }
+    (void)tia_text_word(t, word);
+    (void)tia_text_error_at(t, word);
+    tia_say(t->error, "the text ends within a block, expected ");
+    tia_say(t->error, expected);
+    return TIA_ERR_RANGE;
+}
+
+/* ---- meshes ---- */
+
+/* Where the mesh's own things begin in the arrays. */
+struct mesh_block {
+    struct tia_job *job;
+    uint32_t vertices, normals, uvs, faces;
+};
+
+static int read_vertex(struct mesh_block *block)
+{
+    struct tia_vec3 vertex;
+    int status = tia_text_vec3(&block->job->text, &vertex);
+
+    if (!status)
+        (void)tia_job_add(block->job, TIA_OF_VERTICES, &vertex);
+    return status;
+}
+
+static int read_normal(struct mesh_block *block)
+{
+    struct tia_dir3 normal;
+    int status = tia_text_dir3(&block->job->text, &normal);
+
+    if (!status)
+        (void)tia_job_add(block->job, TIA_OF_NORMALS, &normal);
+    return status;
+}
+
+static int read_uv(struct mesh_block *block)
+{
+    struct tia_uv uv;
+    int status = tia_text_q16(&block->job->text, &uv.u);
+
+    status = status ? status : tia_text_q16(&block->job->text, &uv.v);
+    if (!status)
+        (void)tia_job_add(block->job, TIA_OF_UVS, &uv);
+    return status;
+}
+
+/* A number from 1 to `count` at the front of `rest`, which loses it: the index of what it counts. */
+static int take_index(struct tia_text *t, struct tia_word *rest, uint32_t count, const char *thing, uint32_t *index)
+{
+    struct tia_word number = *rest;
+    uint64_t n = 0;
+
+    for (number.length = 0; number.length < rest->length; number.length++) {
+        char c = rest->at[number.length];
+        if (c < '0' || c > '9')
+            break;
+        n = n <= UINT32_MAX ? n * 10 + (uint64_t)(c - '0') : n;
+    }
+    if (n < 1 || n > count) {
+        (void)tia_text_error(t, rest, "is not there", "the number of a ");
+        tia_say(t->error, thing);
+        tia_say(t->error, " of the mesh, from 1 to ");
+        tia_say_number(t->error, count);
+        return TIA_ERR_RANGE;
+    }
+    *index = (uint32_t)n - 1;
+    rest->at += number.length;
+    rest->length -= number.length;
+    rest->column += number.length;
+    return TIA_OK;
+}
+
+static bool take_slash(struct tia_word *rest)
+{
+    if (!rest->length || *rest->at != '/')
+        return false;
+    rest->at++;
+    rest->length--;
+    rest->column++;
+    return true;
+}
+
+/* vertex, vertex/uv, vertex//normal or vertex/uv/normal */
+static int take_corner(const struct mesh_block *block, struct tia_corner *corner)
+{
+    struct tia_job *job = block->job;
+    struct tia_text *t = &job->text;
+    struct tia_word rest;
+    int status;
+
+    corner->uv = corner->normal = TIA_NO_INDEX;
+    (void)tia_text_word(t, &rest);
+    status = take_index(t, &rest, tia_job_count(job, TIA_OF_VERTICES) - block->vertices, "vertex", &corner->vertex);
+    if (!status && take_slash(&rest)) {
+        if (!rest.length || *rest.at != '/')
+            status = take_index(t, &rest, tia_job_count(job, TIA_OF_UVS) - block->uvs, "uv", &corner->uv);
+        if (!status && take_slash(&rest))
+            status =
+                take_index(t, &rest, tia_job_count(job, TIA_OF_NORMALS) - block->normals, "normal", &corner->normal);
+    }
+    if (!status && rest.length)
+        return tia_text_error(t, &rest, "is too much", "vertex, vertex/uv, vertex//normal or vertex/uv/normal");
+    return status;
+}
+
+static bool are_alike(const struct tia_corner *a, const struct tia_corner *b)
+{
+    return (a->uv == TIA_NO_INDEX) == (b->uv == TIA_NO_INDEX) &&
+           (a->normal == TIA_NO_INDEX) == (b->normal == TIA_NO_INDEX);
+}
+
+/* A polygon as the triangles from its first corner. */
+static int read_face(struct mesh_block *block)
+{
+    struct tia_text *t = &block->job->text;
+    struct tia_face face;
+    struct tia_word word;
+
+    for (unsigned n = 0; n < 3 || tia_text_peek(t, &word); n++) {
+        struct tia_corner corner;
+        (void)tia_text_peek(t, &word);
+        int status = take_corner(block, &corner);
+        if (status)
+            return status;
+        if (n > 0 && !are_alike(&corner, &face.corner[0]))
+            return tia_text_error(t, &word, "is not like the first corner", "uv and normal in all corners or in none");
+        if (n > 2)
+            face.corner[1] = face.corner[2];
+        face.corner[n < 2 ? n : 2] = corner;
+        if (n >= 2)
+            (void)tia_job_add(block->job, TIA_OF_FACES, &face);
+    }
+    return TIA_OK;
+}
+
+#define MESH_EXPECTED "vertex, normal, uv, face or end"
+
+static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
+{
+    if (tia_word_is(word, "vertex"))
+        return read_vertex(block);
+    if (tia_word_is(word, "face"))
+        return read_face(block);
+    if (tia_word_is(word, "normal"))
+        return read_normal(block);
+    if (tia_word_is(word, "uv"))
+        return read_uv(block);
+    return tia_text_error(&block->job->text, word, "is no line of a mesh", MESH_EXPECTED);
+}
+
+static void add_mesh(const struct mesh_block *block)
+{
+    struct tia_job *job = block->job;
+    struct tia_mesh mesh = {
+        .vertices = tia_job_at(job, TIA_OF_VERTICES, block->vertices),
+        .normals = tia_job_at(job, TIA_OF_NORMALS, block->normals),
+        .uvs = tia_job_at(job, TIA_OF_UVS, block->uvs),
+        .faces = tia_job_at(job, TIA_OF_FACES, block->faces),
+        .vertex_count = tia_job_count(job, TIA_OF_VERTICES) - block->vertices,
+        .normal_count = tia_job_count(job, TIA_OF_NORMALS) - block->normals,
+        .uv_count = tia_job_count(job, TIA_OF_UVS) - block->uvs,
+        .face_count = tia_job_count(job, TIA_OF_FACES) - block->faces,
+    };
+
+    (void)tia_job_add(job, TIA_OF_MESHES, &mesh);
+}
+
+int tia_line_mesh(struct tia_job *job)
+{
+    struct mesh_block block = {job, tia_job_count(job, TIA_OF_VERTICES), tia_job_count(job, TIA_OF_NORMALS),
+                               tia_job_count(job, TIA_OF_UVS), tia_job_count(job, TIA_OF_FACES)};
+    struct tia_word word = {NULL, 0, 0, 0};
+    int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_MESHES));
+
+    status = status ? status : tia_text_end(&job->text);
+    while (!status) {
+        status = take_line(&job->text, &word, MESH_EXPECTED);
+        if (status || tia_word_is(&word, "end"))
+            break;
+        status = read_mesh_line(&block, &word);
+        status = status ? status : tia_text_end(&job->text);
+    }
+    if (!status)
+        add_mesh(&block);
+    return status;
+}
+
+/* ---- grids ---- */
+
+static const struct tia_field grid_fields[] = {
+    {.word = "size",
+     .kind = TIA_WHOLE,
+     .count = 3,
+     .max = TIA_GRID_MAX,
+     .offset = offsetof(struct tia_grid, size),
+     .needed = true},
+    {.word = "corner", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_grid, corner)},
+    {.word = "cell", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_grid, cell)},
+};
+
+static int read_row(struct tia_job *job, unsigned cells)
+{
+    for (unsigned i = 0; i < cells; i++) {
+        int64_t value;
+        int status = tia_text_integer(&job->text, &value, 0, UINT8_MAX);
+        if (status)
+            return status;
+        uint8_t cell = (uint8_t)value;
+        (void)tia_job_add(job, TIA_OF_CELLS, &cell);
+    }
+    return tia_text_end(&job->text);
+}
+
+/* The rows, one for each y and z, and the end. */
+static int read_rows(struct tia_job *job, const struct tia_grid *grid)
+{
+    struct tia_word word;
+
+    for (uint32_t row = 0; row <= (uint32_t)grid->size[1] * grid->size[2]; row++) {
+        const char *expected = row < (uint32_t)grid->size[1] * grid->size[2] ? "row" : "end";
+        int status = take_line(&job->text, &word, expected);
+        if (status)
+            return status;
+        if (!tia_word_is(&word, expected))
+            return tia_text_error(&job->text, &word, "is not the next line of the grid", expected);
+        status = *expected == 'r' ? read_row(job, grid->size[0]) : TIA_OK;
+        if (status)
+            return status;
+    }
+    return TIA_OK;
+}
+
+int tia_line_grid(struct tia_job *job)
+{
+    struct tia_grid grid = {.cell = TIA_Q16_ONE};
+    uint32_t cells = tia_job_count(job, TIA_OF_CELLS);
+    int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_GRIDS) + 1);
+
+    status = status ? status : tia_fields(&job->text, "a grid", grid_fields, TIA_COUNT_OF(grid_fields), &grid, NULL);
+    status = status ? status : read_rows(job, &grid);
+    if (status)
+        return status;
+    grid.cells = tia_job_at(job, TIA_OF_CELLS, cells);
+    (void)tia_job_add(job, TIA_OF_GRIDS, &grid);
+    return TIA_OK;
+}

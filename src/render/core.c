@@ -1,0 +1,14 @@
+/* core.c - the renderer as a table. */
+#include "num/num.h"
+
+const struct tia_core NUM_CORE = {
+    .name = NUM_NAME,
+    .view_size = tia_view_size,
+    .view_init = tia_view_init,
+    .set_lights = tia_view_set_lights,
+    .hits_size = tia_hits_size,
+    .hits_init = tia_hits_init,
+    .hits_object = tia_hits_object,
+    .trace = tia_trace,
+    .light = tia_light_tile,
+};

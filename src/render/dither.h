@@ -1,0 +1,10 @@
+/* dither.h - quantising: rounding offsets, plain or dithered. */
+#ifndef TIA_RGB565_H
+#define TIA_RGB565_H
+
+#include "num/num.h"
+
+/* The rounding offsets of row y by x & 7: one half everywhere, or a row of the 8x8 Bayer matrix. */
+void dither_thresholds(bool dither, int y, num_u threshold[8]);
+
+#endif

@@ -1,0 +1,48 @@
+/* instance.h - shapes that are scaled, rotated and moved.
+ *
+ * With the scale s, the axes a (where the shape's x, y and z point) and the position p, a world point P is
+ * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i; of length k, so that a distance
+ * t in the world is k t there.
+ *
+ * A ray is first moved along itself to the box around the shape; then what is computed there is as large as the
+ * shape at most, however small the scale, and a ray that misses the box misses the shape.
+ */
+#ifndef TIA_SHAPE_PLACEMENT_H
+#define TIA_SHAPE_PLACEMENT_H
+
+#include "scene/bounds.h"
+#include "shape.h"
+
+struct placement {
+    struct num_point position;
+    struct num_dir axes[3];
+    num_x scale[3];
+    num_x min[3], max[3]; /* of the box, along the axes in the world's units */
+};
+
+/* `bounds` are those of the shape in its own axes. */
+void placement_prepare(struct placement *placement, const struct tia_transform *transform,
+                       const struct bounds_wide *bounds);
+
+/* A ray in the shape's axes. */
+struct placed_ray {
+    struct ray ray;
+    num_x start;            /* the world's t of the local 0; beyond NUM_X_MOST where the ray misses the box */
+    struct num_scale scale; /* k */
+};
+
+void placement_ray(const struct placement *placement, const struct ray *ray, struct placed_ray *placed);
+
+/* Distances from the world's, below 0 when it lies before the local 0 or the ray misses; and back. */
+num_x placement_distance(const struct placed_ray *placed, num_x t);
+num_x placement_distance_back(const struct placed_ray *placed, num_x t);
+
+/* What placement_distance gives for t, and a little more than it is off by: a crossing that is not beyond t in the
+ * world is not beyond that. */
+num_x placement_limit(const struct placed_ray *placed, num_x t);
+
+/* A world point on the shape in the shape's axes, and a normal back in the world. */
+struct num_point placement_point(const struct placement *placement, struct num_point point);
+struct num_dir placement_normal(const struct placement *placement, struct num_dir normal);
+
+#endif

@@ -1,0 +1,125 @@
+/* shape.h - what all shapes have in common, as rays meet them.
+ *
+ * A shape is prepared once for a view: its constants lie in `struct shape`, in the shape's own axes, and the
+ * functions of its kind in a table. Those know nothing of transforms: a placed shape's ray is moved into
+ * the shape's axes first (placement.h).
+ */
+#ifndef TIA_SHAPE_SHAPE_H
+#define TIA_SHAPE_SHAPE_H
+
+#include <tia/bvh.h>
+
+#include "num/num_ray.h"
+
+struct ray {
+    struct num_point origin;
+    struct num_dir direction; /* of length 1 */
+};
+
+/* Where a ray meets a shape. `element` says which part: a face, a cap, a cell; see each shape. */
+struct crossing {
+    num_x t;
+    uint32_t element;
+};
+
+/* What shading asks of a crossing. */
+struct surface {
+    struct num_dir normal; /* of the surface, length 1, outwards as tia/shape.h has it */
+    struct num_dir smooth; /* the one that shading takes: a smooth mesh's is interpolated, others' the same */
+};
+
+struct shape;
+
+/* The functions of a kind. `ray` and `point` are in the shape's axes. Of crossings that a ray has with a
+ * shape only those with 0 <= t <= limit count; `limit` is at most NUM_X_MOST. */
+struct shape_kind {
+    /* The nearest crossing, the lowest element of several at the same t; false: there is none. */
+    bool (*intersect)(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing);
+    /* Whether there is any: never costs more than intersect, which may stand here too as shape_occludes. */
+    bool (*occluded)(const struct shape *shape, const struct ray *ray, num_x limit);
+    void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
+    /* Surface coordinates, see tia/shape.h. */
+    void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2]);
+};
+
+/* Constants of the prepared shapes. */
+struct prepared_plane {
+    struct num_point point; /* of a disc its centre */
+    struct num_dir normal, axes[2];
+    num_x radius;
+};
+
+/* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */
+struct prepared_cone {
+    struct num_point base;
+    struct num_dir axis, across[2]; /* of length 1, at right angles; across are B and A of light.h for `axis` */
+    num_x length, base_radius, top_radius;
+    struct num_point anchor;        /* that end of the axis where it is thinner, */
+    num_x anchored;                 /* its height above the base, */
+    num_x reach;                    /* and how far its points are from there at most */
+    num_d slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
+    bool capped;
+};
+
+struct prepared_box {
+    struct num_point min, max;
+};
+
+struct prepared_sphere {
+    struct num_point centre;
+    num_x radius;
+};
+
+struct prepared_mesh {
+    const struct tia_mesh *mesh;
+    const struct tia_bvh_tree *tree; /* NULL: all faces are tried */
+};
+
+struct prepared_grid {
+    const struct tia_grid *grid;
+    struct num_point corner;
+    num_x cell;
+};
+
+struct shape {
+    const struct shape_kind *kind;
+    const struct placement *placement; /* NULL: the world's axes */
+    uint32_t material;
+    union {
+        struct prepared_sphere sphere;
+        struct prepared_plane plane; /* of discs too */
+        struct prepared_cone cone;   /* of cylinders too */
+        struct prepared_box box;
+        struct tia_triangle triangle;
+        struct prepared_mesh mesh;
+        struct prepared_grid grid;
+    };
+};
+
+/* Each sets shape->kind and the constants. */
+void shape_sphere(struct shape *shape, struct tia_vec3 centre, tia_q16 radius);
+void shape_plane(struct shape *shape, const struct tia_plane *plane);
+void shape_disc(struct shape *shape, const struct tia_disc *disc);
+void shape_cylinder(struct shape *shape, const struct tia_cylinder *cylinder);
+void shape_cone(struct shape *shape, const struct tia_cone *cone);
+void shape_box(struct shape *shape, const struct tia_box *box);
+void shape_triangle(struct shape *shape, const struct tia_triangle *triangle);
+void shape_mesh(struct shape *shape, const struct tia_mesh *mesh, const struct tia_bvh_tree *tree);
+void shape_grid(struct shape *shape, const struct tia_grid *grid);
+
+/* `occluded` for shapes that have no shorter way. */
+bool shape_occludes(const struct shape *shape, const struct ray *ray, num_x limit);
+
+/* What the material of an element is: a grid's cells have their own. */
+extern const struct shape_kind shape_grid_kind;
+uint32_t shape_material(const struct shape *shape, uint32_t element);
+
+/* The axes A, B of tia/light.h for a normal. */
+void shape_axes(struct num_dir normal, struct num_dir axes[2]);
+
+/* The spheres of a scene are not prepared: they are met as they are. */
+bool sphere_intersect(struct num_point centre, num_x radius, const struct ray *ray, num_x limit, num_x *t);
+void sphere_surface(struct num_point centre, struct num_point point, struct surface *surface);
+void sphere_uv(struct num_point centre, struct num_point point, num_x uv[2]);
+
+#endif

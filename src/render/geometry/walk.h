@@ -1,0 +1,40 @@
+/* walk.h - the leaves of a hierarchy that a ray may meet, nearer ones first, without recursion.
+ *
+ * A box is left out only when the ray surely misses it: with boxes a unit of 2^-16 larger than what is in
+ * them and t rounded to 2^-23, what a box holds is never lost.
+ */
+#ifndef TIA_RAY_WALK_H
+#define TIA_RAY_WALK_H
+
+#include "shape.h"
+#include "slab.h"
+
+struct walk {
+    const struct tia_bvh_tree *tree;
+    struct slab slabs[3];
+    num_x near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
+    uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
+    int depth;
+};
+
+void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct ray *ray);
+
+/* The next leaf that the ray enters at 0 <= t <= limit, or NULL. */
+const struct tia_bvh_node *walk_leaf(struct walk *walk, num_x limit);
+
+/* The objects of a scene that a ray may meet: what has no bounds, then leaf by leaf; without a hierarchy all. */
+struct candidates {
+    const struct tia_scene *scene;
+    const struct ray *ray;
+    const uint32_t *items; /* NULL: the indices themselves */
+    uint32_t next, end;
+    bool walking;
+    struct walk walk;
+};
+
+void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
+
+/* The next one, by the hierarchy of those at 0 <= t <= limit, or TIA_NO_OBJECT. */
+uint32_t candidates_next(struct candidates *candidates, num_x limit);
+
+#endif

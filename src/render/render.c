@@ -1,0 +1,50 @@
+/* render.c - a tile, by spans or by general rays. */
+#include "render/span/span.h"
+#include "render/whitted/rays.h"
+
+static bool is_inside(struct tia_tile tile, struct tia_tile area)
+{
+    return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y &&
+           tile.x - area.x + tile.width <= area.width && tile.y - area.y + tile.height <= area.height;
+}
+
+static bool has_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile)
+{
+    struct tia_tile image = {0, 0, (uint16_t)view->width, (uint16_t)view->height};
+
+    return is_inside(tile, image) && is_inside(tile, hits->area);
+}
+
+int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+{
+    if (!has_tile(view, hits, tile))
+        return TIA_ERR_ARGUMENT;
+    if (view->rays)
+        ray_trace(view, hits, tile);
+    else
+        span_trace(view, hits, tile);
+    return TIA_OK;
+}
+
+int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                   const struct tia_surface *surface, const struct tia_options *options)
+{
+    static const struct tia_options plain = {false, NULL};
+
+    if (!has_tile(view, hits, tile) || !surface->pixels)
+        return TIA_ERR_ARGUMENT;
+    options = options ? options : &plain;
+    if (view->rays)
+        ray_light(view, hits, tile, surface, options);
+    else
+        span_light(view, hits, tile, surface, options);
+    return TIA_OK;
+}
+
+int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+               const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = tia_trace(view, hits, tile);
+
+    return status ? status : tia_light_tile(view, hits, tile, surface, options);
+}

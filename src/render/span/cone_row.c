@@ -1,0 +1,90 @@
+#include "cone_row.h"
+
+static num_wide lattice_at(const struct slice *s, int i)
+{
+    return num_lattice(2 * i + 1 - s->count, s->exponent);
+}
+
+static bool inside(const struct slice *s, int i)
+{
+    num_wide x = lattice_at(s, i);
+    return num_inside_cone(s->slope * x + s->base, s->c, x * x + s->square);
+}
+
+/* Whether L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */
+static bool rising(const struct slice *s, int i)
+{
+    return num_product_above(s->slope, s->square, s->base, lattice_at(s, i));
+}
+
+/* The pixel where L.v/|v| is largest, or the one left of it. */
+static int peak(const struct slice *s)
+{
+    int low = 0, high = s->count;
+
+    if (s->base <= 0)
+        return s->slope > 0 ? s->count - 1 : 0;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (rising(s, middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The last pixel inside, walking from `in`, which is inside, by `step` (+1 or -1) to the line's end. */
+static int boundary(const struct slice *s, int in, int step, int guess)
+{
+    int out = step > 0 ? s->count : -1;
+    int stride = step;
+
+    if ((guess - in) * step > 0 && (out - guess) * step > 0) {
+        if (inside(s, guess))
+            in = guess;
+        else
+            out = guess;
+    }
+    for (bool grow = in == guess; in + step != out; stride *= 2) {
+        int probe = grow ? in + stride : out - stride;
+        if ((probe - in) * step <= 0 || (out - probe) * step <= 0)
+            break;
+        if (inside(s, probe) == grow) {
+            *(grow ? &in : &out) = probe;
+        } else {
+            *(grow ? &out : &in) = probe;
+            break;
+        }
+    }
+    while (in + step != out) {
+        int middle = in + (out - in) / 2;
+        *(inside(s, middle) ? &in : &out) = middle;
+    }
+    return in;
+}
+
+/* A pixel inside the cone, or -1. */
+static int any_inside(const struct slice *s, struct run guess)
+{
+    int middle = guess.first + (guess.end - guess.first) / 2;
+
+    if (guess.first < guess.end && inside(s, middle))
+        return middle;
+    middle = peak(s);
+    if (inside(s, middle))
+        return middle;
+    return middle + 1 < s->count && inside(s, middle + 1) ? middle + 1 : -1;
+}
+
+struct run slice_run(const struct slice *slice, struct run guess)
+{
+    struct run run = {0, 0};
+    int seed = any_inside(slice, guess);
+
+    if (seed >= 0) {
+        run.first = boundary(slice, seed, -1, guess.first);
+        run.end = boundary(slice, seed, 1, guess.end - 1) + 1;
+    }
+    return run;
+}

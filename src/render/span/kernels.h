@@ -1,0 +1,101 @@
+/* kernels.h - the hot loops: passes over a run of pixels in one row, at most CHUNK of them.
+ *
+ * Each takes its constants, prepared once a run, and arrays with one entry a pixel. They are
+ * all that a vector version has to replace; it must give the same bits.
+ */
+#ifndef TIA_KERNELS_H
+#define TIA_KERNELS_H
+
+#include "primary.h"
+
+#define CHUNK 64 /* pixels that a kernel works on at once */
+
+/* What sphere_distances knows of a run. */
+struct sphere_line {
+    num_wide b, b_step;       /* accumulator of L.v */
+    struct row_square square; /* accumulator of v.v */
+    num_u c_disc, c_top;
+    int t_shift, count;
+};
+
+/* t = c / (b + sqrt(b^2 - c v.v)). */
+void kernel_sphere(const struct sphere_line *line, num_u *t);
+
+/* t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
+void kernel_sphere_inside(const struct sphere_line *line, num_u *t);
+
+/* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v:
+ *
+ *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c
+ *     |Q - P|^2   = Q.Q - 2 t Q.v + t^2 v.v
+ *
+ * The square is not taken from the sphere's equation as well: on a large sphere t's last bit
+ * would move it, while here it only moves P along the ray. */
+struct light_line {
+    num_wide g, g_step;       /* accumulator of G.v */
+    num_wide q, q_step;       /* accumulator of Q.v */
+    struct row_square square; /* accumulator of v.v */
+    num_wide facing;          /* c - L.Q, with the exponent of t G.v */
+    num_wide distance;        /* Q.Q, with the exponent of t Q.v, e_d */
+    int reach_down;           /* t v.v / 2^reach_down is a mantissa whose product with t has e_p */
+    int distance_down;        /* e_p - e_d */
+    int scale;                /* facing * 2^(scale + half) is a mantissa */
+    int count;
+};
+
+/* What one light does to each pixel of a run. Where facing is 0, the rest is not defined. */
+struct lit {
+    num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
+    num_wide reach[CHUNK];  /* |P|^2 */
+    num_wide square[CHUNK]; /* |Q - P|^2 */
+    num_u near[CHUNK];      /* the same as a mantissa, times 4^half */
+    num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
+    uint8_t half[CHUNK];
+};
+
+/* Fills `lit`; false when no pixel faces the light. */
+bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit);
+
+/* lambert = max(0, N.Ldir), NUM_ONE is 1; inverse as in the light_line. */
+void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert);
+
+/* A sphere, centre C and radius R, that may stand between a light Q and the points P of a run of
+ * the sphere L, r. With w = Q - P and A = C - P, seen from P as the eye sees a sphere:
+ *
+ *     A.w         = C.Q - t (C + Q).v + |P|^2
+ *     |A|^2 - R^2 = C.C - R^2 - 2 t C.v + |P|^2.
+ *
+ * The shadow ray starts at P + bias N in the direction w, so A' = A - bias N takes A's place:
+ *
+ *     A'.w         = A.w - bias N.w
+ *     |A'|^2 - R^2 = (|A|^2 - R^2)(1 + bias/r) - (|L - C|^2 - r^2 - R^2) bias/r + bias^2,
+ *
+ * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0,
+ * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. From
+ * inside it meets it unless the light is inside too. */
+struct shadow_line {
+    num_wide a, a_step;            /* accumulator of (C + Q).v */
+    num_wide c, c_step;            /* accumulator of C.v */
+    num_wide toward;               /* C.Q, with the exponent e_a of A.w */
+    num_wide power;                /* C.C - R^2 and what the bias adds, with the exponent e_k */
+    int a_down, power_down;        /* e_p - e_a and e_p - e_k, where e_p is the exponent of |P|^2 */
+    int square_down, product_down; /* from e_d and e_a to the smaller of them */
+    num_u inverse;                 /* num_inverse(r) */
+    int bias_shift;                /* what num_bias_product is given, less half */
+    num_u swell;                   /* bias/r */
+    int exponent;                  /* 2 e_a - e_d - e_k */
+    bool enclosed;                 /* the light is inside */
+    int count;
+};
+
+/* Sets facing to 0 where the sphere stands before the light. */
+void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *lit);
+
+/* sum = min(1, sum + lambert * colour). */
+void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count);
+
+/* Clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
+void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
+                 tia_rgb565 *out);
+
+#endif

@@ -1,0 +1,170 @@
+/* rows.c - from hits to pixels: a row is taken in chunks, and a chunk in runs of one object. */
+#include "kernels.h"
+#include "render/dither.h"
+#include "shade.h"
+#include "span.h"
+
+/* Up to CHUNK pixels of a row on their way to the display. */
+struct chunk {
+    const struct tia_view *view;
+    int x, y, count;
+    const num_u *t;
+    const uint32_t *object;
+    uint32_t *reached;  /* NULL, or the sets of lights */
+    tia_rgb565 *pixels; /* side by side */
+};
+
+/* A run that sees the background or a light: one colour, but for the dithering. */
+static void flat_run(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
+{
+    num_u rgb[3][8];
+    tia_rgb565 pixels[8];
+
+    for (int i = 0; i < 8; i++) {
+        rgb[0][i] = num_clamp(num_colour(colour->r));
+        rgb[1][i] = num_clamp(num_colour(colour->g));
+        rgb[2][i] = num_clamp(num_colour(colour->b));
+    }
+    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, 8, pixels);
+    if (threshold[0] == threshold[1]) { /* not dithered: all eight are the same */
+        for (int i = 0; i < count; i++)
+            chunk->pixels[first + i] = pixels[0];
+        return;
+    }
+    for (int i = 0; i < count; i++)
+        chunk->pixels[first + i] = pixels[i & 7];
+}
+
+/* Marks the pixels of a chunk where light `n` is nearer than what they see. */
+static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uint32_t *object)
+{
+    const struct tia_view *view = chunk->view;
+    const struct body *body = &view->span.bodies[n];
+    struct run run = {chunk->x, chunk->x + chunk->count};
+    num_u t[CHUNK];
+
+    run = run_within(sphere_run(&view->span.lattice, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
+    if (run.first >= run.end)
+        return;
+    sphere_distances(&view->span.lattice, body, chunk->y, run.first, run.end - run.first, t);
+    span_keep_nearer(view, n, t, run.end - run.first, nearest + (run.first - chunk->x),
+                     object + (run.first - chunk->x));
+}
+
+/* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
+ * copy of the objects, with the lights among them. */
+#if defined(__GNUC__)
+__attribute__((noinline)) /* its arrays are off the stack again when the chunk is shaded */
+#endif
+static void
+see_lights(struct chunk *chunk, uint32_t object[CHUNK])
+{
+    const struct tia_view *view = chunk->view;
+    num_u nearest[CHUNK];
+    bool copied = false;
+
+    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
+        if (chunk->y < view->span.bodies[n].rows.first || chunk->y >= view->span.bodies[n].rows.end)
+            continue;
+        for (int i = 0; !copied && i < chunk->count; i++) {
+            object[i] = chunk->object[i];
+            nearest[i] = chunk->t[i];
+        }
+        copied = true;
+        see_light(chunk, n, nearest, object);
+    }
+    if (copied)
+        chunk->object = object;
+}
+
+/* A run that sees light number n itself. */
+static void light_run(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
+{
+    flat_run(chunk, first, count, &chunk->view->lights[n].emission, threshold);
+    for (int i = first; chunk->reached && i < first + count; i++)
+        chunk->reached[i] = UINT32_C(0xffff0000) | (n & 0xffff);
+}
+
+static void shaded_run(const struct chunk *chunk, int first, int count, const num_u threshold[8])
+{
+    struct shade_run run = {chunk->object[first],
+                            chunk->x + first,
+                            chunk->y,
+                            count,
+                            chunk->t + first,
+                            chunk->reached ? chunk->reached + first : NULL};
+
+    shade_run(chunk->view, &run, threshold, chunk->pixels + first);
+}
+
+static void light_chunk(struct chunk *chunk, const num_u threshold[8])
+{
+    const struct tia_view *view = chunk->view;
+    uint32_t copy[CHUNK];
+    int end;
+
+    see_lights(chunk, copy);
+    for (int first = 0; first < chunk->count; first = end) {
+        uint32_t object = chunk->object[first];
+        for (end = first + 1; end < chunk->count && chunk->object[end] == object; end++)
+            ;
+        if (object == TIA_NO_OBJECT)
+            flat_run(chunk, first, end - first, &view->scene->background, threshold);
+        else if (object >= view->scene->sphere_count)
+            light_run(chunk, first, end - first, object - view->scene->sphere_count, threshold);
+        else
+            shaded_run(chunk, first, end - first, threshold);
+    }
+}
+
+static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_t step)
+{
+    for (int i = 0; i < count; i++)
+        *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
+}
+
+/* The chunk at column x of the tile: in the surface itself where its pixels are side by side. */
+static void light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
+                          const struct tia_surface *surface, const num_u threshold[8])
+{
+    size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
+    char *out = (char *)surface->pixels + (chunk->y - tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
+    bool direct = surface->step == sizeof(tia_rgb565);
+    tia_rgb565 pixels[CHUNK];
+
+    chunk->x = tile.x + (int)x;
+    chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
+    chunk->t = hits->t + at;
+    chunk->object = hits->object + at;
+    chunk->pixels = direct ? (tia_rgb565 *)(void *)out : pixels;
+    light_chunk(chunk, threshold);
+    if (!direct)
+        copy_pixels(pixels, chunk->count, out, surface->step);
+}
+
+static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    uint32_t *reached = options->reached ? options->reached + (size_t)(chunk->y - tile.y) * tile.width : NULL;
+    num_u threshold[8];
+
+    dither_thresholds(options->dither, chunk->y, threshold);
+    for (unsigned x = 0; reached && x < tile.width; x++)
+        reached[x] = 0;
+    for (unsigned x = 0; x < tile.width; x += CHUNK) {
+        chunk->reached = reached ? reached + x : NULL;
+        light_columns(chunk, hits, tile, x, surface, threshold);
+    }
+}
+
+void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                const struct tia_surface *surface, const struct tia_options *options)
+{
+    struct chunk chunk;
+
+    chunk.view = view;
+    for (int y = tile.y; y < tile.y + tile.height; y++) {
+        chunk.y = y;
+        light_row(&chunk, hits, tile, surface, options);
+    }
+}

@@ -1,0 +1,140 @@
+#include "shade.h"
+
+#include "scene/colour.h"
+#include "shadow.h"
+
+/* A run on its way to colours. */
+struct shading {
+    const struct shade_run *run;
+    const struct tia_view *view;
+    const struct tia_material *material;
+    bool grey; /* red stands for all three */
+    num_u sum[3][CHUNK];
+};
+
+/* What half-transparent spheres leave of a light on its way to each pixel of a run. */
+struct tint {
+    num_u left[3][CHUNK];
+    uint16_t passed[CHUNK]; /* the sum of index + 1 of the spheres on the way */
+};
+
+/* Where `lit` is dark and was not before, the light passes `sphere`, which lets `through` pass:
+ * tints it, and gives it back unless nothing is left. */
+static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
+                       struct tint *tint)
+{
+    for (int i = 0; i < count; i++) {
+        if (before[i] == lit->facing[i])
+            continue;
+        tint->left[0][i] = num_colour_product(tint->left[0][i], num_colour(through->r));
+        tint->left[1][i] = num_colour_product(tint->left[1][i], num_colour(through->g));
+        tint->left[2][i] = num_colour_product(tint->left[2][i], num_colour(through->b));
+        tint->passed[i] = (uint16_t)((tint->passed[i] + sphere + 1) & 0xffff);
+        if (tint->left[0][i] > 0 || tint->left[1][i] > 0 || tint->left[2][i] > 0)
+            lit->facing[i] = before[i];
+    }
+}
+
+/* The pixels' light states, as tia_options has them. */
+static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *reached)
+{
+    for (int i = 0; i < count; i++)
+        if (lit->facing[i] > 0) {
+            uint32_t way = tint ? tint->passed[i] * (l + 1) & 0xffff : 0;
+            way = ((reached[i] >> 16) + way) & 0xffff;
+            reached[i] = way << 16 | (reached[i] & 0xffff) | UINT32_C(1) << l;
+        }
+}
+
+static void cast_shadows(const struct shading *s, const struct light_source *source, struct lit *lit, struct tint *tint)
+{
+    const struct shade_run *run = s->run;
+    const struct tia_scene *scene = s->view->scene;
+
+    for (uint32_t j = 0; j < scene->sphere_count; j++) {
+        const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
+        struct shadow_line line;
+        num_u before[CHUNK];
+
+        if (j == run->object ||
+            !shadow_line_prepare(&s->view->span.lattice, source, &s->view->span.bodies[j], run->x, run->y, &line))
+            continue;
+        line.count = run->count;
+        for (int i = 0; !colour_is_black(through) && i < run->count; i++)
+            before[i] = lit->facing[i];
+        kernel_shadow(&line, run->t, lit);
+        if (!colour_is_black(through))
+            tint_light(through, j, before, lit, run->count, tint);
+    }
+}
+
+static void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert, struct tint *tint)
+{
+    const struct tia_rgb *colour = &s->material->colour, *emission = &light->emission;
+    num_u product[3] = {num_colour_product(num_colour(colour->r), num_colour(emission->r)),
+                        num_colour_product(num_colour(colour->g), num_colour(emission->g)),
+                        num_colour_product(num_colour(colour->b), num_colour(emission->b))};
+
+    for (int c = 0; c < (s->grey ? 1 : 3); c++) {
+        num_u tinted[CHUNK];
+        for (int i = 0; tint && i < s->run->count; i++)
+            tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
+        kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->run->count);
+    }
+}
+
+/* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
+static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
+{
+    const struct shade_run *run = s->run;
+    const struct tia_view *view = s->view;
+    struct light_source source = {.body = &view->span.bodies[run->object],
+                                  .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
+    struct light_line line;
+    struct lit lit;
+    num_u *lambert = lit.facing; /* takes its place: stack is scarce */
+
+    light_line_prepare(&view->span.lattice, &source, run->x, run->y, &line);
+    line.count = run->count;
+    if (!kernel_light(&line, run->t, &lit))
+        return;
+    cast_shadows(s, &source, &lit, tint);
+    if (run->reached && l < 16)
+        note_reached(&lit, tint, l, run->count, run->reached);
+    kernel_lambert(&lit, source.body->inverse, run->count, lambert);
+    add_light(s, &view->lights[l], lambert, tint);
+}
+
+static void shade_tinted_light(struct shading *s, uint32_t l)
+{
+    struct tint tint;
+
+    for (int i = 0; i < s->run->count; i++) {
+        tint.left[0][i] = tint.left[1][i] = tint.left[2][i] = NUM_ONE;
+        tint.passed[i] = 0;
+    }
+    shade_light(s, l, &tint);
+}
+
+void shade_run(const struct tia_view *view, const struct shade_run *run, const num_u threshold[8], tia_rgb565 *pixels)
+{
+    const struct tia_scene *scene = view->scene;
+    struct shading s; /* not zeroed: the sums are large */
+
+    s.run = run;
+    s.view = view;
+    s.material = &scene->materials[scene->spheres[run->object].material];
+    s.grey = view->span.grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
+    for (int i = 0; i < run->count; i++) {
+        s.sum[0][i] = num_colour(s.material->emission.r);
+        s.sum[1][i] = num_colour(s.material->emission.g);
+        s.sum[2][i] = num_colour(s.material->emission.b);
+    }
+    for (uint32_t l = 0; l < view->light_count; l++) {
+        if (view->span.tinted)
+            shade_tinted_light(&s, l);
+        else
+            shade_light(&s, l, NULL);
+    }
+    kernel_pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, run->x, run->count, pixels);
+}

@@ -1,0 +1,17 @@
+/* shade.h - a run of pixels that see one sphere, through the kernels: light by light, shadow by shadow. */
+#ifndef TIA_SPAN_SHADE_H
+#define TIA_SPAN_SHADE_H
+
+#include "kernels.h"
+#include "render/view.h"
+
+struct shade_run {
+    uint32_t object; /* the sphere */
+    int x, y, count; /* the first pixel; at most CHUNK */
+    const num_u *t;
+    uint32_t *reached; /* NULL, or the light states, as tia_options has them */
+};
+
+void shade_run(const struct tia_view *view, const struct shade_run *run, const num_u threshold[8], tia_rgb565 *pixels);
+
+#endif

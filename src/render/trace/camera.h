@@ -1,0 +1,21 @@
+/* camera.h - the ray through each sample of each pixel, see tia/camera.h. */
+#ifndef TIA_RAY_CAMERA_H
+#define TIA_RAY_CAMERA_H
+
+#include "render/geometry/shape.h"
+
+struct ray_camera {
+    struct num_point eye;
+    struct num_dir u, v, n;
+    enum tia_projection projection;
+    int width, height, side;            /* of the image; side^2 samples a pixel */
+    num_x depth;                        /* of the image plane before the eye */
+    num_x left, bottom, across, upward; /* the window and its sizes */
+};
+
+void ray_camera_prepare(struct ray_camera *camera, const struct tia_camera *given, int width, int height);
+
+/* Sample number `sample` of pixel (x, y). */
+void ray_camera_ray(const struct ray_camera *camera, int x, int y, int sample, struct ray *ray);
+
+#endif

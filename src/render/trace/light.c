@@ -1,0 +1,219 @@
+#include "light.h"
+
+#include "math/integer.h"
+#include "math/rotation.h"
+#include "rgb.h"
+
+static num_d cosine(tia_q16 degrees)
+{
+    int64_t s, c;
+
+    tia_sincos(degrees, &s, &c);
+    return num_d_of62(c);
+}
+
+static void prepare_rectangle(struct ray_light *l, const struct tia_light *given)
+{
+    struct num_dir along[2], normal;
+
+    for (int i = 0; i < 2; i++) {
+        l->side[i] = num_point_of(given->side[i]);
+        (void)num_normalise(l->side[i], &along[i]);
+    }
+    normal = num_dir_unit(num_cross_d(along[0], along[1]));
+    l->direction = normal;
+    l->across[0] = num_cross_d(along[1], normal);
+    l->across[1] = num_cross_d(normal, along[0]);
+}
+
+static void prepare_shape(struct ray_light *l, const struct tia_light *given)
+{
+    if (l->kind == TIA_RECTANGLE_LIGHT)
+        prepare_rectangle(l, given);
+    else if (l->kind == TIA_DIRECTIONAL_LIGHT || l->kind == TIA_SPOT_LIGHT || l->kind == TIA_DISC_LIGHT)
+        l->direction = num_dir_of(given->direction);
+    if (l->kind == TIA_DISC_LIGHT)
+        shape_axes(l->direction, l->axes);
+    if (l->kind == TIA_SPOT_LIGHT) {
+        l->inner = cosine(given->inner);
+        l->outer = cosine(given->outer);
+    }
+}
+
+void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
+{
+    bool area = given->kind >= TIA_RECTANGLE_LIGHT;
+
+    l->kind = given->kind;
+    l->samples = !area ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;
+    l->part = num_fraction(NUM_X_ONE, num_int((int32_t)(32 * l->samples)));
+    ray_rgb(&given->emission, l->emission);
+    l->centre = num_point_of(given->centre);
+    l->radius = num_x_of(given->radius);
+    l->constant = num_x_of(given->constant);
+    l->linear = num_x_of(given->linear);
+    l->quadratic = num_x_of(given->quadratic);
+    l->fades = given->constant || given->linear || given->quadratic;
+    prepare_shape(l, given);
+}
+
+/* The bits of i < 16 the other way round. */
+static unsigned mirrored(unsigned i)
+{
+    static const uint8_t mirror[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
+
+    return mirror[i];
+}
+
+/* sin(2 pi v/256) */
+static num_d sine(unsigned v)
+{
+    unsigned place = v & 63;
+    num_d s = num_d_of62(tia_sines[v & 64 ? 64 - place : place]);
+
+    return v & 128 ? -s : s;
+}
+
+unsigned ray_pixel_class(int x, int y)
+{
+    static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+    return bayer[y & 3][x & 3];
+}
+
+/* u = frac((i + 1/2)/n + b/16), of which the integers know when it is 0; and v in units of 1/256. */
+static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_d *u, unsigned *v)
+{
+    unsigned n = l->samples;
+
+    *u = l->part * (num_d)((32 * i + 16 + 2 * n * class) % (32 * n));
+    *v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
+}
+
+/* A point of the disc around the centre with these axes. */
+static struct num_point on_disc(const struct ray_light *l, const struct num_dir axes[2], num_d u, unsigned v)
+{
+    num_x r = num_times(l->radius, num_sqrt_d(u));
+    struct num_point a = num_point_along(axes[0], num_times(r, sine(v + 64)));
+    struct num_point b = num_point_along(axes[1], num_times(r, sine(v)));
+
+    return num_point_add(l->centre, num_point_add(a, b));
+}
+
+static struct num_point scaled(struct num_point p, num_d s)
+{
+    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
+}
+
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_point point, unsigned class)
+{
+    struct num_dir from;
+
+    aim->light = l;
+    aim->point = point;
+    aim->class = class;
+    aim->axes[0] = l->axes[0];
+    aim->axes[1] = l->axes[1];
+    if (l->kind == TIA_SPHERE_LIGHT) {
+        if (!num_normalise(num_point_sub(point, l->centre), &from))
+            from = (struct num_dir){NUM_D_ONE, 0, 0};
+        shape_axes(from, aim->axes);
+    }
+}
+
+/* The point that sample i shines from. */
+static struct num_point source(const struct ray_aim *aim, unsigned i)
+{
+    const struct ray_light *l = aim->light;
+    num_d u;
+    unsigned v;
+
+    if (l->kind < TIA_RECTANGLE_LIGHT)
+        return l->centre;
+    pattern(l, aim->class, i, &u, &v);
+    if (l->kind != TIA_RECTANGLE_LIGHT)
+        return on_disc(l, aim->axes, u, v);
+    num_d s = 2 * (u - NUM_D_ONE / 2), t = NUM_D_ONE / 128 * (num_d)((int)v - 128);
+    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
+}
+
+/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more. */
+static num_x attenuation(const struct ray_light *l, num_x d)
+{
+    num_x slope = l->linear + num_product_within(l->quadratic, d);
+    num_x sum = l->constant + num_product_within(slope < NUM_X_MOST ? slope : NUM_X_MOST, d);
+
+    return sum < NUM_X_MOST ? num_ratio(NUM_X_ONE, sum) : 0;
+}
+
+/* How much of a spot light goes along a direction from the point to it. */
+static num_x spot(const struct ray_light *l, struct num_dir to)
+{
+    num_d c = -num_dot_d(to, l->direction);
+
+    if (c >= l->inner)
+        return NUM_X_ONE;
+    return c <= l->outer ? 0 : num_x_of_d(num_fraction(c - l->outer, l->inner - l->outer));
+}
+
+bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *s)
+{
+    const struct ray_light *l = aim->light;
+
+    if (l->kind == TIA_DIRECTIONAL_LIGHT) {
+        s->to = num_dir_turned(l->direction);
+        s->distance = NUM_X_MOST;
+        s->factor = NUM_X_ONE;
+        return true;
+    }
+    struct num_point way = num_point_sub(source(aim, i), aim->point);
+    if (!num_normalise(way, &s->to))
+        return false;
+    s->distance = num_dot_x(way, s->to);
+    s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_X_ONE;
+    if (s->factor > 0 && l->fades)
+        s->factor = num_product_within(s->factor, attenuation(l, s->distance));
+    return s->factor > 0;
+}
+
+/* Where a ray meets the plane of a rectangle or disc. */
+static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_x limit, num_x *t,
+                        struct num_point *from_centre)
+{
+    struct num_point way = num_point_sub(l->centre, ray->origin);
+    num_d slope = num_dot_d(ray->direction, l->direction);
+
+    if (slope > -NUM_D_LEAST && slope < NUM_D_LEAST)
+        return false;
+    *t = num_over(num_dot_x(way, l->direction), slope);
+    if (*t < 0 || *t >= limit)
+        return false;
+    *from_centre = num_point_sub(num_point_along(ray->direction, *t), way);
+    return true;
+}
+
+static bool is_within(struct num_point p, struct num_point side, struct num_dir across)
+{
+    num_x at = num_dot_x(p, across), reach = num_dot_x(side, across);
+
+    at = at < 0 ? -at : at;
+    return at <= (reach < 0 ? -reach : reach);
+}
+
+bool ray_light_seen(const struct ray_light *l, const struct ray *ray, num_x limit, num_x *t)
+{
+    struct num_point p;
+
+    switch (l->kind) {
+    case TIA_POINT_LIGHT:
+    case TIA_SPHERE_LIGHT:
+        return l->radius > 0 && sphere_intersect(l->centre, l->radius, ray, limit, t) && *t < limit;
+    case TIA_DISC_LIGHT:
+        return l->radius > 0 && meets_plane(l, ray, limit, t, &p) && num_length(p) <= l->radius;
+    case TIA_RECTANGLE_LIGHT:
+        return meets_plane(l, ray, limit, t, &p) && is_within(p, l->side[0], l->across[0]) &&
+               is_within(p, l->side[1], l->across[1]);
+    default:
+        return false;
+    }
+}

@@ -1,0 +1,51 @@
+/* light.h - what a light does to a point, sample by sample, and where it is seen; see tia/light.h. */
+#ifndef TIA_RAY_LIGHT_H
+#define TIA_RAY_LIGHT_H
+
+#include "render/geometry/shape.h"
+
+struct ray_light {
+    enum tia_light_kind kind;
+    unsigned samples; /* 1 for lights without area */
+    num_d part;       /* 1/(32 samples) */
+    num_x emission[3];
+    struct num_point centre;
+    struct num_dir direction; /* of length 1 */
+    num_x radius;             /* 0: not seen */
+    num_d inner, outer;       /* cosines */
+    struct num_dir axes[2];   /* of a disc */
+    struct num_point side[2]; /* of a rectangle */
+    struct num_dir across[2]; /* in its plane, at right angles to the other side */
+    num_x constant, linear, quadratic;
+    bool fades;
+};
+
+/* What one sample of a light does to a point. */
+struct ray_sample {
+    struct num_dir to; /* L */
+    num_x distance;    /* shadow rays end here */
+    num_x factor;      /* of the attenuation and the spot; 0: it does not shine here */
+};
+
+void ray_light_prepare(struct ray_light *light, const struct tia_light *given);
+
+/* A light as a point sees it, in a pixel of class `class`, 0..15. */
+struct ray_aim {
+    const struct ray_light *light;
+    struct num_point point;
+    struct num_dir axes[2]; /* of the disc that samples are taken from */
+    unsigned class;
+};
+
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, unsigned class);
+
+/* Sample i < light->samples. Not for ambient lights. False when the light gives nothing. */
+bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
+
+/* Where a ray meets the light's surface, 0 <= t < limit. */
+bool ray_light_seen(const struct ray_light *light, const struct ray *ray, num_x limit, num_x *t);
+
+/* The class of pixel (x, y). */
+unsigned ray_pixel_class(int x, int y);
+
+#endif

@@ -1,0 +1,106 @@
+/* prepare.c - a scene for general rays: the camera, the lights, shapes and their placements. */
+#include "math/align.h"
+#include "render/whitted/rays.h"
+#include "scene/bounds.h"
+#include "trace.h"
+
+size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
+{
+    uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
+                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct placement));
+
+    return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
+}
+
+static const struct tia_bvh_tree *tree_of(const struct tia_scene *scene, uint32_t mesh)
+{
+    return scene->bvh ? &scene->bvh->meshes[mesh] : NULL;
+}
+
+static void prepare_kind(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
+{
+    switch (given->kind) {
+    case TIA_SPHERE:
+        shape_sphere(shape, given->sphere.centre, given->sphere.radius);
+        break;
+    case TIA_PLANE:
+        shape_plane(shape, &given->plane);
+        break;
+    case TIA_DISC:
+        shape_disc(shape, &given->disc);
+        break;
+    case TIA_CYLINDER:
+        shape_cylinder(shape, &given->cylinder);
+        break;
+    case TIA_CONE:
+        shape_cone(shape, &given->cone);
+        break;
+    case TIA_BOX:
+        shape_box(shape, &given->box);
+        break;
+    case TIA_TRIANGLE:
+        shape_triangle(shape, &given->triangle);
+        break;
+    case TIA_MESH:
+        shape_mesh(shape, &scene->meshes[given->mesh], tree_of(scene, given->mesh));
+        break;
+    case TIA_GRID:
+        shape_grid(shape, &scene->grids[given->grid]);
+        break;
+    }
+}
+
+/* False: the shape is where it is. */
+static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct placement *placement)
+{
+    struct bounds_wide box;
+
+    if (!given->transform)
+        return false;
+    bounds_in_own_axes(scene, given, &box);
+    placement_prepare(placement, &scene->transforms[given->transform - 1], &box);
+    return true;
+}
+
+static void prepare_shapes(struct ray_view *view)
+{
+    const struct tia_scene *scene = view->scene;
+    struct placement *placement = view->placements;
+
+    for (uint32_t i = 0; i < scene->shape_count; i++) {
+        const struct tia_shape *given = &scene->shapes[i];
+        struct shape *shape = &view->shapes[i];
+
+        shape->material = given->material;
+        shape->placement = NULL;
+        prepare_kind(shape, scene, given);
+        if (place(scene, given, placement))
+            shape->placement = placement++;
+    }
+}
+
+int ray_prepare(struct tia_view *view, void *memory)
+{
+    const struct tia_scene *scene = view->scene;
+    struct ray_view *rays = memory;
+
+    rays->scene = scene;
+    rays->lights = (struct ray_light *)(void *)((char *)memory + ALIGN(sizeof *rays));
+    rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
+    rays->placements = (struct placement *)(rays->shapes + scene->shape_count);
+    rays->light_count = 0;
+    rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
+    ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
+    prepare_shapes(rays);
+    view->rays = rays;
+    return TIA_OK;
+}
+
+void ray_set_lights(struct tia_view *view)
+{
+    struct ray_view *rays = view->rays;
+
+    rays->light_count = view->light_count;
+    for (uint32_t i = 0; i < view->light_count; i++)
+        ray_light_prepare(&rays->lights[i], &view->lights[i]);
+}

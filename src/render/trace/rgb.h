@@ -1,0 +1,14 @@
+/* rgb.h - colours as numbers of rays. */
+#ifndef TIA_RAY_RGB_H
+#define TIA_RAY_RGB_H
+
+#include "num/num_ray.h"
+
+static inline void ray_rgb(const struct tia_rgb *c, num_x rgb[3])
+{
+    rgb[0] = num_x_of_d(num_d_of(c->r));
+    rgb[1] = num_x_of_d(num_d_of(c->g));
+    rgb[2] = num_x_of_d(num_d_of(c->b));
+}
+
+#endif

@@ -1,0 +1,145 @@
+/* build.c - all hierarchies of a scene in one piece of memory:
+ *
+ *     struct tia_bvh, the meshes' trees, then for each tree its items and nodes, the objects' last and with the
+ *     planes between the two; at the memory's end, only while building, the boxes of one tree's items
+ */
+#include "math/align.h"
+#include "scene/bounds.h"
+#include "tree.h"
+
+/* Places are taken from the front, scratch is at the end. */
+struct room {
+    unsigned char *front;
+    struct tia_bounds *boxes;
+};
+
+static uint64_t object_count(const struct tia_scene *scene)
+{
+    return (uint64_t)scene->sphere_count + scene->shape_count;
+}
+
+static uint64_t tree_size(uint64_t count)
+{
+    return ALIGN(count * sizeof(uint32_t)) + TREE_NODES(count) * sizeof(struct tia_bvh_node);
+}
+
+/* The most boxes that are needed at once. */
+static uint64_t box_count(const struct tia_scene *scene)
+{
+    uint64_t most = object_count(scene);
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        most = scene->meshes[i].face_count > most ? scene->meshes[i].face_count : most;
+    return most;
+}
+
+static uint64_t whole_size(const struct tia_scene *scene)
+{
+    uint64_t size = ALIGN(sizeof(struct tia_bvh)) + ALIGN(scene->mesh_count * (uint64_t)sizeof(struct tia_bvh_tree));
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        size += tree_size(scene->meshes[i].face_count);
+    return size + tree_size(object_count(scene)) + ALIGN(box_count(scene) * sizeof(struct tia_bounds));
+}
+
+size_t tia_bvh_size(const struct tia_scene *scene)
+{
+    uint64_t size = whole_size(scene);
+    return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
+}
+
+static void *take(struct room *room, uint64_t size)
+{
+    void *place = room->front;
+    room->front += ALIGN(size);
+    return place;
+}
+
+/* The tree of `count` items; what its nodes do not need is free again. */
+static struct tia_bvh_tree plant(struct room *room, uint32_t *items, uint32_t count)
+{
+    struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)room->front;
+    struct tia_bvh_tree tree = tree_build(nodes, items, count, room->boxes);
+
+    take(room, tree.node_count * sizeof *nodes);
+    return tree;
+}
+
+static struct tia_bvh_tree plant_mesh(struct room *room, const struct tia_mesh *mesh)
+{
+    uint32_t *items = take(room, mesh->face_count * (uint64_t)sizeof *items);
+
+    for (uint32_t i = 0; i < mesh->face_count; i++) {
+        struct tia_bounds box = bounds_of_face(mesh, i);
+        struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
+        (void)bounds_with_margin(&wide, &room->boxes[i]);
+        items[i] = i;
+    }
+    return plant(room, items, mesh->face_count);
+}
+
+/* A mesh's own box, without the margin of its tree's. */
+static struct tia_bounds without_margin(const struct tia_bounds *b)
+{
+#define LESS(x) ((x) > INT32_MIN ? (x) + 1 : (x))
+#define MORE(x) ((x) < INT32_MAX ? (x)-1 : (x))
+    return (struct tia_bounds){{LESS(b->min.x), LESS(b->min.y), LESS(b->min.z)},
+                               {MORE(b->max.x), MORE(b->max.y), MORE(b->max.z)}};
+#undef LESS
+#undef MORE
+}
+
+/* The box of an object; false: none that Q16.16 holds. */
+static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
+                     const struct tia_bvh_tree *meshes)
+{
+    const struct tia_shape *shape = object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
+    struct bounds_wide wide;
+    struct tia_bounds own = BOUNDS_NOTHING;
+
+    if (shape && shape->kind == TIA_MESH) {
+        if (!meshes[shape->mesh].node_count) {
+            *box = own;
+            return true;
+        }
+        own = without_margin(&meshes[shape->mesh].nodes[0].bounds);
+    }
+    return bounds_in_world(scene, object, &own, &wide) && bounds_with_margin(&wide, box);
+}
+
+/* Those that have no box come to the end of the objects' items, from behind: so both rise. */
+static void plant_objects(struct room *room, struct tia_bvh *bvh, const struct tia_scene *scene)
+{
+    uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
+    uint32_t *items = take(room, count * (uint64_t)sizeof *items);
+
+    for (uint32_t i = count; i-- > 0;) {
+        if (find_box(&room->boxes[i], scene, i, bvh->meshes))
+            items[first++] = i;
+        else
+            items[--last] = i;
+    }
+    bvh->objects = plant(room, items, first);
+    bvh->planes = items + last;
+    bvh->plane_count = count - last;
+}
+
+int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
+{
+    struct room room = {memory, NULL};
+    size_t needed = tia_bvh_size(scene);
+
+    if (needed == SIZE_MAX || size < needed)
+        return TIA_ERR_MEMORY;
+    room.boxes = (void *)(room.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
+    struct tia_bvh *whole = take(&room, sizeof *whole);
+    struct tia_bvh_tree *meshes = take(&room, scene->mesh_count * (uint64_t)sizeof *meshes);
+    whole->meshes = meshes;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        meshes[i] = plant_mesh(&room, &scene->meshes[i]);
+    plant_objects(&room, whole, scene);
+    *bvh = whole;
+    if (used)
+        *used = (size_t)(room.front - (unsigned char *)memory);
+    return TIA_OK;
+}

@@ -1,0 +1,63 @@
+/* check.h - the parts of tia_scene_check: each gives TIA_OK, or fills in the fault. */
+#ifndef TIA_CHECK_CHECK_H
+#define TIA_CHECK_CHECK_H
+
+#include "scene/bounds.h"
+
+struct check {
+    const struct tia_scene *scene;
+    struct tia_fault *fault; /* may be NULL */
+    struct tia_bounds eyes;  /* around every place that the eye may take */
+    const char *thing;       /* what is looked at */
+    uint32_t index;
+};
+
+#define CHECK_FAR "every point must be nearer to the eye than 32768"
+#define CHECK_UNIT "each channel must be in 0..1"
+#define CHECK_RADIUS "must be at least 2^-10"
+#define CHECK_LENGTH "its length must be in 0.5..1.5"
+
+/* What every rule ends with that is not kept. */
+#define REQUIRE(condition, field, rule)                                                                                \
+    do {                                                                                                               \
+        if (!(condition))                                                                                              \
+            return check_refuse(check, field, rule);                                                                   \
+    } while (0)
+
+int check_refuse(const struct check *check, const char *field, const char *rule);
+
+/* Numbers. */
+bool check_is_unit(const struct tia_rgb *colour);
+bool check_is_direction(const struct tia_dir3 *direction);
+bool check_is_between(int32_t x, int32_t least, int32_t most);
+bool check_is_scale(struct tia_vec3 scale);
+/* Whether a and b, components of at most 33 bits, are on one line through 0, as 0 itself is with everything. */
+bool check_is_on_line(const int64_t a[3], const int64_t b[3]);
+
+/* Distances to the farthest place of the eye, from all of a box or ball. */
+bool check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
+bool check_is_box_near(const struct check *check, const struct bounds_wide *box);
+
+int check_camera(const struct check *check);
+
+/* Number check->index of each. */
+int check_material(const struct check *check);
+int check_texture(const struct check *check);
+int check_sphere(const struct check *check);
+int check_transform(const struct check *check);
+int check_mesh(const struct check *check);
+int check_grid(const struct check *check);
+int check_shape(const struct check *check);
+int check_track(const struct check *check);
+
+int check_light(const struct check *check, const struct tia_light *light);
+/* Where its points are. */
+bool check_is_light_near(const struct check *check, const struct tia_light *light);
+
+/* A placed object's box: near, and not too flat. */
+int check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
+
+/* What the shapes that are meshes and grids make of them. */
+int check_uses(struct check *check);
+
+#endif

@@ -1,0 +1,81 @@
+/* no_shapes.c - stands in for shapes, hierarchies and motion in programs that have room for spheres alone:
+ * scenes with more than spheres are refused. */
+#include <tia/motion.h>
+
+#include "scene/check/check.h"
+
+#define RULE "must be none: this program draws spheres alone"
+
+int check_transform(const struct check *check)
+{
+    return check_refuse(check, "count", RULE);
+}
+
+int check_mesh(const struct check *check)
+{
+    return check_refuse(check, "count", RULE);
+}
+
+int check_grid(const struct check *check)
+{
+    return check_refuse(check, "count", RULE);
+}
+
+int check_shape(const struct check *check)
+{
+    return check_refuse(check, "count", RULE);
+}
+
+int check_track(const struct check *check)
+{
+    return check_refuse(check, "count", RULE);
+}
+
+int check_uses(struct check *check)
+{
+    (void)check;
+    return TIA_OK;
+}
+
+void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
+{
+    (void)bounds;
+    (void)more;
+}
+
+size_t tia_bvh_size(const struct tia_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+
+int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
+{
+    (void)bvh;
+    (void)memory;
+    (void)size;
+    (void)used;
+    (void)scene;
+    return TIA_ERR_UNSUPPORTED;
+}
+
+size_t tia_scene_at_size(const struct tia_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+
+int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time)
+{
+    (void)memory;
+    (void)size;
+    (void)time;
+    *out = *scene;
+    return scene->track_count ? TIA_ERR_UNSUPPORTED : TIA_OK;
+}
+
+tia_q16 tia_scene_duration(const struct tia_scene *scene)
+{
+    (void)scene;
+    return 0;
+}

@@ -1,0 +1,108 @@
+/* press.c - what a key press does to the lights. */
+#include <tia/viewer.h>
+
+#include "math/integer.h"
+
+struct move {
+    uint16_t key;
+    int8_t x, y, z;
+};
+
+static const struct move moves[] = {
+    {TIA_KEY_LEFT, -1, 0, 0}, {TIA_KEY_RIGHT, 1, 0, 0},   {TIA_KEY_UP, 0, 0, -1},
+    {TIA_KEY_DOWN, 0, 0, 1},  {TIA_KEY_PAGE_UP, 0, 1, 0}, {TIA_KEY_PAGE_DOWN, 0, -1, 0},
+};
+
+static const struct move *find_move(uint16_t key)
+{
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
+        if (moves[i].key == key)
+            return &moves[i];
+    return NULL;
+}
+
+static const struct tia_binding *find_binding(const struct tia_scene *scene, uint16_t key)
+{
+    for (uint32_t i = 0; i < scene->binding_count; i++)
+        if (scene->bindings[i].key == key)
+            return &scene->bindings[i];
+    return NULL;
+}
+
+/* False where a coordinate would leave Q16.16. */
+static bool add(tia_q16 *coordinate, int step)
+{
+    int64_t sum = (int64_t)*coordinate + (int64_t)step * TIA_Q16_ONE;
+
+    if (sum < INT32_MIN || sum > INT32_MAX)
+        return false;
+    *coordinate = (tia_q16)sum;
+    return true;
+}
+
+static bool move_centre(struct tia_vec3 *centre, const struct move *move)
+{
+    return add(&centre->x, move->x) && add(&centre->y, move->y) && add(&centre->z, move->z);
+}
+
+/* The light comes from -direction; that point, at the distance 1, moves by 1/16: 3.6 degrees. The sum's
+ * length stays below 1.1, its components within Q2.30. False where it would not move at all. */
+static bool turn(struct tia_dir3 *direction, const struct move *move)
+{
+    const int32_t step = TIA_Q30_ONE / 16;
+    struct tia_dir3 from = tia_normalise(direction->x, direction->y, direction->z);
+    struct tia_dir3 to = tia_normalise(from.x - move->x * step, from.y - move->y * step, from.z - move->z * step);
+
+    *direction = to;
+    return to.x != from.x || to.y != from.y || to.z != from.z;
+}
+
+static int move_light(const struct tia_scene *scene, struct tia_light *light, const struct move *move)
+{
+    struct tia_light moved = *light;
+    struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
+
+    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !turn(&moved.direction, move) : !move_centre(&moved.centre, move))
+        return 0;
+    if (tia_scene_check(&alone, NULL) != TIA_OK)
+        return 0;
+    *light = moved;
+    return 1;
+}
+
+static int put_light(const struct tia_binding *binding, struct tia_light *lights, uint32_t *count, uint32_t n,
+                     uint32_t capacity)
+{
+    if (n >= capacity)
+        return 0;
+    lights[n] = binding->state;
+    *count += n == *count;
+    return 1;
+}
+
+uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)
+{
+    const struct tia_binding *binding = find_binding(scene, key);
+    uint32_t first = 0;
+
+    if (binding)
+        return binding->light < count ? binding->light : count;
+    if (!find_move(key))
+        return TIA_NO_LIGHT;
+    while (first < count && lights[first].kind == TIA_AMBIENT_LIGHT)
+        first++;
+    return first < count ? first : TIA_NO_LIGHT;
+}
+
+int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity, uint16_t key)
+{
+    const struct tia_binding *binding = find_binding(scene, key);
+    const struct move *move = find_move(key);
+    uint32_t light = tia_key_light(scene, lights, *count, key);
+
+    if (binding)
+        return put_light(binding, lights, count, light, capacity);
+    if (!move)
+        return TIA_ERR_ARGUMENT;
+    return light != TIA_NO_LIGHT ? move_light(scene, &lights[light], move) : 0;
+}

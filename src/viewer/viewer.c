@@ -1,0 +1,115 @@
+/* viewer.c - the interactive loop: keys, light, time, tiles, present. Knows no OS. */
+#include "loop.h"
+
+/* How long nothing will happen, in ms, rounded up; -1: until a key. */
+static int idle_ms(const struct loop *loop)
+{
+    uint64_t time = viewer_now(loop), next = viewer_repeat_us(loop);
+
+    if (loop->plays && loop->viewer->clock && loop->end > loop->viewer->time && (!next || loop->due_us < next))
+        next = loop->due_us;
+    if (!next)
+        return -1;
+    return next > time ? (int)((next - time + 999) / 1000) : 0;
+}
+
+static int draw_frame(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_frame frame = {.number = loop->frame, .relit = loop->traced};
+    uint64_t start = viewer_now(loop), key_us = loop->key_us;
+    int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
+
+    if (!status)
+        status = viewer_draw_tiles(loop);
+    frame.draw_us = viewer_now(loop) - start;
+    if (!status)
+        status = v->display->present(v->display_ctx);
+    if (status)
+        return status;
+    loop->traced = loop->whole;
+    loop->changed = false;
+    loop->key_us = 0;
+    loop->frame++;
+    frame.key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
+    return v->frame_done ? v->frame_done(v->frame_ctx, &frame) : TIA_OK;
+}
+
+static bool same_mode(const struct tia_mode *a, const struct tia_mode *b)
+{
+    return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
+           a->tile_height == b->tile_height && a->concurrent == b->concurrent;
+}
+
+/* Draws what the display now needs. TIA_HIDDEN when it is not ours. */
+static int show(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_mode mode;
+    int status = v->display->mode(v->display_ctx, &mode);
+
+    if (status == TIA_HIDDEN)
+        loop->changed = true;
+    if (!status && (!loop->view || !same_mode(&mode, &loop->mode))) {
+        loop->mode = mode;
+        status = viewer_prepare(loop);
+    }
+    if (!status)
+        status = viewer_play(loop);
+    if (!status && (loop->changed || v->frame_limit))
+        status = draw_frame(loop);
+    return status;
+}
+
+/* Sleeps until something can happen; with frames still to draw it only lets signals in. */
+static int rest(struct loop *loop, bool hidden)
+{
+    const struct tia_viewer *v = loop->viewer;
+    bool busy = !hidden && (loop->changed || v->frame_limit);
+
+    if (!v->input)
+        return hidden ? TIA_HIDDEN : TIA_OK;
+    return v->input->wait(v->input_ctx, busy ? 0 : hidden ? -1 : idle_ms(loop));
+}
+
+static int step(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    int status = viewer_take_events(loop);
+
+    if (status)
+        return status;
+    viewer_repeat_held(loop);
+    status = show(loop);
+    if (status && status != TIA_HIDDEN)
+        return status;
+    if (v->frame_limit && loop->frame >= v->frame_limit)
+        return VIEWER_QUIT;
+    if (v->stop && *v->stop) /* a display that had to wait has let signals in */
+        return VIEWER_QUIT;
+    return rest(loop, status == TIA_HIDDEN);
+}
+
+static bool is_acceptable(const struct tia_viewer *v)
+{
+    return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.reached &&
+           v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
+}
+
+int tia_viewer_run(struct tia_viewer *viewer)
+{
+    struct loop loop = {.viewer = viewer, .core = viewer->core ? viewer->core : &tia_core_q16, .changed = true};
+    const struct tia_scene *scene = viewer->scene;
+    int status = is_acceptable(viewer) ? TIA_OK : TIA_ERR_ARGUMENT;
+
+    for (uint32_t i = 0; !status && i < scene->light_count; i++)
+        viewer->lights[i] = scene->lights[i];
+    loop.light_count = scene->light_count;
+    if (!status)
+        status = viewer_play_begin(&loop);
+    for (size_t i = 0; !status && i < viewer->key_count; i++)
+        status = viewer_press(&loop, viewer->keys[i]);
+    while (!status && !(viewer->stop && *viewer->stop))
+        status = step(&loop);
+    return status == VIEWER_QUIT ? TIA_OK : status;
+}

@@ -1,0 +1,18 @@
+#include "clock.h"
+
+#include <time.h>
+
+uint64_t clock_now_us(void)
+{
+    struct timespec now;
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000u + (uint64_t)now.tv_nsec / 1000u;
+}
+
+static uint64_t now_us(void *ctx)
+{
+    (void)ctx;
+    return clock_now_us();
+}
+
+const struct tia_clock clock_monotonic = {now_us};

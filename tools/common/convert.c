@@ -1,0 +1,146 @@
+#include "convert.h"
+
+#include <ctype.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "common/scene/scene.h"
+#include "ports.h"
+
+enum { NAME = 256, SCENE_FORMAT };
+
+static const struct option long_options[] = {
+    {"output", required_argument, NULL, 'o'}, {"scene-format", required_argument, NULL, SCENE_FORMAT},
+    {"help", no_argument, NULL, 'h'},         {"version", no_argument, NULL, 'V'},
+    {"name", required_argument, NULL, NAME},  {0}};
+
+/* One line, whatever a file's name holds. */
+static int fail(const struct converter *converter, int status, const char *what, const char *why)
+{
+    char line[SCENE_WHY + 256];
+
+    (void)snprintf(line, sizeof line, "%s: %s%s%s", converter->tool, what, *why != '\0' ? ": " : "", why);
+    for (char *at = line; *at != '\0'; at++)
+        if ((unsigned char)*at < ' ' || *at == 127)
+            *at = '?';
+    (void)fprintf(stderr, "%s\n", line);
+    return status;
+}
+
+static bool is_identifier(const char *text)
+{
+    static const char keywords[] =
+        " auto break case char const continue default do double else enum extern float for goto if inline int long "
+        "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while ";
+    char word[68];
+    size_t length = strlen(text);
+
+    for (size_t i = 0; i < length; i++)
+        if (!isalpha((unsigned char)text[i]) && text[i] != '_' && (i == 0 || !isdigit((unsigned char)text[i])))
+            return false;
+    if (length == 0 || length >= 64)
+        return false;
+    word[0] = ' ';
+    memcpy(word + 1, text, length);
+    memcpy(word + 1 + length, " ", 2);
+    return strstr(keywords, word) == NULL;
+}
+
+/* 0: go on; 1: done; 2: a mistake. */
+static int set(const struct converter *converter, struct request *request, int option, const char *text)
+{
+    switch (option) {
+    case 'o':
+        request->output = text;
+        return 0;
+    case SCENE_FORMAT:
+        request->format = scene_format_called(text);
+        return request->format != SCENE_UNKNOWN ? 0 : fail(converter, 2, "--scene-format", "must be tia, nff or obj");
+    case NAME:
+        request->symbol = text;
+        return is_identifier(text) ? 0 : fail(converter, 2, "--name", "must be a name in C, of less than 64 letters");
+    case 'h':
+        (void)fputs(converter->usage, stdout);
+        return 1;
+    default:
+        (void)printf("%s " TIA_VERSION "\n", converter->tool);
+        return 1;
+    }
+}
+
+/* getopt_long's own messages start with argv[0], which may be a path. */
+static int reject(const struct converter *converter, int option, char **argv)
+{
+    return fail(converter, 2, argv[optind - 1],
+                option == ':' ? "needs a value (see --help)" : "unknown option (see --help)");
+}
+
+static int parse(const struct converter *converter, struct request *request, int argc, char **argv)
+{
+    const struct option *known = long_options;
+    struct option options[sizeof long_options / sizeof *long_options];
+    int option, result = 0;
+
+    memcpy(options, known, sizeof options);
+    if (converter->symbol == NULL) /* --name is the last */
+        options[sizeof options / sizeof *options - 2] = (struct option){0};
+    opterr = 0;
+    while (result == 0 && (option = getopt_long(argc, argv, ":o:hV", options, NULL)) != -1)
+        result =
+            option == '?' || option == ':' ? reject(converter, option, argv) : set(converter, request, option, optarg);
+    if (result != 0)
+        return result;
+    if (optind == argc)
+        return fail(converter, 2, "SCENE", "no scene is named (see --help)");
+    request->scene = argv[optind];
+    if (optind + 1 < argc)
+        return fail(converter, 2, argv[optind + 1], "unexpected argument (see --help)");
+    return request->output != NULL ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
+}
+
+static void name_source(struct request *request)
+{
+    const char *slash = strrchr(request->scene, '/');
+
+    (void)snprintf(request->source, sizeof request->source, "%s",
+                   strcmp(request->scene, "-") == 0 ? "a scene from standard input"
+                   : slash != NULL                  ? slash + 1
+                                                    : request->scene);
+    for (char *at = request->source; *at != '\0'; at++)
+        if (!isalnum((unsigned char)*at) && strchr(" .-_", *at) == NULL)
+            *at = '_';
+}
+
+static int open_scene(const struct converter *converter, struct request *request, struct scene_file *file)
+{
+    if (request->format == SCENE_UNKNOWN)
+        request->format = scene_format_of(request->scene);
+    if (request->format == SCENE_UNKNOWN)
+        return fail(converter, 2, request->scene, "its name does not tell its format (use --scene-format)");
+    int status = scene_open(file, request->scene, request->format);
+    if (status == TIA_OK)
+        return 0;
+    return fail(converter, status == TIA_ERR_RANGE ? 2 : 1, file->why, "");
+}
+
+int convert(const struct converter *converter, int argc, char **argv)
+{
+    struct request request = {.format = SCENE_UNKNOWN, .symbol = converter->symbol};
+    static struct scene_file file;
+    char why[PORT_WHY] = "out of memory";
+    int result = parse(converter, &request, argc, argv);
+
+    if (result != 0)
+        return result == 1 ? 0 : result;
+    (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
+    name_source(&request);
+    result = open_scene(converter, &request, &file);
+    if (result != 0)
+        return result;
+    if (converter->write(&request, &file.scene, why) != TIA_OK)
+        result = fail(converter, 1, why, "");
+    scene_close(&file);
+    return result;
+}

@@ -1,0 +1,118 @@
+#include "decode.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int refuse(const char **why, const char *what)
+{
+    *why = what;
+    return TIA_ERR_RANGE;
+}
+
+int image_room(struct image_texels *texels, uint64_t width, uint64_t height, unsigned side, size_t most,
+               const char **why)
+{
+    if (width == 0 || height == 0) {
+        return refuse(why, "an empty picture");
+    }
+    if (width > side || height > side || width * height > most / 3) {
+        return refuse(why, "too large a picture");
+    }
+    texels->width = (unsigned)width;
+    texels->height = (unsigned)height;
+    texels->rgb = malloc((size_t)(width * height * 3));
+    *why = "memory: exhausted";
+    return texels->rgb != NULL ? TIA_OK : TIA_ERR_MEMORY;
+}
+
+/* ---- PPM: "P6" or "P3", width, height and the value of full, then the values ---- */
+
+struct ppm {
+    const unsigned char *at, *end;
+};
+
+static void skip_blanks(struct ppm *ppm)
+{
+    while (ppm->at < ppm->end && (*ppm->at == '#' || *ppm->at == ' ' || (*ppm->at >= '\t' && *ppm->at <= '\r'))) {
+        if (*ppm->at == '#') {
+            while (ppm->at < ppm->end && *ppm->at != '\n') {
+                ppm->at++;
+            }
+        } else {
+            ppm->at++;
+        }
+    }
+}
+
+/* A number up to 65535, or 65536 for anything else. */
+static unsigned take_number(struct ppm *ppm)
+{
+    unsigned value = 0;
+    skip_blanks(ppm);
+    const unsigned char *start = ppm->at;
+    while (ppm->at < ppm->end && *ppm->at >= '0' && *ppm->at <= '9') {
+        value = value * 10 + (unsigned)(*ppm->at++ - '0');
+        if (value > 65535) {
+            return 65536;
+        }
+    }
+    return ppm->at > start ? value : 65536;
+}
+
+static unsigned take_value(struct ppm *ppm, bool plain, unsigned full)
+{
+    size_t bytes = full > 255 ? 2 : 1;
+    if (plain) {
+        return take_number(ppm);
+    }
+    if ((size_t)(ppm->end - ppm->at) < bytes) {
+        return 65536;
+    }
+    unsigned value = *ppm->at++;
+    return bytes == 1 ? value : value << 8 | *ppm->at++;
+}
+
+static int take_values(struct ppm *ppm, bool plain, unsigned full, struct image_texels *texels, const char **why)
+{
+    size_t count = (size_t)texels->width * texels->height * 3;
+    for (size_t i = 0; i < count; i++) {
+        unsigned value = take_value(ppm, plain, full);
+        if (value > full) {
+            free(texels->rgb);
+            texels->rgb = NULL;
+            return refuse(why, "a damaged PPM file");
+        }
+        texels->rgb[i] = (unsigned char)((value * 255u + full / 2) / full);
+    }
+    return TIA_OK;
+}
+
+static int decode_ppm(struct image_texels *texels, const unsigned char *bytes, size_t length, unsigned side,
+                      size_t most, const char **why)
+{
+    struct ppm ppm = {bytes + 2, bytes + length};
+    bool plain = bytes[1] == '3';
+    unsigned width = take_number(&ppm), height = take_number(&ppm), full = take_number(&ppm);
+    if (width > 65535 || height > 65535 || full == 0 || full > 65535) {
+        return refuse(why, "a damaged PPM file");
+    }
+    ppm.at += !plain && ppm.at < ppm.end; /* the one blank before binary values */
+    int status = image_room(texels, width, height, side, most, why);
+    return status == TIA_OK ? take_values(&ppm, plain, full, texels, why) : status;
+}
+
+int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
+                 const char **why)
+{
+    if (length >= 2 && (memcmp(bytes, "P6", 2) == 0 || memcmp(bytes, "P3", 2) == 0)) {
+        return decode_ppm(texels, bytes, length, side, most, why);
+    }
+    if (length >= 4 && memcmp(bytes, "\x89PNG", 4) == 0) {
+#ifdef TIA_HAVE_PNG
+        return image_decode_png(texels, bytes, length, side, most, why);
+#else
+        return refuse(why, "this build reads no PNG files (use PPM)");
+#endif
+    }
+    return refuse(why, "neither a PNG nor a PPM file");
+}

@@ -1,0 +1,111 @@
+/* png.c - PNG by libpng: 8-bit RGB, with a note (sBIT) that 5, 6 and 5 of the bits count. */
+#ifdef TIA_HAVE_PNG
+
+#include <png.h>
+#include <setjmp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "codec.h"
+#include "ports.h"
+
+/* Every call of libpng may end in png_failed, which jumps back to the setjmp of the function
+ * that made the call. */
+struct png_state {
+    png_structp png;
+    png_infop info;
+};
+
+static void png_failed(png_structp png, png_const_charp message)
+{
+    struct image *image = png_get_error_ptr(png);
+    if (!image->sink.failed) {
+        (void)snprintf(image->sink.why, PORT_WHY, "%.150s: libpng: %.60s", image->sink.name, message);
+    }
+    png_longjmp(png, 1);
+}
+
+static void png_warned(png_structp png, png_const_charp message)
+{
+    (void)png;
+    (void)message;
+}
+
+static void png_bytes(png_structp png, png_bytep bytes, size_t count)
+{
+    struct image *image = png_get_io_ptr(png);
+    if (sink_write(&image->sink, bytes, count) != TIA_OK) {
+        png_error(png, "write error");
+    }
+}
+
+static void png_flushed(png_structp png)
+{
+    (void)png;
+}
+
+static int header(struct image *image, png_structp png, png_infop info)
+{
+    if (setjmp(png_jmpbuf(png)) != 0) {
+        return TIA_ERR_DEVICE;
+    }
+    png_color_8 bits = {.red = 5, .green = 6, .blue = 5};
+    png_set_write_fn(png, image, png_bytes, png_flushed);
+    png_set_IHDR(png, info, image->width, image->height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sBIT(png, info, &bits);
+    png_write_info(png, info);
+    return TIA_OK;
+}
+
+static int begin(struct image *image)
+{
+    struct png_state *state = calloc(1, sizeof *state);
+    image->state = state;
+    if (state != NULL) {
+        state->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, image, png_failed, png_warned);
+        state->info = state->png != NULL ? png_create_info_struct(state->png) : NULL;
+    }
+    if (state == NULL || state->info == NULL) {
+        (void)snprintf(image->sink.why, PORT_WHY, "memory: exhausted");
+        return TIA_ERR_MEMORY;
+    }
+    return header(image, state->png, state->info);
+}
+
+static int row(struct image *image, const tia_rgb565 *pixels)
+{
+    struct png_state *state = image->state;
+    image_expand(image->line, pixels, image->width);
+    if (setjmp(png_jmpbuf(state->png)) != 0) {
+        return TIA_ERR_DEVICE;
+    }
+    png_write_row(state->png, image->line);
+    return TIA_OK;
+}
+
+static int end(struct image *image)
+{
+    struct png_state *state = image->state;
+    if (setjmp(png_jmpbuf(state->png)) != 0) {
+        return TIA_ERR_DEVICE;
+    }
+    png_write_end(state->png, state->info);
+    return TIA_OK;
+}
+
+static void release(struct image *image)
+{
+    struct png_state *state = image->state;
+    if (state != NULL && state->png != NULL) {
+        png_destroy_write_struct(&state->png, &state->info);
+    }
+    free(state);
+    image->state = NULL;
+}
+
+const struct image_codec image_codec_png = {.name = "png", .begin = begin, .row = row, .end = end, .free = release};
+
+#else
+typedef int image_without_png; /* ISO C wants a declaration in every file */
+#endif

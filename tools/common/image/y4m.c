@@ -1,0 +1,93 @@
+/* y4m.c - YUV4MPEG2 films, as mjpegtools and ffmpeg read them: for each frame all Y, all U, all V (4:4:4). */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "codec.h"
+#include "part.h"
+#include "ports.h"
+
+/* The planes that wait while rows of Y are written. */
+struct y4m_state {
+    unsigned char *u, *v;
+};
+
+size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film)
+{
+    return (size_t)snprintf(
+        text, IMAGE_PART_HEADER, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%08x\n",
+        film->width, film->height, (unsigned)film->rate[0], (unsigned)film->rate[1], (unsigned)film->first_frame,
+        (unsigned)film->frames, (unsigned)film->all_frames, (unsigned)film->crc);
+}
+
+static void release(struct image *image)
+{
+    struct y4m_state *state = image->state;
+    if (state != NULL) {
+        free(state->u);
+        free(state->v);
+    }
+    free(state);
+    image->state = NULL;
+}
+
+static int begin(struct image *image)
+{
+    size_t pixels = (size_t)image->width * image->height;
+    struct y4m_state *state = calloc(1, sizeof *state);
+    char header[IMAGE_PART_HEADER];
+    image->state = state;
+    if (state != NULL) {
+        state->u = malloc(pixels);
+        state->v = malloc(pixels);
+    }
+    if (state == NULL || state->u == NULL || state->v == NULL) {
+        (void)snprintf(image->sink.why, PORT_WHY, "memory: exhausted");
+        return TIA_ERR_MEMORY;
+    }
+    size_t length = image_y4m_print(header, &image->film);
+    return sink_write(&image->sink, header, length);
+}
+
+/* ITU-R BT.601 with Y in 16..235, U and V in 16..240: coefficients in 1/256, to nearest. White and black are
+ * exact, and the sums stay within 0..65535: the 128s of U and V are added before the division. */
+uint32_t image_y4m_colour(tia_rgb565 pixel)
+{
+    unsigned char rgb[3];
+    image_expand(rgb, &pixel, 1);
+    int r = rgb[0], g = rgb[1], b = rgb[2], half = 128, middle = 128 * 256;
+    int y = (66 * r + 129 * g + 25 * b + half + 16 * 256) / 256;
+    int u = (-38 * r - 74 * g + 112 * b + half + middle) / 256;
+    int v = (112 * r - 94 * g - 18 * b + half + middle) / 256;
+    return (uint32_t)y << 16 | (uint32_t)u << 8 | (uint32_t)v;
+}
+
+static int row(struct image *image, const tia_rgb565 *pixels)
+{
+    struct y4m_state *state = image->state;
+    size_t line = (size_t)(image->rows % image->height), at = line * image->width;
+    for (unsigned x = 0; x < image->width; x++) {
+        uint32_t colour = image_y4m_colour(pixels[x]);
+        image->line[x] = (unsigned char)(colour >> 16);
+        state->u[at + x] = (unsigned char)(colour >> 8 & 255);
+        state->v[at + x] = (unsigned char)(colour & 255);
+    }
+    int status = line == 0 ? sink_write(&image->sink, "FRAME\n", IMAGE_Y4M_FRAME) : TIA_OK;
+    if (status == TIA_OK) {
+        status = sink_write(&image->sink, image->line, image->width);
+    }
+    if (status == TIA_OK && line + 1 == image->height) {
+        size_t plane = (size_t)image->width * image->height;
+        status = sink_write(&image->sink, state->u, plane);
+        return status == TIA_OK ? sink_write(&image->sink, state->v, plane) : status;
+    }
+    return status;
+}
+
+static int end(struct image *image)
+{
+    (void)image;
+    return TIA_OK;
+}
+
+const struct image_codec image_codec_y4m = {.name = "y4m", .begin = begin, .row = row, .end = end, .free = release};

@@ -1,0 +1,122 @@
+#include "part.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/image/decode.h"
+#include "whole.h"
+
+struct scene_part {
+    struct scene_part *next;
+    bool is_image;
+    struct whole text;
+    struct image_texels texels;
+    char name[]; /* as the scene has it */
+};
+
+char *part_path(const struct scene_file *file, const char *name)
+{
+    const char *slash = strrchr(file->path, '/');
+    int folder = slash != NULL && name[0] != '/' ? (int)(slash + 1 - file->path) : 0;
+    char *path;
+    return asprintf(&path, "%.*s%s", folder, file->path, name) >= 0 ? path : NULL;
+}
+
+static struct scene_part *find(const struct scene_file *file, const char *name, bool is_image)
+{
+    struct scene_part *part = file->parts;
+    while (part != NULL && (part->is_image != is_image || strcmp(part->name, name) != 0)) {
+        part = part->next;
+    }
+    return part;
+}
+
+static void release(struct scene_part *part)
+{
+    free(part->text.bytes);
+    free(part->texels.rgb);
+    free(part);
+}
+
+/* The picture in place of its file's bytes. */
+static int decode(struct scene_part *part, size_t most, const char **why)
+{
+    int status = image_decode(&part->texels, part->text.bytes, part->text.length, TIA_TEXTURE_MAX, most, why);
+    free(part->text.bytes);
+    part->text = (struct whole){NULL, 0};
+    return status;
+}
+
+static int load(struct scene_file *file, struct scene_part *part, const char **why)
+{
+    size_t left = SCENE_NAMED_MOST - file->named_bytes;
+    char *path = part_path(file, part->name);
+    *why = "memory: exhausted";
+    int status = path != NULL ? whole_read(&part->text, path, left, why) : TIA_ERR_MEMORY;
+    free(path);
+    if (status == TIA_OK) {
+        file->crc = scene_crc(file->crc, part->text.bytes, part->text.length);
+    }
+    if (status == TIA_OK && part->is_image) {
+        status = decode(part, left, why);
+    }
+    file->named_bytes += part->text.length + (size_t)part->texels.width * part->texels.height * 3;
+    return status;
+}
+
+/* The file called `name`, fetched when it is asked for the first time. */
+static int fetch(struct scene_file *file, const char *name, bool is_image, struct scene_part **found, const char **why)
+{
+    struct scene_part *part = *found = find(file, name, is_image);
+    if (part != NULL) {
+        return TIA_OK;
+    }
+    part = calloc(1, sizeof *part + strlen(name) + 1);
+    if (part == NULL) {
+        *why = "memory: exhausted";
+        return TIA_ERR_MEMORY;
+    }
+    strcpy(part->name, name);
+    part->is_image = is_image;
+    int status = load(file, part, why);
+    if (status != TIA_OK) {
+        release(part);
+        return status;
+    }
+    part->next = file->parts;
+    file->parts = *found = part;
+    return TIA_OK;
+}
+
+int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why)
+{
+    struct scene_part *part;
+    int status = fetch(ctx, name, false, &part, why);
+    if (status == TIA_OK) {
+        *text = part->text.bytes;
+        *length = part->text.length;
+    }
+    return status;
+}
+
+int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
+{
+    struct scene_part *part;
+    int status = fetch(ctx, name, true, &part, why);
+    if (status == TIA_OK) {
+        texture->width = (uint16_t)part->texels.width;
+        texture->height = (uint16_t)part->texels.height;
+        texture->texels = part->texels.rgb;
+    }
+    return status;
+}
+
+void part_free_all(struct scene_file *file)
+{
+    while (file->parts != NULL) {
+        struct scene_part *part = file->parts;
+        file->parts = part->next;
+        release(part);
+    }
+}

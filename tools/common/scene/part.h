@@ -1,0 +1,16 @@
+/* part.h - the files that a scene names: found beside it, fetched once, kept as long as it. */
+#ifndef PORT_SCENE_PART_H
+#define PORT_SCENE_PART_H
+
+#include "scene.h"
+
+/* The reader's callbacks (tia/read.h); ctx is the scene file. */
+int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why);
+int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why);
+
+/* The path of what the scene calls `name`; free() it. NULL: no memory. */
+char *part_path(const struct scene_file *file, const char *name);
+
+void part_free_all(struct scene_file *file);
+
+#endif

@@ -1,0 +1,159 @@
+#include "scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "part.h"
+#include "whole.h"
+
+/* The first guess; tia_read says how much it needs. A file's bytes become at most some tens each. */
+#define MEMORY_FIRST ((size_t)1 << 16)
+#define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
+
+static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj"};
+
+int scene_format_called(const char *name)
+{
+    for (int format = TIA_FORMAT_TIA; format <= TIA_FORMAT_OBJ; format++) {
+        if (strcasecmp(name, names[format]) == 0) {
+            return format;
+        }
+    }
+    return SCENE_UNKNOWN;
+}
+
+int scene_format_of(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot != NULL ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
+}
+
+/* The core's CRC takes pixels: of two bytes each, the first the low one. An odd last byte gets a zero; the
+ * length before it all keeps such data apart. */
+uint32_t scene_crc(uint32_t crc, const void *bytes, size_t length)
+{
+    const unsigned char *from = bytes;
+    uint64_t count = length;
+    tia_rgb565 pairs[1024];
+    for (unsigned i = 0; i < 4; i++) {
+        pairs[i] = (tia_rgb565)(count >> 16 * i & 0xffffu);
+    }
+    crc = tia_crc32(crc, pairs, 4);
+    while (length > 0) {
+        size_t some = length < sizeof pairs ? length : sizeof pairs, n = (some + 1) / 2;
+        for (size_t i = 0; i < n; i++) {
+            unsigned high = 2 * i + 1 < some ? from[2 * i + 1] : 0;
+            pairs[i] = (tia_rgb565)(from[2 * i] | high << 8);
+        }
+        crc = tia_crc32(crc, pairs, n);
+        from += some;
+        length -= some;
+    }
+    return crc;
+}
+
+static const char *shown(const struct scene_file *file)
+{
+    return strcmp(file->path, "-") == 0 ? "standard input" : file->path;
+}
+
+static int exhausted(struct scene_file *file)
+{
+    (void)snprintf(file->why, SCENE_WHY, "memory: exhausted");
+    return TIA_ERR_MEMORY;
+}
+
+static int read_text(struct scene_file *file, struct whole *text)
+{
+    const char *why;
+    int status = strcmp(file->path, "-") == 0 ? whole_read_from(text, STDIN_FILENO, SCENE_TEXT_MOST, &why)
+                                              : whole_read(text, file->path, SCENE_TEXT_MOST, &why);
+    if (status == TIA_ERR_MEMORY) {
+        return exhausted(file);
+    }
+    if (status == TIA_ERR_RANGE) {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s: larger than %zu MiB", shown(file), SCENE_TEXT_MOST >> 20);
+    } else if (status != TIA_OK) {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s: %s", shown(file), why);
+    }
+    return status;
+}
+
+/* "FILE:LINE:COLUMN: WHAT", FILE as it can be opened from here. */
+static int tell_error(struct scene_file *file, const struct tia_read_error *error)
+{
+    char *named = error->file[0] != '\0' ? part_path(file, error->file) : NULL;
+    const char *path = named != NULL ? named : shown(file);
+    if (error->line != 0) {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s:%u:%u: %s", path, error->line, error->column, error->text);
+    } else {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s: %s", path, error->text);
+    }
+    free(named);
+    return TIA_ERR_RANGE;
+}
+
+/* With as much memory as the reader says that it needs: it knows after the first try. */
+static int read_scene(struct scene_file *file, const struct whole *text, int format)
+{
+    struct tia_reader reader = {.format = (enum tia_format)format,
+                                .text = text->bytes,
+                                .length = text->length,
+                                .library = part_library,
+                                .image = part_image,
+                                .ctx = file};
+    size_t size = MEMORY_FIRST, need = 0;
+    int status = TIA_ERR_MEMORY;
+    for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
+        free(file->memory);
+        file->memory = malloc(size);
+        if (file->memory == NULL) {
+            return exhausted(file);
+        }
+        status = tia_read(&reader, &file->scene, file->memory, size, &need);
+        size = need > size ? need : size * 2;
+    }
+    return status == TIA_ERR_MEMORY ? exhausted(file) : status != TIA_OK ? tell_error(file, &reader.error) : TIA_OK;
+}
+
+static int build_boxes(struct scene_file *file)
+{
+    size_t size = tia_bvh_size(&file->scene);
+    file->boxes = size <= MEMORY_MOST ? malloc(size > 0 ? size : 1) : NULL;
+    if (file->boxes == NULL ||
+        tia_bvh_build(&file->scene.bvh, file->boxes, size, NULL, &file->scene) == TIA_ERR_MEMORY) {
+        return exhausted(file);
+    }
+    return TIA_OK;
+}
+
+int scene_open(struct scene_file *file, const char *path, int format)
+{
+    struct whole text;
+    *file = (struct scene_file){.path = path};
+    int status = read_text(file, &text);
+    if (status != TIA_OK) {
+        return status;
+    }
+    file->crc = scene_crc(0, text.bytes, text.length);
+    status = read_scene(file, &text, format);
+    free(text.bytes);
+    if (status == TIA_OK) {
+        status = build_boxes(file);
+    }
+    if (status != TIA_OK) {
+        scene_close(file);
+    }
+    return status;
+}
+
+void scene_close(struct scene_file *file)
+{
+    free(file->memory);
+    free(file->boxes);
+    file->memory = file->boxes = NULL;
+    part_free_all(file);
+}

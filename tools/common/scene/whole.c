@@ -1,0 +1,109 @@
+#include "whole.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int failed(const char **why, int error)
+{
+    *why = strerror(error);
+    return error == ENOMEM ? TIA_ERR_MEMORY : TIA_ERR_DEVICE;
+}
+
+/* Room for at least one byte more. */
+static bool grow(struct whole *whole, size_t *room)
+{
+    if (whole->length < *room) {
+        return true;
+    }
+    size_t more = *room * 2;
+    char *bytes = realloc(whole->bytes, more);
+    if (bytes != NULL) {
+        whole->bytes = bytes;
+        *room = more;
+    }
+    return bytes != NULL;
+}
+
+static int read_all(struct whole *whole, int fd, size_t room, size_t most, const char **why)
+{
+    whole->length = 0;
+    whole->bytes = malloc(room);
+    for (ssize_t got = 1; got > 0; whole->length += got > 0 ? (size_t)got : 0) {
+        if (whole->bytes == NULL || !grow(whole, &room)) {
+            return failed(why, ENOMEM);
+        }
+        if (whole->length > most) {
+            *why = "too large";
+            return TIA_ERR_RANGE;
+        }
+        got = read(fd, whole->bytes + whole->length, room - whole->length);
+        if (got < 0) {
+            return failed(why, errno);
+        }
+    }
+    return TIA_OK;
+}
+
+static int read_sized(struct whole *whole, int fd, size_t size, size_t most, const char **why)
+{
+    /* A byte more than there should be shows the end without growing. */
+    int status = read_all(whole, fd, size < most ? size + 1 : most + 1, most, why);
+    if (status != TIA_OK) {
+        free(whole->bytes);
+        *whole = (struct whole){NULL, 0};
+    }
+    return status;
+}
+
+int whole_read_from(struct whole *whole, int fd, size_t most, const char **why)
+{
+    return read_sized(whole, fd, 65535, most, why);
+}
+
+static int check(const struct stat *status, size_t most, const char **why)
+{
+    if (S_ISDIR(status->st_mode)) {
+        return failed(why, EISDIR);
+    }
+    if (!S_ISREG(status->st_mode)) {
+        *why = "not a regular file";
+        return TIA_ERR_DEVICE;
+    }
+    if (status->st_size < 0 || (uint64_t)status->st_size > most) {
+        *why = "too large";
+        return TIA_ERR_RANGE;
+    }
+    return TIA_OK;
+}
+
+/* Looked at before it is opened, since opening alone may wait (a FIFO) or do something (a device); and
+ * after, since the name may mean something else by then. */
+int whole_read(struct whole *whole, const char *path, size_t most, const char **why)
+{
+    struct stat status;
+    *whole = (struct whole){NULL, 0};
+    if (stat(path, &status) != 0) {
+        return failed(why, errno);
+    }
+    int result = check(&status, most, why);
+    if (result != TIA_OK) {
+        return result;
+    }
+    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (fd < 0 || fstat(fd, &status) != 0) {
+        result = failed(why, errno);
+    } else {
+        result = check(&status, most, why);
+    }
+    if (result == TIA_OK) {
+        result = read_sized(whole, fd, (size_t)status.st_size, most, why);
+    }
+    if (fd >= 0) {
+        (void)close(fd);
+    }
+    return result;
+}

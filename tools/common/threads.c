@@ -1,0 +1,162 @@
+#include "threads.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Enough for the core, whose stack depth is bounded, and for a file's compression; the default
+ * of 8 MB would count against a limit of the address space. */
+#define STACK_BYTES (512u * 1024u)
+
+struct threads {
+    pthread_mutex_t lock;
+    pthread_cond_t begin, end;
+    unsigned started; /* threads besides the caller */
+    unsigned busy;    /* of them, those that may still run jobs of this round */
+    unsigned round;   /* counts the calls of run */
+    bool quit;
+    void (*job)(void *arg, unsigned index);
+    void *arg;
+    unsigned count;
+    atomic_uint next; /* the first job that nobody has taken */
+    pthread_t thread[];
+};
+
+unsigned threads_processors(void)
+{
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0) {
+        return 1;
+    }
+    unsigned count = (unsigned)CPU_COUNT(&set);
+    return count < 1 ? 1 : count > THREADS_MAX ? THREADS_MAX : count;
+}
+
+/* `next` may pass `count` by one for each thread: far from wrapping, as tia has no more than
+ * TIA_SIZE_MAX^2 = 2^26 jobs. */
+static void take_jobs(struct threads *pool)
+{
+    for (;;) {
+        unsigned index = atomic_fetch_add(&pool->next, 1u);
+        if (index >= pool->count) {
+            return;
+        }
+        pool->job(pool->arg, index);
+    }
+}
+
+static void *work(void *arg)
+{
+    struct threads *pool = arg;
+    unsigned seen = 0;
+    (void)pthread_mutex_lock(&pool->lock);
+    for (;;) {
+        while (pool->round == seen && !pool->quit) {
+            (void)pthread_cond_wait(&pool->begin, &pool->lock);
+        }
+        if (pool->quit) {
+            break;
+        }
+        seen = pool->round;
+        (void)pthread_mutex_unlock(&pool->lock);
+        take_jobs(pool);
+        (void)pthread_mutex_lock(&pool->lock);
+        if (--pool->busy == 0) {
+            (void)pthread_cond_signal(&pool->end);
+        }
+    }
+    (void)pthread_mutex_unlock(&pool->lock);
+    return NULL;
+}
+
+/* No signal may interrupt a job; a fault in one still reaches its handler. */
+static void block_signals(sigset_t *before)
+{
+    static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    sigset_t all;
+    (void)sigfillset(&all);
+    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+        (void)sigdelset(&all, faults[i]);
+    }
+    (void)pthread_sigmask(SIG_SETMASK, &all, before);
+}
+
+/* Threads inherit the signal mask of the one that starts them. */
+static void start(struct threads *pool, unsigned count)
+{
+    sigset_t before;
+    pthread_attr_t attributes;
+    if (count == 0 || pthread_attr_init(&attributes) != 0) {
+        return;
+    }
+    (void)pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    block_signals(&before);
+    while (pool->started < count && pthread_create(&pool->thread[pool->started], &attributes, work, pool) == 0) {
+        pool->started++;
+    }
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
+    (void)pthread_attr_destroy(&attributes);
+}
+
+struct threads *threads_create(unsigned count)
+{
+    unsigned others = count > THREADS_MAX ? THREADS_MAX - 1 : count > 0 ? count - 1 : 0;
+    struct threads *pool = calloc(1, sizeof *pool + others * sizeof pool->thread[0]);
+    if (pool == NULL) {
+        return NULL;
+    }
+    (void)pthread_mutex_init(&pool->lock, NULL);
+    (void)pthread_cond_init(&pool->begin, NULL);
+    (void)pthread_cond_init(&pool->end, NULL);
+    start(pool, others);
+    return pool;
+}
+
+unsigned threads_count(const struct threads *pool)
+{
+    return pool->started + 1;
+}
+
+static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+{
+    struct threads *pool = ctx;
+    (void)pthread_mutex_lock(&pool->lock);
+    pool->job = job;
+    pool->arg = arg;
+    pool->count = count;
+    atomic_store(&pool->next, 0u);
+    if (pool->started > 0 && count > 1) {
+        pool->busy = pool->started;
+        pool->round++;
+        (void)pthread_cond_broadcast(&pool->begin);
+    }
+    (void)pthread_mutex_unlock(&pool->lock);
+    take_jobs(pool);
+    (void)pthread_mutex_lock(&pool->lock);
+    while (pool->busy > 0) {
+        (void)pthread_cond_wait(&pool->end, &pool->lock);
+    }
+    (void)pthread_mutex_unlock(&pool->lock);
+}
+
+const struct tia_workers threads_workers = {run};
+
+void threads_destroy(struct threads *pool)
+{
+    if (pool == NULL) {
+        return;
+    }
+    (void)pthread_mutex_lock(&pool->lock);
+    pool->quit = true;
+    (void)pthread_cond_broadcast(&pool->begin);
+    (void)pthread_mutex_unlock(&pool->lock);
+    for (unsigned i = 0; i < pool->started; i++) {
+        (void)pthread_join(pool->thread[i], NULL);
+    }
+    (void)pthread_cond_destroy(&pool->begin);
+    (void)pthread_cond_destroy(&pool->end);
+    (void)pthread_mutex_destroy(&pool->lock);
+    free(pool);
+}

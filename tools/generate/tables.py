@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""tables.py - prints src/math/integer.c: the seed tables of the number kernels.
+
+Each entry packs a straight line over one interval of the argument, its value at the left end
+and its slope: one multiplication gives a seed good to 17 bits, one Newton step makes them 32.
+An entry is  (c0 - 1) 2^20 << 12 | c1,  with c1 the fall over the whole interval in units of
+2^-18:  seed(f) = c0 - c1 f 2^-18,  f in [0, 1) the place inside the interval.
+
+    tia_rsqrt_lines[i]       1/sqrt(a), a in [(128+i)/512, (129+i)/512)
+    tia_reciprocal_lines[i]  1/d,       d in [(128+i)/256, (129+i)/256)
+
+The line is the one whose largest relative error over the interval is smallest, among those with
+the wanted number of bits: its slope is the chord's (or a unit beside it), its height such that
+the error at the ends is minus the error at the interior extremum.
+"""
+import math
+
+
+def line(f, lo, hi, extremum):
+    """The best (largest relative error, c0, c1), in units of 2^-20 and 2^-18, for f on [lo, hi]."""
+    unit0, unit1 = 2.0 ** -20, 2.0 ** -18
+    chord = (f(lo) - f(hi)) / unit1
+    best = None
+    for c1 in (math.floor(chord), math.ceil(chord)):
+        slope = c1 * unit1 / (hi - lo)
+        at = [lo, hi, extremum(lo, hi)]
+        # c0 such that the relative errors at the ends and inside are opposite
+        ends = [(f(x) + slope * (x - lo)) for x in at]
+        middle = (min(ends) + max(ends)) / 2
+        for c0 in (math.floor(middle / unit0), math.ceil(middle / unit0)):
+            worst = max(abs((c0 * unit0 - slope * (x - lo)) / f(x) - 1) for x in at)
+            if best is None or worst < best[0]:
+                best = (worst, c0, c1)
+    return best
+
+
+def table(count, first, scale, f, extremum):
+    words, worst = [], 0.0
+    for i in range(first, first + count):
+        error, c0, c1 = line(f, i / scale, (i + 1) / scale, extremum)
+        high = c0 - (1 << 20)
+        assert 0 <= high < 1 << 20 and 0 <= c1 < 1 << 12
+        words.append(high << 12 | c1)
+        worst = max(worst, error)
+    return words, worst
+
+
+def tangent_rsqrt(lo, hi):
+    """Where the chord of 1/sqrt is parallel to the curve: a^(-3/2) / 2 = slope."""
+    slope = (lo ** -0.5 - hi ** -0.5) / (hi - lo)
+    return (2 * slope) ** (-2 / 3)
+
+
+def show(name, words):
+    print(f"const uint32_t {name}[{len(words)}] = {{")
+    for i in range(0, len(words), 8):
+        print("    " + " ".join(f"0x{w:08x}," for w in words[i:i + 8]))
+    print("};")
+
+
+def leading_zeros():
+    """For tia_clz32_table: 2^n - 1 has 32 - n leading zeros."""
+    places = [None] * 32
+    for n in range(1, 33):
+        places[(((1 << n) - 1) * 0x07c4acdd & 0xffffffff) >> 27] = 32 - n
+    assert None not in places
+    return places
+
+
+def arctangent(n, bits):
+    """atan(1/n) 2^bits, by its series, rounded down in every term."""
+    term = (1 << bits) // n
+    total, k = 0, 0
+    while term:
+        total += (-1) ** k * (term // (2 * k + 1))
+        term //= n * n
+        k += 1
+    return total
+
+
+def turns(count, bits=200):
+    """atan(2^-i)/(2 pi), Q1.62; pi by Machin's formula."""
+    pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
+    angles = [pi // 4] + [arctangent(1 << i, bits) for i in range(1, count)]
+    return [((a << 63) // (2 * pi) + 1) >> 1 for a in angles]
+
+
+def sines(count, bits=200):
+    """sin(pi/2 i/count), i = 0..count, Q1.62, by the series."""
+    pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
+    table = []
+    for i in range(count + 1):
+        x = pi * i // (2 * count)
+        total, term, k = 0, x, 1
+        while term:
+            total += term
+            term = -term * x * x // (1 << 2 * bits) // ((k + 1) * (k + 2))
+            k += 2
+            if term == -1:
+                break
+        table.append(((total >> (bits - 63)) + 1) >> 1)
+    return table
+
+
+def show_longs(name, words):
+    print(f"\nconst int64_t {name}[{len(words)}] = {{")
+    for i in range(0, len(words), 4):
+        print("    " + " ".join(f"0x{w:016x}," for w in words[i:i + 4]))
+    print("};")
+
+
+def main():
+    rsqrt, rsqrt_worst = table(384, 128, 512, lambda a: a ** -0.5, tangent_rsqrt)
+    recip, recip_worst = table(128, 128, 256, lambda d: 1 / d, lambda lo, hi: math.sqrt(lo * hi))
+    print("/* integer.c - seed tables of the number kernels, written by tools/gen-tables.py, which")
+    print(" * explains their format. Largest relative error of the lines: "
+          f"{rsqrt_worst:.2e} and {recip_worst:.2e}. */")
+    print("// clang-format off")
+    print('#include "integer.h"\n')
+    show("tia_rsqrt_lines", rsqrt)
+    print()
+    show("tia_reciprocal_lines", recip)
+    print("\nconst uint8_t tia_clz_places[32] = {")
+    for row in (leading_zeros()[:16], leading_zeros()[16:]):
+        print("    " + " ".join(f"{z}," for z in row))
+    print("};")
+    show_longs("tia_turns", turns(60))
+    show_longs("tia_sines", sines(64))
+
+
+main()

@@ -1,0 +1,208 @@
+/* tia-compare - how far integers are from double precision, for each pixel of a set of scenes. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/scene/scene.h"
+#include "common/threads.h"
+#include "corpus/corpus.h"
+#include "corpus/corpus_rays.h"
+#include "heatmap.h"
+#include "options.h"
+#include "ports.h"
+#include "report.h"
+
+#ifdef TIA_HAVE_F64
+
+struct run {
+    struct options options;
+    struct measure what;
+    struct report report;
+    unsigned frame_count;
+};
+
+static int failed(const char *what, const char *why)
+{
+    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
+    return 1;
+}
+
+/* FILE.png, or FILE-N.png for the Nth of several frames. */
+static void heatmap_path(const struct run *run, char *path, size_t size)
+{
+    const char *name = run->options.heatmap, *dot = strrchr(name, '.');
+    int stem = (int)(dot != NULL && strchr(dot, '/') == NULL ? dot - name : (ptrdiff_t)strlen(name));
+
+    if (run->frame_count == 1)
+        (void)snprintf(path, size, "%s", name);
+    else
+        (void)snprintf(path, size, "%.*s-%u%s", stem, name, run->report.frames + 1, name + stem);
+}
+
+static int draw_heatmap(const struct run *run, const struct heatmap *map)
+{
+    char path[4096], why[PORT_WHY] = "out of memory";
+
+    heatmap_path(run, path, sizeof path);
+    if (heatmap_write(map, path, why) == TIA_OK)
+        return 0;
+    (void)fprintf(stderr, "tia-compare: %s\n", why);
+    return 1;
+}
+
+static int run_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    struct measure what = run->what;
+    struct tally tallies[MEASURE_CORES];
+    struct heatmap map = {0};
+    int status = TIA_OK, result = 0;
+
+    what.scene = scene;
+    what.width = run->options.width > 0 ? run->options.width : width;
+    what.height = run->options.width > 0 ? run->options.height : height;
+    if (run->options.heatmap != NULL) {
+        status = heatmap_alloc(&map, what.width, what.height, what.core_count) ? TIA_OK : TIA_ERR_MEMORY;
+        what.picture = map.picture;
+        what.differs = heatmap_mark;
+        what.arg = &map;
+    }
+    if (status == TIA_OK)
+        status = measure(&what, tallies);
+    if (status != TIA_OK)
+        result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
+    else if (run->options.heatmap != NULL)
+        result = draw_heatmap(run, &map);
+    if (result == 0)
+        report_frame(&run->report, name, what.width, what.height, tallies);
+    heatmap_free(&map);
+    return result;
+}
+
+static int run_thesis(struct run *run, const char *keys)
+{
+    struct corpus_scene c;
+    char name[64];
+
+    if (corpus_thesis(&c, keys, 1920, 1080) < 0)
+        return failed(keys, "one of these keys would quit");
+    (void)snprintf(name, sizeof name, "thesis %s", *keys != '\0' ? keys : "none");
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_random(struct run *run, unsigned i)
+{
+    struct corpus_scene c;
+    char name[24];
+
+    corpus_random(&c, run->options.seed, i);
+    (void)snprintf(name, sizeof name, "random %u", i);
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_rays_random(struct run *run, unsigned i)
+{
+    struct corpus_rays c;
+    char name[24];
+
+    corpus_random_rays(&c, run->options.seed, i);
+    (void)snprintf(name, sizeof name, "rays %u", i);
+    return run_frame(run, name, &c.scene, c.width, c.height);
+}
+
+static int run_file(struct run *run, const char *path)
+{
+    struct scene_file file;
+    const char *slash = strrchr(path, '/');
+
+    if (scene_open(&file, path, scene_format_of(path)) != TIA_OK) {
+        (void)fprintf(stderr, "tia-compare: %s\n", file.why);
+        return 2;
+    }
+    int result = run_frame(run, slash != NULL ? slash + 1 : path, &file.scene, 640, 480);
+    scene_close(&file);
+    return result;
+}
+
+static int run_frames(struct run *run)
+{
+    static const char *const all_keys[] = {"", "a", "d", "s", "w"};
+    const struct options *o = &run->options;
+    unsigned thesis = !o->thesis ? 0 : o->keys != NULL ? 1 : 5;
+    int result = 0;
+
+    run->frame_count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
+    for (unsigned i = 0; i < thesis && result == 0; i++)
+        result = run_thesis(run, o->keys != NULL ? o->keys : all_keys[i]);
+    for (unsigned i = 0; i < o->random && result == 0; i++)
+        result = run_random(run, i);
+    for (unsigned i = 0; i < o->rays_random && result == 0; i++)
+        result = run_rays_random(run, i);
+    for (int i = 0; i < o->scene_count && result == 0; i++)
+        result = run_file(run, o->scenes[i]);
+    return result;
+}
+
+/* The bounds are on q16, the first of the cores, over all frames together. */
+static int check_bounds(const struct run *run)
+{
+    const struct options *o = &run->options;
+    const struct tally *sum = &run->report.sums[0];
+    int result = 0;
+
+    if (tally_percent(sum) < o->require_identical) {
+        (void)fprintf(stderr, "tia-compare: q16: %.7f %% identical: less than %g %%\n", tally_percent(sum),
+                      o->require_identical);
+        result = 1;
+    }
+    if (o->max_flips >= 0 && sum->flips > (uint64_t)o->max_flips) {
+        (void)fprintf(stderr, "tia-compare: q16: %llu flips: more than %lld\n", (unsigned long long)sum->flips,
+                      (long long)o->max_flips);
+        result = 1;
+    }
+    if (o->max_levels >= 0 && sum->astray > (uint64_t)o->max_levels) {
+        (void)fprintf(stderr, "tia-compare: q16: a pixel of the same state is off by %llu levels: more than %lld\n",
+                      (unsigned long long)sum->astray, (long long)o->max_levels);
+        result = 1;
+    }
+    return result;
+}
+
+int main(int argc, char **argv)
+{
+    struct run run = {0};
+    int result = options_parse(&run.options, argc, argv);
+
+    if (result != 0)
+        return result < 0 ? 2 : 0;
+    (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
+    struct threads *pool = threads_create(run.options.threads);
+    if (pool == NULL)
+        return failed("threads", "out of memory");
+    run.what = (struct measure){.reference = &tia_core_f64,
+                                .cores = {&tia_core_q16, &tia_core_f32},
+                                .core_count = MEASURE_CORES,
+                                .workers = &threads_workers,
+                                .workers_ctx = pool};
+    run.report = (struct report){.json = run.options.json, .summary = run.options.summary, .what = &run.what};
+    report_begin(&run.report);
+    result = run_frames(&run);
+    if (result == 0) {
+        report_end(&run.report);
+        result = check_bounds(&run);
+    }
+    threads_destroy(pool);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        result = failed("standard output", "cannot be written");
+    return result;
+}
+
+#else
+
+int main(void)
+{
+    (void)fputs("tia-compare: f64: this build has no floating-point arithmetic (make F64=yes)\n", stderr);
+    return 1;
+}
+
+#endif

@@ -1,0 +1,166 @@
+/* tia-join - the parts of a picture or film, drawn one by one, become the whole. */
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <tia/tia.h>
+
+#include "common/image/series.h"
+#include "common/signals.h"
+#include "parts.h"
+#include "ports.h"
+
+static const char usage[] =
+    "Usage: tia-join -o FILE PART...\n"
+    "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
+    "--frame-range, in any order.\n"
+    "\n"
+    "  -o, --output FILE    a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame\n"
+    "                       with %04d in its name), a part (.tiapart), or - for standard output\n"
+    "      --format FORMAT  png, ppm, bmp, 565, y4m or tiapart, when FILE's name does not say\n"
+    "  -h, --help, -V, --version\n"
+    "\n"
+    "Exit status: 0 fine, 1 the file cannot be written, 2 wrong usage or parts that do not fit together.\n";
+
+enum { FINE, NOT_WRITTEN, REFUSED, FORMAT = 256 };
+
+struct join {
+    const char *output;
+    enum image_format format;
+    struct parts parts;
+    char why[PORT_WHY];
+};
+
+/* One line, always: control characters, which a file's name may hold, become '?'. */
+static int refuse(int status, const char *what, const char *why)
+{
+    char text[700];
+    (void)snprintf(text, sizeof text, "%s%s%s", what, *why != '\0' ? ": " : "", why);
+    for (char *at = text; *at != '\0'; at++) {
+        if ((unsigned char)*at < ' ' || *at == 127) {
+            *at = '?';
+        }
+    }
+    (void)fprintf(stderr, "tia-join: %s\n", text);
+    return status;
+}
+
+static int print(const char *text)
+{
+    if (fputs(text, stdout) < 0 || fflush(stdout) != 0) {
+        return refuse(NOT_WRITTEN, "standard output", strerror(errno));
+    }
+    return FINE;
+}
+
+/* ---- joining ---- */
+
+static int join_frame(struct join *join, struct series *series, uint32_t frame, tia_rgb565 *pixels)
+{
+    if (parts_frame(&join->parts, frame, pixels) != 0) {
+        return refuse(REFUSED, join->parts.why, "");
+    }
+    if (series_begin(series, frame) != TIA_OK || image_band(series->image, pixels, series->film.height) != TIA_OK ||
+        series_end(series) != TIA_OK) {
+        return refuse(NOT_WRITTEN, join->why, "");
+    }
+    return FINE;
+}
+
+static int join_frames(struct join *join, const struct image_film *film)
+{
+    struct series series = {.name = join->output, .format = join->format, .film = *film, .why = join->why};
+    tia_rgb565 *pixels = malloc((size_t)film->width * film->height * sizeof *pixels);
+    int result = pixels != NULL ? FINE : refuse(NOT_WRITTEN, "memory", "exhausted");
+    signals_catch(); /* they must not leave an unfinished file */
+    for (uint32_t frame = 0; frame < film->frames && result == FINE && signals_caught == 0; frame++) {
+        result = join_frame(join, &series, frame, pixels);
+    }
+    free(pixels);
+    if (result != FINE || signals_caught != 0) {
+        series_discard(&series);
+        return result;
+    }
+    return series_finish(&series) == TIA_OK ? FINE : refuse(NOT_WRITTEN, join->why, "");
+}
+
+static int join_parts(struct join *join, char *const *paths, unsigned count)
+{
+    if (parts_open(&join->parts, paths, count) != 0) {
+        return refuse(REFUSED, join->parts.why, "");
+    }
+    struct image_film film = join->parts.array[0].film;
+    film.first_row = film.first_frame = 0;
+    film.rows = film.height;
+    film.frames = film.all_frames;
+    if (film.frames > 1 && !image_format_films(join->format) && !series_is_pattern(join->output)) {
+        return refuse(REFUSED, join->output, "one picture for a film (name it .y4m, or with %04d in its name)");
+    }
+    return join_frames(join, &film);
+}
+
+/* ---- the command line ---- */
+
+static int take(struct join *join, int option, char **argv)
+{
+    switch (option) {
+    case 'o':
+        join->output = optarg;
+        return FINE;
+    case FORMAT:
+        join->format = image_format_called(optarg);
+        return join->format != IMAGE_UNKNOWN ? FINE
+                                             : refuse(REFUSED, "--format", "not png, ppm, bmp, 565, y4m or tiapart");
+    case ':':
+        return refuse(REFUSED, argv[optind - 1], "a value is missing (tia-join -h shows which)");
+    default:
+        return refuse(REFUSED, argv[optind - 1], "unknown option (tia-join -h lists them)");
+    }
+}
+
+static int check(struct join *join, int parts)
+{
+    if (join->output == NULL) {
+        return refuse(REFUSED, "--output", "is missing (tia-join -h)");
+    }
+    if (join->format == IMAGE_UNKNOWN) {
+        join->format = image_format_of(join->output);
+    }
+    if (join->format == IMAGE_UNKNOWN) {
+        return refuse(REFUSED, join->output,
+                      "unknown picture format (name it .png, .ppm, .bmp, .565 or .y4m, or use --format)");
+    }
+    if (!image_format_built(join->format)) {
+        return refuse(REFUSED, join->output, "this build does not write such files (use .ppm)");
+    }
+    return parts > 0 ? FINE : refuse(REFUSED, "no part is named", "(tia-join -h)");
+}
+
+int main(int argc, char **argv)
+{
+    static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
+                                          {"format", required_argument, NULL, FORMAT},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {"version", no_argument, NULL, 'V'},
+                                          {0}};
+    struct join join = {.format = IMAGE_UNKNOWN};
+    int result = FINE;
+    opterr = 0;
+    signals_prepare();
+    for (int option; result == FINE && (option = getopt_long(argc, argv, ":o:hV", longs, NULL)) != -1;) {
+        if (option == 'h' || option == 'V') {
+            return print(option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
+        }
+        result = take(&join, option, argv);
+    }
+    if (result == FINE) {
+        result = check(&join, argc - optind);
+    }
+    if (result == FINE) {
+        result = join_parts(&join, argv + optind, (unsigned)(argc - optind));
+    }
+    parts_close(&join.parts);
+    return signals_end(result);
+}

@@ -1,0 +1,58 @@
+#include "rotate.h"
+
+struct turn turn_back(const struct turn *turn)
+{
+    struct turn back = {(360 - turn->degrees) % 360, turn->width, turn->height};
+    if (turn_swaps(turn->degrees)) {
+        back.width = turn->height;
+        back.height = turn->width;
+    }
+    return back;
+}
+
+/* Pixel (x, y) goes to (height - 1 - y, x) by 90 degrees, (width - 1 - x, height - 1 - y) by 180
+ * and (y, width - 1 - x) by 270. */
+struct tia_tile turn_tile(const struct turn *turn, struct tia_tile tile)
+{
+    uint16_t from_right = (uint16_t)(turn->width - tile.x - tile.width);
+    uint16_t from_below = (uint16_t)(turn->height - tile.y - tile.height);
+    switch (turn->degrees) {
+    case 90:
+        return (struct tia_tile){from_below, tile.x, tile.height, tile.width};
+    case 180:
+        return (struct tia_tile){from_right, from_below, tile.width, tile.height};
+    case 270:
+        return (struct tia_tile){tile.y, from_right, tile.height, tile.width};
+    default:
+        return tile;
+    }
+}
+
+struct tia_surface turn_surface(const struct turn *turn, const struct tia_surface *surface, unsigned width,
+                                unsigned height)
+{
+    ptrdiff_t last_x = (ptrdiff_t)(width - 1) * surface->step, last_y = (ptrdiff_t)(height - 1) * surface->pitch;
+    char *pixels = (char *)surface->pixels;
+    struct tia_surface out = *surface;
+    switch (turn->degrees) {
+    case 90:
+        pixels += last_x;
+        out.step = surface->pitch;
+        out.pitch = -surface->step;
+        break;
+    case 180:
+        pixels += last_x + last_y;
+        out.step = -surface->step;
+        out.pitch = -surface->pitch;
+        break;
+    case 270:
+        pixels += last_y;
+        out.step = -surface->pitch;
+        out.pitch = surface->step;
+        break;
+    default:
+        break;
+    }
+    out.pixels = (tia_rgb565 *)(void *)pixels;
+    return out;
+}

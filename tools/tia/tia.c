@@ -1,0 +1,66 @@
+/* tia - draws the scene on a screen or into a file; the man page tells what it accepts. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <tia/tia.h>
+
+#include "common/signals.h"
+#include "draw.h"
+#include "fail.h"
+#include "options.h"
+#include "show.h"
+
+/* A program may be started with a standard descriptor closed. Then the next file opened would
+ * take its number, and what is meant for people would go into the picture. */
+static void fill_descriptors(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF) {
+            (void)open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+static int print(const char *text)
+{
+    if (fputs(text, stdout) < 0 || fflush(stdout) != 0) {
+        return fail_output();
+    }
+    return EXIT_FINE;
+}
+
+static int act(const struct options *options)
+{
+    switch (options->action) {
+    case ACTION_HELP:
+        return print(options_help);
+    case ACTION_VERSION:
+        return print("tia " TIA_VERSION "\n");
+    case ACTION_LIST:
+        return show_list(NULL);
+    case ACTION_MODES:
+        return show_list(options->display);
+    case ACTION_DRAW:
+        return draw(options);
+    default:
+        return show(options);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct options options;
+    fill_descriptors();
+    signals_prepare();
+    int status = options_parse(&options, argc, argv);
+    if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW)) {
+        status = options_load(&options);
+    }
+    if (status == EXIT_FINE) {
+        status = act(&options);
+    }
+    options_free(&options);
+    return status;
+}
