@@ -22,7 +22,7 @@ def numbers(*values):
 
 FLAKE = """\
 # flake.tia - a flake of spheres: on each ball sit nine of a third of its size, down to the fourth generation.
-# {count} balls that mirror each other; the hierarchy of boxes makes them as fast as a handful. tools/gen-scenes.py
+# {count} balls that mirror each other; the hierarchy of boxes makes them as fast as a handful. tools/generate/scenes.py
 # wrote this.
 
 camera eye 2.4 2.1 4.8 look -0.02 0.08 0 fov 38
@@ -85,7 +85,7 @@ def flake():
 
 CASTLE = """\
 # castle.tia - a castle of cells on an island in a calm sea: one grid of {size} cells, walked cell by cell, so that a
-# ray's time grows with its way and not with the number of cells. tools/gen-scenes.py wrote this.
+# ray's time grows with its way and not with the number of cells. tools/generate/scenes.py wrote this.
 
 camera eye 36 26 54 look -1.2 5.0 0 fov 35
 samples 16
@@ -241,7 +241,7 @@ def castle():
 
 VASE = """\
 # vase.tia - a porcelain vase: a mesh of {faces} faces with smooth normals, its picture wrapped around it three
-# times, the glaze by Fresnel's equations' cheap cousins: a highlight and a little mirror. tools/gen-scenes.py wrote
+# times, the glaze by Fresnel's equations' cheap cousins: a highlight and a little mirror. tools/generate/scenes.py wrote
 # this and vase.ppm.
 
 camera eye 0.6 3.3 9.0 look 0.35 1.62 0 fov 33

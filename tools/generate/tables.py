@@ -112,7 +112,7 @@ def show_longs(name, words):
 def main():
     rsqrt, rsqrt_worst = table(384, 128, 512, lambda a: a ** -0.5, tangent_rsqrt)
     recip, recip_worst = table(128, 128, 256, lambda d: 1 / d, lambda lo, hi: math.sqrt(lo * hi))
-    print("/* integer.c - seed tables of the number kernels, written by tools/gen-tables.py, which")
+    print("/* integer.c - seed tables of the number kernels, written by tools/generate/tables.py, which")
     print(" * explains their format. Largest relative error of the lines: "
           f"{rsqrt_worst:.2e} and {recip_worst:.2e}. */")
     print("// clang-format off")
