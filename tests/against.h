@@ -23,7 +23,7 @@ struct against_note {
 struct against {
     struct tally tally;
     uint64_t undecided; /* those of the flips that lie within AGAINST_REACH of a boundary */
-    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors reached */
+    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors path_hash */
     unsigned note_count;
     struct against_note notes[AGAINST_NOTES];
 };
@@ -91,8 +91,9 @@ static inline void against_list(const char *name, const struct against *against)
         const struct oracle_pixel *want = &against->notes[i].want;
         printf("%s (%u, %u): colour %04x object %" PRId32 " lights %" PRIx32 ", oracle %04x %" PRId32 " (%" PRId32
                ") %" PRIx32 "; margin %g depth %g\n",
-               name, got->x, got->y, (unsigned)got->colour, (int32_t)got->object, got->reached, (unsigned)want->colour,
-               (int32_t)want->sphere, (int32_t)want->object, want->reached, want->margin, want->depth);
+               name, got->x, got->y, (unsigned)got->colour, (int32_t)got->object, got->path_hash,
+               (unsigned)want->colour, (int32_t)want->sphere, (int32_t)want->object, want->path_hash, want->margin,
+               want->depth);
     }
 }
 

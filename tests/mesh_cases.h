@@ -27,11 +27,11 @@ static real3 edge_point(const struct made *m, uint32_t *face)
     return way == 0 ? a : plus(a, minus(b, a), way == 1 ? 0.5L : (random_real() + 1) / 2);
 }
 
-static bool meets(const struct shape *shape, const struct ray *ray, struct crossing *crossing)
+static bool meets(const struct shape *shape, const struct ray *ray, struct intersection *intersection)
 {
-    bool met = shape->kind->intersect(shape, ray, NUM_X_MOST, crossing);
+    bool met = shape->kind->intersect(shape, ray, NUM_LENGTH_MAX, intersection);
 
-    CHECK_EQ(shape->kind->occluded(shape, ray, NUM_X_MOST), met);
+    CHECK_EQ(shape->kind->occluded(shape, ray, NUM_LENGTH_MAX), met);
     return met;
 }
 
@@ -39,18 +39,18 @@ static bool meets(const struct shape *shape, const struct ray *ray, struct cross
 static void check_inside(const struct made *m, real3 centre, long double within, int rays)
 {
     struct shape shape = shape_of(m);
-    struct crossing crossing;
+    struct intersection intersection;
 
     for (int i = 0; i < rays; i++) {
         uint32_t face;
         real3 to = edge_point(m, &face);
         struct ray ray = ray_towards(plus(centre, random_real3(within), 1), to);
-        bool met = meets(&shape, &ray, &crossing);
+        bool met = meets(&shape, &ray, &intersection);
         CHECK_MSG(met, "ray %d goes through", i);
         long double away = length(minus(to, real3_of(ray.origin)));
         if (met)
-            CHECK_MSG(fabsl(real_of(crossing.t) - away) < 1e-9L * (1 + away), "t %Lg, not %Lg", real_of(crossing.t),
-                      away);
+            CHECK_MSG(fabsl(real_of(intersection.t) - away) < 1e-9L * (1 + away), "t %Lg, not %Lg",
+                      real_of(intersection.t), away);
     }
 }
 
@@ -71,7 +71,7 @@ static bool faces_eye(const struct made *m, real3 eye, real3 point)
 static void check_outside(const struct made *m, real3 centre, long double away, int rays)
 {
     struct shape shape = shape_of(m);
-    struct crossing crossing;
+    struct intersection intersection;
     int seen = 0;
 
     for (int i = 0; i < rays; i++) {
@@ -80,11 +80,11 @@ static void check_outside(const struct made *m, real3 centre, long double away, 
         struct ray ray = ray_towards(from, to);
         if (!faces_eye(m, from, to))
             continue;
-        bool met = meets(&shape, &ray, &crossing);
+        bool met = meets(&shape, &ray, &intersection);
         long double distance = length(minus(to, real3_of(ray.origin)));
         seen++;
-        CHECK_MSG(met && fabsl(real_of(crossing.t) - distance) < 1e-8L * (1 + distance), "ray %d: t %Lg, not %Lg", i,
-                  met ? real_of(crossing.t) : -1, distance);
+        CHECK_MSG(met && fabsl(real_of(intersection.t) - distance) < 1e-8L * (1 + distance), "ray %d: t %Lg, not %Lg",
+                  i, met ? real_of(intersection.t) : -1, distance);
     }
     CHECK(seen > rays / 20);
 }
@@ -117,16 +117,17 @@ TEST(cubes_have_no_holes)
 TEST(rays_along_axes_meet_edges_and_corners)
 {
     struct made *m = made_cube((struct tia_vec3){-TIA_Q16_ONE, -TIA_Q16_ONE, -TIA_Q16_ONE}, 2 * TIA_Q16_ONE);
-    struct crossing crossing;
+    struct intersection intersection;
 
     for (int with_tree = 0; with_tree < 2; with_tree++) {
         struct shape shape = shape_of(m);
         for (int n = 0; n < 5 * 5 * 3; n++) {
-            num_x a = (n % 5 - 2) * NUM_X_ONE / 2, b = (n / 5 % 5 - 2) * NUM_X_ONE / 2, far = 3 * NUM_X_ONE;
-            num_d d = -NUM_D_ONE;
+            num_length a = (n % 5 - 2) * NUM_LENGTH_ONE / 2, b = (n / 5 % 5 - 2) * NUM_LENGTH_ONE / 2,
+                       far = 3 * NUM_LENGTH_ONE;
+            num_unit d = -NUM_UNIT_ONE;
             struct ray rays[3] = {{{far, a, b}, {d, 0, 0}}, {{a, far, b}, {0, d, 0}}, {{a, b, far}, {0, 0, d}}};
-            CHECK_MSG(meets(&shape, &rays[n / 25], &crossing), "%d", n);
-            CHECK(crossing.t == 2 * NUM_X_ONE);
+            CHECK_MSG(meets(&shape, &rays[n / 25], &intersection), "%d", n);
+            CHECK(intersection.t == 2 * NUM_LENGTH_ONE);
         }
         made_tree(m);
     }
@@ -154,15 +155,15 @@ static void check_nearest(const struct made *m, long double size, int rays, unsi
     for (int i = 0; i < rays; i++) {
         struct ray ray = ray_towards(random_real3(2 * size), random_real3(size));
         struct triangle_ray start;
-        struct crossing wanted = {NUM_X_MOST, TIA_NO_INDEX}, got = {0, 0};
-        triangle_start(&start, &ray);
+        struct intersection wanted = {NUM_LENGTH_MAX, TIA_NO_INDEX}, got = {0, 0};
+        triangle_ray_prepare(&start, &ray);
         for (uint32_t f = 0; f < m->mesh.face_count; f++) {
             const struct tia_corner *c = m->faces[f].corner;
             struct triangle_corners corners = {
                 {m->vertices[c[0].vertex], m->vertices[c[1].vertex], m->vertices[c[2].vertex]}};
-            num_x t;
-            if (triangle_meets(&start, &corners, NUM_X_MOST, &t) && t < wanted.t)
-                wanted = (struct crossing){t, f};
+            num_length t;
+            if (triangle_intersect(&start, &corners, NUM_LENGTH_MAX, &t) && t < wanted.t)
+                wanted = (struct intersection){t, f};
         }
         bool met = meets(&shape, &ray, &got);
         CHECK_EQ(met, wanted.element != TIA_NO_INDEX);
@@ -171,7 +172,7 @@ static void check_nearest(const struct made *m, long double size, int rays, unsi
             continue;
         CHECK_MSG(got.t == wanted.t && got.element == wanted.element, "face %u, not %u", got.element, wanted.element);
         CHECK(shape.kind->occluded(&shape, &ray, got.t));
-        CHECK(!shape.kind->occluded(&shape, &ray, got.t - got.t / 1048576 - 4 * NUM_X_LEAST));
+        CHECK(!shape.kind->occluded(&shape, &ray, got.t - got.t / 1048576 - 4 * NUM_LENGTH_LEAST));
     }
 }
 
@@ -192,7 +193,7 @@ TEST(the_nearest_of_all_faces_is_found)
 TEST(of_equal_faces_the_lower_is_met)
 {
     struct made *m = made_disorder(8, 8);
-    struct crossing crossing;
+    struct intersection intersection;
     unsigned met = 0;
 
     for (uint32_t f = 0; f < 4; f++)
@@ -200,9 +201,9 @@ TEST(of_equal_faces_the_lower_is_met)
     for (int i = 0; i < 2000; i++) {
         struct ray ray = ray_towards(random_real3(16), random_real3(8));
         struct shape shape = shape_of(m);
-        if (meets(&shape, &ray, &crossing)) {
+        if (meets(&shape, &ray, &intersection)) {
             met++;
-            CHECK(crossing.element < 4);
+            CHECK(intersection.element < 4);
         }
         if (i == 1000)
             made_tree(m);
@@ -236,7 +237,7 @@ TEST(normals_and_uv_are_interpolated)
         real3 n = cross(minus(at[1], at[0]), minus(at[2], at[0])), wanted = blend(uv, part);
         struct num_point point = point_of(blend(at, part));
         struct surface surface;
-        num_x got[2];
+        num_length got[2];
         if (length(n) < 1000 || length(blend(normal, part)) < 0.01L)
             continue;
         shape.kind->surface(&shape, point, f, &surface);
@@ -255,7 +256,7 @@ TEST(a_bare_mesh_has_flat_normals_and_barycentric_uv)
     real3 at[3] = {vertex(m, 3, 0), vertex(m, 3, 1), vertex(m, 3, 2)};
     struct num_point point = point_of(blend(at, (const long double[3]){0.5L, 0.25L, 0.25L}));
     struct surface surface;
-    num_x uv[2];
+    num_length uv[2];
 
     shape.kind->surface(&shape, point, 3, &surface);
     CHECK(!memcmp(&surface.normal, &surface.smooth, sizeof surface.normal));
@@ -277,7 +278,7 @@ TEST(where_normals_cancel_the_face_has_its_own)
         m->normals[k] = (struct tia_dir3){k == 1 ? -TIA_Q30_ONE : TIA_Q30_ONE, 0, 0};
         m->faces[0].corner[k] = (struct tia_corner){k, k, k};
     }
-    shape.kind->surface(&shape, (struct num_point){2 * NUM_X_ONE, 0, 0}, 0, &surface);
+    shape.kind->surface(&shape, (struct num_point){2 * NUM_LENGTH_ONE, 0, 0}, 0, &surface);
     CHECK(!memcmp(&surface.normal, &surface.smooth, sizeof surface.normal));
     made_free(m);
 }
@@ -288,12 +289,12 @@ TEST(an_empty_mesh_is_never_met)
     static const struct tia_bvh_tree no_tree;
     struct ray ray = ray_towards((real3){0, 0, 0}, (real3){1, 1, 1});
     struct shape shape;
-    struct crossing crossing;
+    struct intersection intersection;
 
     shape_mesh(&shape, &empty, NULL);
-    CHECK(!meets(&shape, &ray, &crossing));
+    CHECK(!meets(&shape, &ray, &intersection));
     shape_mesh(&shape, &empty, &no_tree);
-    CHECK(!meets(&shape, &ray, &crossing));
+    CHECK(!meets(&shape, &ray, &intersection));
 }
 
 int main(void)

@@ -39,14 +39,14 @@ typedef struct {
     long double x, y, z;
 } real3;
 
-static inline long double real_of(num_x x)
+static inline long double real_of(num_length x)
 {
-    return (long double)x / (long double)NUM_X_ONE;
+    return (long double)x / (long double)NUM_LENGTH_ONE;
 }
 
-static inline num_x num_of(long double x)
+static inline num_length num_of(long double x)
 {
-    return (num_x)(x * (long double)NUM_X_ONE);
+    return (num_length)(x * (long double)NUM_LENGTH_ONE);
 }
 
 static inline real3 real3_of(struct num_point p)
@@ -56,8 +56,8 @@ static inline real3 real3_of(struct num_point p)
 
 static inline real3 real3_dir(struct num_dir d)
 {
-    return (real3){(long double)d.x / (long double)NUM_D_ONE, (long double)d.y / (long double)NUM_D_ONE,
-                   (long double)d.z / (long double)NUM_D_ONE};
+    return (real3){(long double)d.x / (long double)NUM_UNIT_ONE, (long double)d.y / (long double)NUM_UNIT_ONE,
+                   (long double)d.z / (long double)NUM_UNIT_ONE};
 }
 
 static inline real3 real3_vec(struct tia_vec3 v)

@@ -233,7 +233,7 @@ static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3],
 }
 
 /* A share of the cells is filled, with one of two materials. */
-static void check_grid(const unsigned n[3], double far, double edge, double share, int rays)
+static void tia_check_grid(const unsigned n[3], double far, double edge, double share, int rays)
 {
     static struct grid g;
     struct subject s;
@@ -252,21 +252,21 @@ static void check_grid(const unsigned n[3], double far, double edge, double shar
 }
 
 /* That at t the ray is in the cell, as the planes between it and others are met. */
-static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_x t)
+static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_length t)
 {
     const uint16_t *n = g->grid.size;
     const unsigned at[3] = {cell % n[0], cell / n[0] % n[1], cell / n[0] / n[1]};
-    const num_d d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const num_x o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const num_unit d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    const num_length o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const tia_q16 corner[3] = {g->grid.corner.x, g->grid.corner.y, g->grid.corner.z};
 
     for (unsigned k = 0; k < 6; k++) {
         unsigned i = k / 2, plane = at[i] + k % 2;
-        num_x ahead = num_x_of(corner[i] + (tia_q16)plane * g->grid.cell) - o[i];
+        num_length ahead = num_length_of(corner[i] + (tia_q16)plane * g->grid.cell) - o[i];
         bool enters = (d[i] < 0) == (k % 2 == 1);
         if (plane == 0 || plane == n[i] || d[i] == 0)
             continue;
-        if (enters ? num_over(ahead, d[i]) > t : num_over(ahead, d[i]) < t)
+        if (enters ? num_div(ahead, d[i]) > t : num_div(ahead, d[i]) < t)
             return false;
     }
     return true;
@@ -279,7 +279,7 @@ static void check_block(const unsigned n[3], double far, double edge)
     static struct grid g;
     struct subject s;
     struct shape box;
-    struct crossing in_grid, in_box;
+    struct intersection in_grid, in_box;
 
     memset(g.cells, 3, sizeof g.cells);
     prepare_grid(&s, &g, n, far, edge);
@@ -300,8 +300,8 @@ static void check_block(const unsigned n[3], double far, double edge)
         struct ray ray = {num_point_of(from), {0, 0, 0}};
         if (!num_normalise(heading, &ray.direction))
             continue;
-        bool met = s.shape.kind->intersect(&s.shape, &ray, NUM_X_MOST, &in_grid);
-        CHECK_EQ(met, box.kind->intersect(&box, &ray, NUM_X_MOST, &in_box));
+        bool met = s.shape.kind->intersect(&s.shape, &ray, NUM_LENGTH_MAX, &in_grid);
+        CHECK_EQ(met, box.kind->intersect(&box, &ray, NUM_LENGTH_MAX, &in_box));
         hits += met;
         misses += !met;
         CHECK(!met || (!(in_grid.t < in_box.t) && !(in_grid.t > in_box.t)));

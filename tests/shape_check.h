@@ -74,35 +74,35 @@ static inline struct vec unit(struct vec a)
 /* ---- from and to the arithmetic ---- */
 #ifdef TIA_NUM_F64
 #define EPSILON 0x1p-50 /* of the largest number that there is */
-static inline real real_x(num_x x)
+static inline real real_x(num_length x)
 {
     return x;
 }
 
-static inline real real_d(num_d d)
+static inline real real_d(num_unit d)
 {
     return d;
 }
 
-static inline num_x x_of(double x)
+static inline num_length x_of(double x)
 {
     return x;
 }
 #else
 #define EPSILON 0x1p-57
-static inline real real_x(num_x x)
+static inline real real_x(num_length x)
 {
     return (real)x / (real)0x1p45;
 }
 
-static inline real real_d(num_d d)
+static inline real real_d(num_unit d)
 {
     return (real)d / (real)0x1p62;
 }
 
-static inline num_x x_of(double x)
+static inline num_length x_of(double x)
 {
-    return (num_x)ldexp(x, 45);
+    return (num_length)ldexp(x, 45);
 }
 #endif
 
@@ -207,7 +207,7 @@ static inline void check_surface(const struct subject *s, struct num_point point
     struct surface surface;
     struct vec p = vec_of(point), n = s->normal(s, p, element);
     real curvature = s->curvature(s, p, element), error = 16 * (real)EPSILON * (1 + s->extent * curvature), uv[2];
-    num_x got[2];
+    num_length got[2];
 
     error += (real)0x1p-44 * curvature;
     s->shape.kind->surface(&s->shape, point, element, &surface);
@@ -245,7 +245,7 @@ static inline void check_ray(const struct subject *s, struct vec from, struct ve
     static struct candidate found[CANDIDATES_MAX];
     struct ray ray = {point_of(from), {0, 0, 0}};
     struct num_point heading = point_of(along);
-    struct crossing c = {0, 77};
+    struct intersection c = {0, 77};
     real slack = 0;
 
     (void)num_normalise(heading, &ray.direction);

@@ -7,12 +7,12 @@ enum { NOTHING = 99 };
 /* What a ray from (x, y, z) along an axis, 0 to 2, `way` 1 or -1, meets: the element, at *t. */
 static uint32_t meets(const struct shape *shape, double x, double y, double z, int axis, int way, double *t)
 {
-    num_d d[3] = {0, 0, 0};
-    struct crossing c;
+    num_unit d[3] = {0, 0, 0};
+    struct intersection c;
 
-    d[axis] = way < 0 ? -NUM_D_ONE : NUM_D_ONE;
+    d[axis] = way < 0 ? -NUM_UNIT_ONE : NUM_UNIT_ONE;
     struct ray ray = {{x_of(x), x_of(y), x_of(z)}, {d[0], d[1], d[2]}};
-    if (!shape->kind->intersect(shape, &ray, NUM_X_MOST, &c))
+    if (!shape->kind->intersect(shape, &ray, NUM_LENGTH_MAX, &c))
         return NOTHING;
     *t = (double)real_x(c.t);
     return c.element;
@@ -90,7 +90,7 @@ TEST(cones_along_the_axes)
 
 static void check_uv(const struct shape *s, double x, double y, double z, uint32_t element, double u, double v)
 {
-    num_x uv[2];
+    num_length uv[2];
 
     s->kind->uv(s, (struct num_point){x_of(x), x_of(y), x_of(z)}, element, uv);
     CHECK_MSG(fabs((double)real_x(uv[0]) - u) < 1e-14, "u is %g, not %g", (double)real_x(uv[0]), u);

@@ -81,12 +81,12 @@ TEST(grids)
 {
     start();
     for (unsigned i = 0; i < 24; i++)
-        check_grid((const unsigned[]){1 + i % 5, 1 + i % 4, 1 + i % 3}, any_length(1, 10000), any_length(0x1p-10, 4000),
-                   0.2 + 0.6 * (i % 2), 6);
-    check_grid((const unsigned[]){2, 3, 2}, 30000, 0x1p-10, 0.5, 6);
-    check_grid((const unsigned[]){2, 3, 2}, 10, 10000, 0.5, 6);
-    check_grid((const unsigned[]){1, 1024, 2}, 10, 30, 0.01, 2);
-    check_grid((const unsigned[]){1024, 1, 1}, 30000, 0x1p-10, 0.02, 2);
+        tia_check_grid((const unsigned[]){1 + i % 5, 1 + i % 4, 1 + i % 3}, any_length(1, 10000),
+                       any_length(0x1p-10, 4000), 0.2 + 0.6 * (i % 2), 6);
+    tia_check_grid((const unsigned[]){2, 3, 2}, 30000, 0x1p-10, 0.5, 6);
+    tia_check_grid((const unsigned[]){2, 3, 2}, 10, 10000, 0.5, 6);
+    tia_check_grid((const unsigned[]){1, 1024, 2}, 10, 30, 0.01, 2);
+    tia_check_grid((const unsigned[]){1024, 1, 1}, 30000, 0x1p-10, 0.02, 2);
     check_counts();
 }
 

@@ -31,15 +31,15 @@ static struct pass pass_of(const struct ball *b, const struct ray *ray)
     return p;
 }
 
-static void check_ray(const struct ball *b, const struct ray *ray, num_x limit, unsigned hits[2])
+static void check_ray(const struct ball *b, const struct ray *ray, num_length limit, unsigned hits[2])
 {
     struct pass p = pass_of(b, ray);
     real3 centre = real3_vec(b->centre), d = real3_dir(ray->direction), o = real3_of(ray->origin);
     long double r = b->radius / 65536.0L, error = ERROR(fabsl(p.tca) + p.aside + r);
     long double thc = sqrtl(fmaxl(r * r - p.aside * p.aside, 0)), blur = error * (thc > 0 ? 1 + r / thc : 1);
-    num_x t;
+    num_length t;
 
-    bool met = sphere_intersect(num_point_of(b->centre), num_x_of(b->radius), ray, limit, &t);
+    bool met = sphere_intersect(num_point_of(b->centre), num_length_of(b->radius), ray, limit, &t);
     if (met) {
         real3 at = minus(plus(o, d, real_of(t)), centre);
         bool inside = p.tca - thc < 0;
@@ -66,9 +66,9 @@ static struct ball random_ball(long double far)
     return (struct ball){random_vec(far), (tia_q16)(r * 65536)};
 }
 
-static num_x random_limit(void)
+static num_length random_limit(void)
 {
-    return random_bits() % 4 ? NUM_X_MOST : num_of(fabsl(random_real()) * 100);
+    return random_bits() % 4 ? NUM_LENGTH_MAX : num_of(fabsl(random_real()) * 100);
 }
 
 TEST(spheres_are_met_where_they_are)
@@ -116,12 +116,12 @@ TEST(spheres_are_met_at_grazing_angles)
                          r * sqrtl(1 - s * s) *
                              (1 + powl(2, -20 - (long double)(random_bits() % 24)) * (random_bits() % 2 ? 1 : -1)));
         struct ray ray = ray_towards(from, rim);
-        check_ray(&b, &ray, NUM_X_MOST, hits);
+        check_ray(&b, &ray, NUM_LENGTH_MAX, hits);
     }
     CHECK_MSG(hits[0] > 3000 && hits[1] > 3000, "%u missed, %u met", hits[0], hits[1]);
 }
 
-static void check_uv(real3 n, const num_x uv[2], long double error)
+static void check_uv(real3 n, const num_length uv[2], long double error)
 {
     long double u = atan2l(n.z, n.x) / (2 * PI) + 0.5L, v = acosl(n.y) / PI;
     long double off = fabsl(real_of(uv[0]) - u);
@@ -138,7 +138,7 @@ TEST(normals_and_uv_are_those_of_the_direction)
         real3 n = unit(random_real3(1));
         struct num_point at = point_of(plus(real3_vec(b.centre), n, r));
         struct surface surface;
-        num_x uv[2];
+        num_length uv[2];
         sphere_surface(num_point_of(b.centre), at, &surface);
         CHECK(length(minus(real3_dir(surface.normal), n)) < error);
         CHECK(!memcmp(&surface.normal, &surface.smooth, sizeof surface.normal));
@@ -151,8 +151,8 @@ TEST(normals_and_uv_are_those_of_the_direction)
 TEST(poles_and_the_seam_have_uv)
 {
     static const real3 at[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {0.6L, 0.8L, 0}};
-    const struct num_point centre = {NUM_X_ONE, NUM_X_ONE, NUM_X_ONE};
-    num_x uv[2];
+    const struct num_point centre = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE};
+    num_length uv[2];
 
     for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
         sphere_uv(centre, point_of(plus((real3){1, 1, 1}, at[i], 3)), uv);

@@ -171,19 +171,19 @@ TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100];
     uint32_t numbers[100];
-    const struct split_items items = {boxes, numbers, 100};
+    const struct tia_bvh_split_items items = {boxes, numbers, 100};
 
     for (uint32_t i = 0; i < 100; i++) {
         struct tia_vec3 p = {i < 90 ? (tia_q16)i : (tia_q16)i * ONE, 0, 0};
         boxes[i] = (struct tia_bounds){{p.x, 0, 0}, {p.x + 2, 2, 2}};
         numbers[i] = i;
     }
-    struct tia_bounds bounds = split_bounds(&items);
+    struct tia_bounds bounds = tia_bvh_split_bounds(&items);
     CHECK(bounds.min.x == 0 && bounds.max.x == 99 * ONE + 2);
-    CHECK_EQ(split_items(&items, &bounds, 100), 90);
-    CHECK_EQ(split_items(&items, &bounds, 90), 90);
-    CHECK_EQ(split_items(&items, &bounds, 89), 50);
-    CHECK_EQ(split_items(&items, &bounds, 50), 50);
+    CHECK_EQ(tia_bvh_split_items(&items, &bounds, 100), 90);
+    CHECK_EQ(tia_bvh_split_items(&items, &bounds, 90), 90);
+    CHECK_EQ(tia_bvh_split_items(&items, &bounds, 89), 50);
+    CHECK_EQ(tia_bvh_split_items(&items, &bounds, 50), 50);
 }
 
 TEST(ends_of_the_numbers)

@@ -19,7 +19,7 @@ TEST(every_scene_is_accepted)
 /* How often each thing occurs. */
 struct census {
     unsigned shapes[TIA_GRID + 1], lights[TIA_SPHERE_LIGHT + 1], projections[TIA_ORTHOGRAPHIC + 1], samples[17];
-    unsigned spheres, instances, smooth, mirrors, glass, fresnel, textures[4], veils, seen, look_at, depths;
+    unsigned spheres, instances, smooth, mirrors, glass, fresnel, textures[4], filters, seen, look_at, depths;
 };
 
 static void count_materials(struct census *n, const struct tia_material *m)
@@ -28,7 +28,7 @@ static void count_materials(struct census *n, const struct tia_material *m)
     n->glass += m->refraction.r > 0;
     n->fresnel += m->fresnel;
     n->textures[m->texture]++;
-    n->veils += m->transmission.r > 0;
+    n->filters += m->transmission.r > 0;
 }
 
 static void count(struct census *n, const struct corpus_rays *c)
@@ -73,7 +73,7 @@ TEST(scenes_have_variety)
     at_least(n.projections, TIA_ORTHOGRAPHIC + 1, "projection");
     at_least(n.textures, 4, "texture");
     const unsigned others[] = {n.spheres, n.instances, n.smooth, n.mirrors, n.glass,     n.fresnel,
-                               n.veils,   n.look_at,   n.depths, n.seen,    n.samples[4]};
+                               n.filters, n.look_at,   n.depths, n.seen,    n.samples[4]};
     at_least(others, sizeof others / sizeof others[0], "thing");
     CHECK(n.samples[16] > 0 && n.samples[0] > 0 && n.samples[1] > 0);
 }

@@ -201,7 +201,7 @@ TEST(lights_in_sight)
     compare_both(160, 120);
 }
 
-/* More lights than the bits of `reached`, brighter than white together. */
+/* More lights than the bits of `path_hash`, brighter than white together. */
 TEST(forty_lights)
 {
     start(40);

@@ -46,8 +46,8 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
     const struct tia_core *core = &tia_core_q16;
     struct tia_tile all = {0, 0, (uint16_t)picture->width, (uint16_t)picture->height};
     size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(all);
-    static uint32_t reached[PICTURE_PIXELS];
-    struct tia_options options = {.reached = reached};
+    static uint32_t path_hash[PICTURE_PIXELS];
+    struct tia_options options = {.path_hash = path_hash};
     struct tia_surface surface = {picture->colour, 2, 2 * (ptrdiff_t)picture->width};
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
@@ -60,7 +60,7 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
     for (unsigned i = 0; i < picture->width * picture->height; i++) {
         uint32_t object = core->hits_object(hits, i % picture->width, i / picture->width);
         picture->thing[i] = object == TIA_NO_OBJECT ? GL_SKY : (unsigned char)object;
-        picture->lit[i] = reached[i] & 1;
+        picture->lit[i] = path_hash[i] & 1;
     }
     free(view_memory);
     free(hits_memory);

@@ -58,7 +58,7 @@ TEST(products_are_rounded_to_nearest)
         struct num_dir d = {any(62), any(62), any(62)};
         exact sum = (exact)a.x * d.x + (exact)a.y * d.y + (exact)a.z * d.z, half = (exact)1 << 61;
         CHECK_EQ(num_times(a.x, d.x), (int64_t)(((exact)a.x * d.x + half) >> 62));
-        CHECK_EQ(num_dot_x(a, d), (int64_t)((sum + half) >> 62));
+        CHECK_EQ(num_point_dot(a, d), (int64_t)((sum + half) >> 62));
         exact product = (exact)a.x * a.y;
         if (product >> 106 == 0 || product >> 106 == -1)
             CHECK_EQ(num_product(a.x, a.y), (int64_t)((product + ((exact)1 << 44)) >> 45));
@@ -69,10 +69,10 @@ TEST(roots_are_rounded_down)
 {
     for (int i = 0; i < ROUNDS; i++) {
         struct num_point p = any_point(61);
-        num_x r = any(62), leg, length = num_length(p);
+        num_length r = any(62), leg, length = num_norm(p);
         r = r < 0 ? -r : r;
         exact rest = (exact)r * r - square(p);
-        leg = num_leg(r, p);
+        leg = num_half_chord(r, p);
         CHECK_EQ(leg < 0, rest < 0);
         CHECK(leg < 0 || ((exact)leg * leg <= rest && rest < (exact)(leg + 1) * (leg + 1)));
         CHECK((exact)length * length <= square(p) && square(p) < (exact)(length + 1) * (length + 1));
@@ -82,13 +82,13 @@ TEST(roots_are_rounded_down)
 TEST(within_has_its_edge)
 {
     static const struct num_point whole[] = {{1, 2, 2}, {2, 3, 6}, {-1, 4, 8}, {4, -4, 7}, {6, 6, -7}, {0, 0, -5}};
-    static const num_x lengths[] = {3, 7, 9, 9, 11, 5};
+    static const num_length lengths[] = {3, 7, 9, 9, 11, 5};
 
     for (int i = 0; i < ROUNDS; i++) {
         int k = i % 6;
         int64_t n = any(58);
         struct num_point p = {whole[k].x * n, whole[k].y * n, whole[k].z * n}, beyond = p;
-        num_x r = lengths[k] * (n < 0 ? -n : n);
+        num_length r = lengths[k] * (n < 0 ? -n : n);
         beyond.z += beyond.z < 0 ? -1 : 1;
         CHECK(num_within(r, p) && num_within(r + 1, p));
         CHECK(!num_within(r, beyond) && !num_within(r - 1, p));
@@ -101,14 +101,14 @@ TEST(what_is_beyond)
 {
     for (int i = 0; i < ROUNDS; i++) {
         struct num_point p = any_point(61);
-        num_x k = any(62), r = i & 1 ? any(62) : num_length(p) + any(20);
+        num_length k = any(62), r = i & 1 ? any(62) : num_norm(p) + any(20);
         real want = (real)(square(p) - (exact)r * r) / (real)k;
         if (k != 0)
-            CHECK(is_quotient(num_beyond(p, r, k), want, NUM_X_MOST));
+            CHECK(is_quotient(num_point_power(p, r, k), want, NUM_LENGTH_MAX));
     }
-    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 5, 7), 0);
-    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 4, 0), NUM_X_MOST);
-    CHECK_EQ(num_beyond((struct num_point){3, 0, 4}, 6, 0), -NUM_X_MOST);
+    CHECK_EQ(num_point_power((struct num_point){3, 0, 4}, 5, 7), 0);
+    CHECK_EQ(num_point_power((struct num_point){3, 0, 4}, 4, 0), NUM_LENGTH_MAX);
+    CHECK_EQ(num_point_power((struct num_point){3, 0, 4}, 6, 0), -NUM_LENGTH_MAX);
 }
 
 TEST(quotients)
@@ -118,31 +118,31 @@ TEST(quotients)
         if (y == 0)
             continue;
         real q = (real)x / (real)y;
-        CHECK(is_quotient(num_over(x, y), q * (real)0x1p62, NUM_X_MOST));
-        CHECK(is_quotient(num_ratio(x, y), q * (real)0x1p45, NUM_X_MOST));
-        CHECK(is_quotient(num_fraction(x, y), q * (real)0x1p62, NUM_D_ONE));
+        CHECK(is_quotient(num_div(x, y), q * (real)0x1p62, NUM_LENGTH_MAX));
+        CHECK(is_quotient(num_ratio(x, y), q * (real)0x1p45, NUM_LENGTH_MAX));
+        CHECK(is_quotient(num_fraction(x, y), q * (real)0x1p62, NUM_UNIT_ONE));
     }
-    CHECK_EQ(num_over(1, 0), NUM_X_MOST);
-    CHECK_EQ(num_over(-1, 0), -NUM_X_MOST);
-    CHECK_EQ(num_over(0, 0), 0);
+    CHECK_EQ(num_div(1, 0), NUM_LENGTH_MAX);
+    CHECK_EQ(num_div(-1, 0), -NUM_LENGTH_MAX);
+    CHECK_EQ(num_div(0, 0), 0);
 }
 
 TEST(powers_and_turns)
 {
     for (int i = 0; i < ROUNDS / 10; i++) {
-        num_d d = (num_d)(next() >> 2);
+        num_unit d = (num_unit)(next() >> 2);
         tia_q16 e = (tia_q16)(next() >> 33 >> next() % 16);
         long double want = powl((long double)d / 0x1p62L, (long double)e / 65536);
         long double off = fabsl((long double)num_power(d, e) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-44L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
-        num_d y = any(62), x = any(62);
-        y = y / 2 + (y < 0 ? -NUM_D_ONE / 2 : NUM_D_ONE / 2); /* some length is what its error is against */
+        num_unit y = any(62), x = any(62);
+        y = y / 2 + (y < 0 ? -NUM_UNIT_ONE / 2 : NUM_UNIT_ONE / 2); /* some length is what its error is against */
         want = atan2l((long double)y, (long double)x) / (2 * acosl(-1));
-        off = fabsl((long double)num_turn(y, x) / 0x1p62L - want);
+        off = fabsl((long double)num_atan2(y, x) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-54L || off > 1 - 0x1p-54L, "the angle of %jd, %jd is off by %Lg", (intmax_t)x, (intmax_t)y,
                   off);
     }
-    CHECK_EQ(num_turn(0, 0), 0);
+    CHECK_EQ(num_atan2(0, 0), 0);
 }
 
 int main(void)

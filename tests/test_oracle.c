@@ -203,7 +203,7 @@ TEST(light_from_the_front)
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
 
     CHECK_EQ(p.object, 0);
-    CHECK_EQ(p.reached, 1);
+    CHECK_EQ(p.path_hash, 1);
     NEAR(p.depth, 7);
     NEAR(p.linear[0], 0.5);
     CHECK_EQ(p.colour, 16 << 11 | 32 << 5 | 16);
@@ -219,7 +219,7 @@ TEST(lambert_cosine)
     struct tia_scene scene = one_ball(&ball, lights, 3);
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
 
-    CHECK_EQ(p.reached, 1);
+    CHECK_EQ(p.path_hash, 1);
     NEAR(p.linear[0], 0.4);
     NEAR(p.linear[1], 0.2);
     NEAR(p.linear[2], 0.1);
@@ -234,7 +234,7 @@ TEST(lights_and_emission_add_up)
 
     scene.materials = &bright;
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
-    CHECK_EQ(p.reached, 3);
+    CHECK_EQ(p.path_hash, 3);
     NEAR(p.linear[0], 0.5 * (0.8 + 0.6) + 0.25);
     NEAR(p.linear[1], 0.5 * (0.8 + 0.6));
     NEAR(p.linear[2], 0.8 + 0.6 + 0.5);
@@ -260,13 +260,13 @@ TEST(shadows_and_transmission)
     NEAR(oracle_pixel(&scene, 1, 1, 0, 0, false).linear[0], cosine);
     scene.sphere_count = 3;
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
-    CHECK_EQ(p.reached, 1 | (2 + 3) << 16); /* past spheres 1 and 2 */
+    CHECK_EQ(p.path_hash, 1 | (2 + 3) << 16); /* past spheres 1 and 2 */
     NEAR(p.linear[0], cosine / 4);
     NEAR(p.linear[1], 0);
     NEAR(p.linear[2], cosine / 16);
     spheres[2].material = 0; /* opaque */
     p = oracle_pixel(&scene, 1, 1, 0, 0, false);
-    CHECK_EQ(p.reached, 0);
+    CHECK_EQ(p.path_hash, 0);
     NEAR(p.linear[0], 0);
 }
 
@@ -279,11 +279,11 @@ TEST(only_what_lies_before_the_light_shadows)
     struct tia_scene scene = one_ball(spheres, &light, 1);
 
     scene.sphere_count = 2;
-    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).reached, 1);
+    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).path_hash, 1);
     spheres[1].centre = (struct tia_vec3)TIA_VEC3(4.5, 1.01, -4.5);
-    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).reached, 1);
+    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).path_hash, 1);
     spheres[1].centre = (struct tia_vec3)TIA_VEC3(4.5, 0.99, -4.5);
-    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).reached, 0);
+    CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).path_hash, 0);
 }
 
 /* Two equal spheres: the first is hit. A light in the same place: the sphere is. */
@@ -308,7 +308,7 @@ TEST(lights_are_seen)
     struct oracle_pixel p = oracle_pixel(&scene, 1, 1, 0, 0, false);
     CHECK_EQ(p.object, 2);
     CHECK_EQ(p.sphere, 0);
-    CHECK_EQ(p.reached, UINT32_C(0xffff0001));
+    CHECK_EQ(p.path_hash, UINT32_C(0xffff0001));
     CHECK_EQ(p.colour, 0xf81f);
     lights[1].radius = 0;
     CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).object, 0);

@@ -272,7 +272,7 @@ TEST(path)
     lights[1] = (struct tia_light){.centre = TIA_VEC3(0, 5, -5), .emission = WHITE};
     for (int i = 0; i < 20; i++)
         want = (want ^ (words[i / 4] >> i % 4 * 8 & 255)) * 16777619u;
-    CHECK_EQ(oracle_look(&scene, 1, 1, 0, 0).reached, want);
+    CHECK_EQ(oracle_look(&scene, 1, 1, 0, 0).path_hash, want);
     alone = scene;
     alone.shape_count = 0;
     alone.lights = lights;
@@ -285,7 +285,7 @@ TEST(path)
     for (int i = 0; i < 4; i++)
         want = (want ^ (words[5] >> i % 4 * 8 & 255)) * 16777619u;
     struct oracle_pixel p = oracle_pixel(&alone, 1, 1, 0, 0, false);
-    CHECK_EQ(p.reached, want);
+    CHECK_EQ(p.path_hash, want);
     CHECK_EQ(p.object, 1);
     CHECK_EQ(p.sphere, TIA_NO_OBJECT);
     CHECK_EQ(p.colour, 0xf81f);

@@ -187,18 +187,18 @@ TEST(placed_twice)
     }
 }
 
-/* 20 veils, more than a search keeps at a time, leave 0.9^20 = 0.1216 of the light: 4 of 31 levels, 8 of 63. */
+/* 20 filters, more than a search keeps at a time, leave 0.9^20 = 0.1216 of the light: 4 of 31 levels, 8 of 63. */
 TEST(many_veils)
 {
-    struct tia_shape veils[21] = {{.kind = TIA_PLANE, .plane = {{0, 0, 0}, {0, TIA_Q30_ONE, 0}}}};
+    struct tia_shape filters[21] = {{.kind = TIA_PLANE, .plane = {{0, 0, 0}, {0, TIA_Q30_ONE, 0}}}};
     tia_rgb565 expected[4];
 
     set_up(21, 1);
-    scene.shapes = veils;
+    scene.shapes = filters;
     materials[0].mirror = (struct tia_rgb){0, 0, 0};
     materials[1].transmission = (struct tia_rgb)TIA_RGB(0.9, 0.9, 0.9);
     for (int i = 1; i < 21; i++)
-        veils[i] = (struct tia_shape){
+        filters[i] = (struct tia_shape){
             .kind = TIA_DISC, .material = 1, .disc = {{0, i * ONE, 0}, {0, TIA_Q30_ONE, 0}, 9 * ONE}};
     lights[0].kind = TIA_DIRECTIONAL_LIGHT;
     lights[0].direction.y = -TIA_Q30_ONE;

@@ -141,7 +141,7 @@ static void check_cone(struct second *s)
         CHECK(shape->cylinder.radius == base && !shape->cylinder.capped);
 }
 
-static void check_material(struct second *s)
+static void tia_check_material(struct second *s)
 {
     const struct tia_material *m = &s->scene->materials[s->material++];
     double r = number(s), g = number(s), b = number(s), kd = number(s), ks = number(s), shine = number(s),
@@ -161,7 +161,7 @@ static void check_material(struct second *s)
     s->vertex = s->normal = s->face = 0;
 }
 
-static void check_light(struct second *s)
+static void tia_check_light(struct second *s)
 {
     const struct tia_light *l = &s->scene->lights[s->light++];
     double intensity = 1 / sqrt(s->scene->light_count);
@@ -205,9 +205,9 @@ static void check_statement(struct second *s, const char *word)
     } else if (!strcmp(word, "p") || !strcmp(word, "pp")) {
         check_polygon(s, word[1] == 'p');
     } else if (!strcmp(word, "f")) {
-        check_material(s);
+        tia_check_material(s);
     } else if (!strcmp(word, "l")) {
-        check_light(s);
+        tia_check_light(s);
     } else {
         check_view(s, word);
     }

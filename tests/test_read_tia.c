@@ -252,7 +252,7 @@ TEST(keys)
     CHECK(b[2].key == TIA_KEY_PAGE_DOWN && b[2].light == 1 && b[2].state.kind == TIA_AMBIENT_LIGHT);
 }
 
-static void check_track(uint32_t i, enum tia_target target, uint32_t index, bool smooth, uint32_t keys)
+static void tia_check_track(uint32_t i, enum tia_target target, uint32_t index, bool smooth, uint32_t keys)
 {
     const struct tia_track *t = &scene.tracks[i];
     CHECK_MSG(t->target == target && t->index == index && t->smooth == smooth && t->key_count == keys, "track %u",
@@ -275,13 +275,13 @@ TEST(motion)
     CHECK(scene.shapes[1].transform == 2 && is_vec3(scene.shapes[1].sphere.centre, 0, 0, -5));
     CHECK(scene.shapes[2].transform == 3 && scene.shapes[3].transform == 0);
     CHECK(is_vec3(scene.transforms[2].scale, 1, 1, 1) && scene.track_count == 7);
-    check_track(0, TIA_MOVES_TRANSFORM, 1, true, 2);
-    check_track(1, TIA_ROTATES_TRANSFORM, 1, false, 3);
-    check_track(2, TIA_SCALES_TRANSFORM, 2, false, 3);
-    check_track(3, TIA_MOVES_LIGHT, 1, false, 1);
-    check_track(4, TIA_TURNS_LIGHT, 2, false, 2);
-    check_track(5, TIA_MOVES_EYE, 0, false, 1);
-    check_track(6, TIA_MOVES_REFERENCE, 0, true, 1);
+    tia_check_track(0, TIA_MOVES_TRANSFORM, 1, true, 2);
+    tia_check_track(1, TIA_ROTATES_TRANSFORM, 1, false, 3);
+    tia_check_track(2, TIA_SCALES_TRANSFORM, 2, false, 3);
+    tia_check_track(3, TIA_MOVES_LIGHT, 1, false, 1);
+    tia_check_track(4, TIA_TURNS_LIGHT, 2, false, 2);
+    tia_check_track(5, TIA_MOVES_EYE, 0, false, 1);
+    tia_check_track(6, TIA_MOVES_REFERENCE, 0, true, 1);
     const struct tia_keyframe *k = scene.tracks[1].keys;
     CHECK(k[0].time == TIA_Q16(0.5) && k[1].time == TIA_Q16_ONE && is_vec3(k[1].value, 0, 360, 0));
     CHECK(k[2].time == TIA_Q16(1.5) && is_vec3(k[2].value, 1, 2, 3));

@@ -61,10 +61,10 @@ static struct tia_hits *hits_of(struct tia_tile area)
     return hits;
 }
 
-static void render_frame(const struct tia_view *view, tia_rgb565 out[H][W], bool dither, uint32_t *reached)
+static void render_frame(const struct tia_view *view, tia_rgb565 out[H][W], bool dither, uint32_t *path_hash)
 {
     struct tia_surface surface = {out[0], 2, 2 * W};
-    struct tia_options options = {dither, reached};
+    struct tia_options options = {dither, path_hash};
 
     CHECK_EQ(tia_render(view, hits_of(frame), frame, &surface, &options), TIA_OK);
 }
@@ -87,12 +87,12 @@ TEST(the_picture_has_everything)
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
     for (unsigned y = 0; y < H; y++)
         for (unsigned x = 0; x < W; x++) {
-            uint32_t object = tia_hits_object(hits, x, y), reached = want_reached[y][x];
+            uint32_t object = tia_hits_object(hits, x, y), path_hash = want_reached[y][x];
             background += object == TIA_NO_OBJECT;
             seen[object == TIA_NO_OBJECT ? 0 : object]++;
-            light += reached == UINT32_C(0xffff0000);
-            tinted += reached >> 16 != 0 && reached >> 16 != 0xffff;
-            shadow += object == 0 && (reached & 7) != 7;
+            light += path_hash == UINT32_C(0xffff0000);
+            tinted += path_hash >> 16 != 0 && path_hash >> 16 != 0xffff;
+            shadow += object == 0 && (path_hash & 7) != 7;
         }
     CHECK(background > 100 && light > 10 && tinted > 10 && shadow > 10);
     for (int i = 0; i < 5; i++)
@@ -118,13 +118,13 @@ static tia_rgb565 got[H][W];
 
 static void render_tile(const struct tia_view *view, struct tia_tile tile, enum area area, bool dither)
 {
-    static uint32_t reached[PIXELS];
+    static uint32_t path_hash[PIXELS];
     struct tia_surface surface = {&got[tile.y][tile.x], 2, 2 * W};
-    struct tia_options options = {dither, reached};
+    struct tia_options options = {dither, path_hash};
 
     CHECK_EQ(tia_render(view, hits_of(area_around(tile, area)), tile, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < (unsigned)tile.width * tile.height; i++)
-        CHECK_EQ(reached[i], want_reached[tile.y + i / tile.width][tile.x + i % tile.width]);
+        CHECK_EQ(path_hash[i], want_reached[tile.y + i / tile.width][tile.x + i % tile.width]);
 }
 
 static struct tia_tile tile_at(unsigned index, unsigned width, unsigned height)

@@ -235,12 +235,12 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
     const struct tia_tile pixel = {0, 0, 1, 1};
     struct tia_surface surface = {colour, 2, 2};
     struct tia_view *view = NULL;
-    uint32_t reached = 0;
-    struct tia_options options = {.reached = &reached};
+    uint32_t path_hash = 0;
+    struct tia_options options = {.path_hash = &path_hash};
 
     CHECK_EQ(init(&view, &scene, light_count, 1, 1), TIA_OK);
     CHECK_EQ(tia_render(view, hits_of(pixel), pixel, &surface, &options), TIA_OK);
-    return reached;
+    return path_hash;
 }
 
 static unsigned level(double c, int levels)

@@ -42,7 +42,7 @@ TEST(the_scene)
         CHECK(is_grey(material_of(i)->transmission, 0) && is_grey(material_of(i)->emission, 0));
 }
 
-static void check_light(const char *key, int x, int y, int z)
+static void tia_check_light(const char *key, int x, int y, int z)
 {
     struct corpus_scene c;
 
@@ -55,10 +55,10 @@ static void check_light(const char *key, int x, int y, int z)
 
 TEST(its_keys)
 {
-    check_light("a", -20, 20, -20);
-    check_light("d", 20, 20, -20);
-    check_light("s", 0, 20, -8);
-    check_light("w", 0, 20, -32);
+    tia_check_light("a", -20, 20, -20);
+    tia_check_light("d", 20, 20, -20);
+    tia_check_light("s", 0, 20, -8);
+    tia_check_light("w", 0, 20, -32);
 }
 
 /* At 640x480 at most `wrong` pixels may differ and none be a flip. At other sizes q16 may have one wrong

@@ -21,7 +21,7 @@ static void quit_at(struct world *w, uint64_t at_us)
     world_event(w, at_us, TIA_EVENT_TAP, 'q');
 }
 
-static void check_light(const struct world *w, int x, int y, int z)
+static void tia_check_light(const struct world *w, int x, int y, int z)
 {
     const struct tia_vec3 *c = &w->lights[0].centre;
 
@@ -39,7 +39,7 @@ TEST(keys_before_the_first_frame)
     quit_at(w, START + 1);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 1);
-    check_light(w, 19, 19, -22);
+    tia_check_light(w, 19, 19, -22);
     CHECK_EQ(w->lights[1].radius, 0);
 }
 
@@ -55,7 +55,7 @@ TEST(the_scene_brings_its_lights)
     w->viewer.scene = &scene;
     quit_at(w, START + 1);
     CHECK_EQ(world_play(w), TIA_OK);
-    check_light(w, 9, 8, 7);
+    tia_check_light(w, 9, 8, 7);
     CHECK(!memcmp(&w->lights[1], &lights[1], sizeof lights[1]));
     w = world_new();
     w->viewer.scene = &scene;
@@ -74,7 +74,7 @@ TEST(all_waiting_keys_before_a_frame)
     quit_at(w, START + 50000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 1);
-    check_light(w, 20, 20, 0);
+    tia_check_light(w, 20, 20, 0);
     CHECK_EQ(w->frames[0].told.key_us, 5600);
 }
 
@@ -91,7 +91,7 @@ TEST(frames_only_for_changes)
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 2);
     CHECK_EQ(w->next_event, 4);
-    check_light(w, -1, 20, -8);
+    tia_check_light(w, -1, 20, -8);
     CHECK_EQ(w->frames[1].light.x, 0);
 }
 
@@ -102,7 +102,7 @@ TEST(a_tap_moves_once)
     world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_PAGE_UP);
     quit_at(w, START + 5000000);
     CHECK_EQ(world_play(w), TIA_OK);
-    check_light(w, -20, 21, -20);
+    tia_check_light(w, -20, 21, -20);
     CHECK_EQ(w->frame_count, 2);
 }
 
@@ -147,7 +147,7 @@ TEST(a_held_key_moves_by_the_clock)
         CHECK(w->frames[i].drawn_us >= due && w->frames[i].drawn_us < due + 1000);
     }
     CHECK_EQ(w->frame_count, 1 + steps(1234567));
-    check_light(w, steps(1234567) - 20, 20, -20);
+    tia_check_light(w, steps(1234567) - 20, 20, -20);
 }
 
 TEST(slow_frames_do_not_slow_the_light)
@@ -177,7 +177,7 @@ TEST(released_at_once)
     world_event(w, START + TIA_HOLD_DELAY_US, TIA_EVENT_RELEASE, TIA_KEY_UP);
     quit_at(w, START + 2000000);
     CHECK_EQ(world_play(w), TIA_OK);
-    check_light(w, -20, 20, -21);
+    tia_check_light(w, -20, 20, -21);
 }
 
 TEST(two_keys_held)
@@ -190,7 +190,7 @@ TEST(two_keys_held)
     world_event(w, up + 500000, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
     quit_at(w, end);
     CHECK_EQ(world_play(w), TIA_OK);
-    check_light(w, steps(up + 500000 - right) - 20, 20, -20 - steps(end - up));
+    tia_check_light(w, steps(up + 500000 - right) - 20, 20, -20 - steps(end - up));
 }
 
 TEST(without_a_clock_nothing_repeats)
@@ -201,7 +201,7 @@ TEST(without_a_clock_nothing_repeats)
     world_event(w, START + 1, TIA_EVENT_PRESS, TIA_KEY_UP);
     quit_at(w, START + 5000000);
     CHECK_EQ(world_play(w), TIA_OK);
-    check_light(w, -20, 20, -21);
+    tia_check_light(w, -20, 20, -21);
     CHECK_EQ(w->frames[1].told.key_us, 0);
 }
 

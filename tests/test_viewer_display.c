@@ -172,14 +172,14 @@ TEST(errors_of_ports)
 
 TEST(errors_of_the_caller)
 {
-    static uint32_t reached[1];
+    static uint32_t path_hash[1];
     struct tia_scene scene = tia_thesis_scene;
     struct world *w = world_new();
 
     w->viewer.input = NULL;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = world_new();
-    w->viewer.options.reached = reached;
+    w->viewer.options.path_hash = path_hash;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = world_new();
     scene.camera.fov = 0;

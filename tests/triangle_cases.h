@@ -72,7 +72,7 @@ static void check_ray(const struct triangle_corners *c, const struct ray *ray, l
     struct wanted w = meet(c, ray);
     real3 o = real3_of(ray->origin);
     long double size = fabsl(o.x) + fabsl(o.y) + fabsl(o.z), error;
-    num_x t = 0;
+    num_length t = 0;
 
     for (int i = 0; i < 3; i++)
         size += length(real3_vec(c->at[i]));
@@ -80,8 +80,8 @@ static void check_ray(const struct triangle_corners *c, const struct ray *ray, l
     if (w.facing < 1e-6L || fabsl(w.aside) < error || fabsl(w.t) * w.facing < error ||
         fabsl(w.t - limit) * w.facing < error)
         return;
-    triangle_start(&start, ray);
-    bool met = triangle_meets(&start, c, num_of(limit), &t), wanted = w.aside > 0 && w.t > 0 && w.t <= limit;
+    triangle_ray_prepare(&start, ray);
+    bool met = triangle_intersect(&start, c, num_of(limit), &t), wanted = w.aside > 0 && w.t > 0 && w.t <= limit;
     CHECK_MSG(met == wanted, "%d, not %d: aside by %Lg, t %Lg", met, wanted, w.aside, w.t);
     hits[wanted]++;
     if (met && wanted)
@@ -159,9 +159,9 @@ TEST(corners_on_one_line_are_never_met)
         real3 on = plus(real3_vec(a), real3_vec(s), random_real() * 3);
         struct ray ray = ray_towards(random_real3(30), on);
         struct triangle_ray start;
-        num_x t;
-        triangle_start(&start, &ray);
-        CHECK(!triangle_meets(&start, &c, NUM_X_MOST, &t));
+        num_length t;
+        triangle_ray_prepare(&start, &ray);
+        CHECK(!triangle_intersect(&start, &c, NUM_LENGTH_MAX, &t));
     }
 }
 
@@ -171,18 +171,18 @@ TEST(parts_are_barycentric)
         long double size = powl(2, 14 - (long double)(random_bits() % 20));
         struct triangle_corners c = {{random_vec(size), random_vec(size), random_vec(size)}};
         struct num_dir normal;
-        num_d parts[3];
+        num_unit parts[3];
         if (!triangle_normal(&c, &normal))
             continue;
         long double u = (random_real() + 1) / 2, v = (random_real() + 1) / 2 * (1 - u);
         real3 a = real3_vec(c.at[0]), ab = minus(real3_vec(c.at[1]), a), ac = minus(real3_vec(c.at[2]), a);
         if (length(cross(ab, ac)) < size * size * 0.01L)
             continue;
-        triangle_parts(&c, normal, point_of(plus(plus(a, ab, u), ac, v)), parts);
+        triangle_barycentric(&c, normal, point_of(plus(plus(a, ab, u), ac, v)), parts);
         long double error = 200 * ERROR(size) / size;
-        CHECK(fabsl((long double)parts[1] / (long double)NUM_D_ONE - u) < error);
-        CHECK(fabsl((long double)parts[2] / (long double)NUM_D_ONE - v) < error);
-        CHECK(fabsl((long double)parts[0] / (long double)NUM_D_ONE - (1 - u - v)) < error);
+        CHECK(fabsl((long double)parts[1] / (long double)NUM_UNIT_ONE - u) < error);
+        CHECK(fabsl((long double)parts[2] / (long double)NUM_UNIT_ONE - v) < error);
+        CHECK(fabsl((long double)parts[0] / (long double)NUM_UNIT_ONE - (1 - u - v)) < error);
     }
 }
 
@@ -190,28 +190,28 @@ TEST(a_point_beside_a_triangle_counts_as_on_its_edge)
 {
     struct triangle_corners c = {{{0, 0, 0}, {TIA_Q16_ONE, 0, 0}, {0, TIA_Q16_ONE, 0}}};
     struct num_dir normal;
-    num_d parts[3];
+    num_unit parts[3];
 
     CHECK(triangle_normal(&c, &normal));
-    triangle_parts(&c, normal, point_of((real3){0.5L, -0.25L, 0}), parts);
+    triangle_barycentric(&c, normal, point_of((real3){0.5L, -0.25L, 0}), parts);
     CHECK(parts[2] == 0 && parts[0] >= 0 && parts[1] > 0);
-    CHECK(parts[0] + parts[1] == NUM_D_ONE);
+    CHECK(parts[0] + parts[1] == NUM_UNIT_ONE);
 }
 
 TEST(a_triangle_as_a_shape)
 {
     struct tia_triangle triangle = {{{0, 0, 0}, {TIA_Q16(2), 0, 0}, {0, TIA_Q16(4), 0}}};
-    struct ray ray = {.origin = {num_of(0.5L), num_of(1), num_of(3)}, .direction = {0, 0, -NUM_D_ONE}};
-    struct crossing crossing;
+    struct ray ray = {.origin = {num_of(0.5L), num_of(1), num_of(3)}, .direction = {0, 0, -NUM_UNIT_ONE}};
+    struct intersection intersection;
     struct surface surface;
     struct shape shape;
-    num_x uv[2];
+    num_length uv[2];
 
     shape_triangle(&shape, &triangle);
-    CHECK(shape.kind->intersect(&shape, &ray, NUM_X_MOST, &crossing));
-    CHECK(crossing.t == num_of(3) && crossing.element == 0);
-    CHECK(shape.kind->intersect(&shape, &ray, num_of(3), &crossing));
-    CHECK(!shape.kind->intersect(&shape, &ray, num_of(2.999L), &crossing));
+    CHECK(shape.kind->intersect(&shape, &ray, NUM_LENGTH_MAX, &intersection));
+    CHECK(intersection.t == num_of(3) && intersection.element == 0);
+    CHECK(shape.kind->intersect(&shape, &ray, num_of(3), &intersection));
+    CHECK(!shape.kind->intersect(&shape, &ray, num_of(2.999L), &intersection));
     CHECK(shape.kind->occluded(&shape, &ray, num_of(3)));
     CHECK(!shape.kind->occluded(&shape, &ray, num_of(2.999L)));
     shape.kind->surface(&shape, (struct num_point){num_of(0.5L), num_of(1), 0}, 0, &surface);
@@ -219,8 +219,8 @@ TEST(a_triangle_as_a_shape)
     CHECK(!memcmp(&surface.normal, &surface.smooth, sizeof surface.normal));
     shape.kind->uv(&shape, (struct num_point){num_of(0.5L), num_of(1), 0}, 0, uv);
     CHECK(fabsl(real_of(uv[0]) - 0.25L) < 1e-12L && fabsl(real_of(uv[1]) - 0.25L) < 1e-12L);
-    ray.direction.z = NUM_D_ONE;
-    CHECK(!shape.kind->intersect(&shape, &ray, NUM_X_MOST, &crossing));
+    ray.direction.z = NUM_UNIT_ONE;
+    CHECK(!shape.kind->intersect(&shape, &ray, NUM_LENGTH_MAX, &intersection));
 }
 
 int main(void)

@@ -84,12 +84,12 @@ TEST(level_rays_find_their_way_through_a_tree)
     shape_mesh(&with, &m->mesh, &m->tree);
     shape_mesh(&without, &m->mesh, NULL);
     for (int i = 0; i < 20000; i++) {
-        num_d tiny = NUM_D_LEVEL / (1 + (num_d)(random_bits() % 64)) * (int)(random_bits() % 3 - 1);
-        struct crossing a, b;
+        num_unit tiny = NUM_UNIT_LEVEL / (1 + (num_unit)(random_bits() % 64)) * (int)(random_bits() % 3 - 1);
+        struct intersection a, b;
         struct ray ray = {{num_of(random_real()), num_of(random_real() * 4), num_of(random_real() * 4)},
-                          {NUM_D_ONE, tiny, random_bits() % 2 ? 0 : -tiny}};
-        bool met = without.kind->intersect(&without, &ray, NUM_X_MOST, &a);
-        CHECK_EQ(with.kind->intersect(&with, &ray, NUM_X_MOST, &b), met);
+                          {NUM_UNIT_ONE, tiny, random_bits() % 2 ? 0 : -tiny}};
+        bool met = without.kind->intersect(&without, &ray, NUM_LENGTH_MAX, &a);
+        CHECK_EQ(with.kind->intersect(&with, &ray, NUM_LENGTH_MAX, &b), met);
         CHECK(!met || (a.t == b.t && a.element == b.element));
         hits[met]++;
     }

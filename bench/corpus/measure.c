@@ -9,7 +9,7 @@
 /* What one arithmetic makes of a band. */
 struct layer {
     tia_rgb565 *pixels;
-    uint32_t *reached, *object;
+    uint32_t *path_hash, *object;
 };
 
 /* The cores, and the reference after them. */
@@ -76,7 +76,7 @@ static struct measure_pixel pixel_of(const struct layer *layer, struct tia_tile 
 
     pixel.colour = layer->pixels[i];
     pixel.object = layer->object[i];
-    pixel.reached = layer->reached[i];
+    pixel.path_hash = layer->path_hash[i];
     return pixel;
 }
 
@@ -88,7 +88,7 @@ static void compare(struct frame *frame, unsigned core, struct tia_tile tile, co
     size_t count = (size_t)tile.width * tile.height;
 
     for (size_t i = 0; i < count; i++) {
-        bool flip = want->object[i] != got->object[i] || want->reached[i] != got->reached[i];
+        bool flip = want->object[i] != got->object[i] || want->path_hash[i] != got->path_hash[i];
         enum verdict verdict = judge(tally, want->pixels[i], got->pixels[i], flip);
         if (verdict != SAME && what->differs != NULL) {
             struct measure_pixel a = pixel_of(want, tile, i), b = pixel_of(got, tile, i);
@@ -101,7 +101,7 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
 {
     const struct tia_core *core = frame->cores[n];
     struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
-    struct tia_options options = {.dither = frame->what->dither, .reached = layer->reached};
+    struct tia_options options = {.dither = frame->what->dither, .path_hash = layer->path_hash};
     size_t size = core->hits_size(tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
@@ -122,15 +122,15 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
 static bool layer_create(struct layer *layer, size_t count)
 {
     layer->pixels = malloc(count * sizeof *layer->pixels);
-    layer->reached = malloc(count * sizeof *layer->reached);
+    layer->path_hash = malloc(count * sizeof *layer->path_hash);
     layer->object = malloc(count * sizeof *layer->object);
-    return layer->pixels != NULL && layer->reached != NULL && layer->object != NULL;
+    return layer->pixels != NULL && layer->path_hash != NULL && layer->object != NULL;
 }
 
 static void layer_destroy(struct layer *layer)
 {
     free(layer->pixels);
-    free(layer->reached);
+    free(layer->path_hash);
     free(layer->object);
 }
 

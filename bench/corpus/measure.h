@@ -27,11 +27,11 @@ void tally_add(struct tally *sum, const struct tally *part);
 double tally_percent(const struct tally *tally);
 double tally_psnr(const struct tally *tally);
 
-/* A pixel as one arithmetic has it; object and reached as in render.h. */
+/* A pixel as one arithmetic has it; object and path_hash as in render.h. */
 struct measure_pixel {
     unsigned x, y;
     tia_rgb565 colour;
-    uint32_t object, reached;
+    uint32_t object, path_hash;
 };
 
 struct measure {

@@ -31,12 +31,12 @@ struct tia_surface {
 
 /* What tia_light may be asked besides the pixels; all zero is the plain exact picture. */
 struct tia_options {
-    bool dither;       /* ordered dithering, Bayer 8x8, before quantising */
-    uint32_t *reached; /* NULL, or for each pixel of the tile, row by row, how its colour came about:
+    bool dither;         /* ordered dithering, Bayer 8x8, before quantising */
+    uint32_t *path_hash; /* NULL, or for each pixel of the tile, row by row, how its colour came about:
                           equal for equal paths, see below */
 };
 
-/* What `reached` is. By spans: bit n (0..15) when light n arrives, and in bits 16..31 the sum of
+/* What `path_hash` is. By spans: bit n (0..15) when light n arrives, and in bits 16..31 the sum of
  * (n + 1)(j + 1) over the spheres j that let it through; where light n itself is seen, 0xffff0000 + n.
  *
  * By general rays: a hash, FNV-1a, of 32-bit words, each as four bytes, the lowest first: from 2166136261

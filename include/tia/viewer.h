@@ -35,7 +35,7 @@ struct tia_viewer {
     struct tia_light *lights; /* room for light_capacity lights, the scene's among them */
     uint32_t light_capacity;
     bool *held;                 /* with tracks, room for as many flags: lights that a key holds */
-    struct tia_options options; /* `reached` must be NULL */
+    struct tia_options options; /* `path_hash` must be NULL */
     uint32_t frame_limit;       /* stop after so many frames; 0: no limit */
     const uint16_t *keys;       /* pressed before the first frame; NULL: none */
     size_t key_count;

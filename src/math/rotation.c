@@ -30,7 +30,7 @@ static int64_t product(int64_t a, int64_t b)
     return tia_scaled_product(a, b, 62);
 }
 
-void turn_axes(struct tia_vec3 rotation, int64_t axes[3][3])
+void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
 {
     int64_t sx, cx, sy, cy, sz, cz;
 

@@ -10,6 +10,6 @@ void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine);
 
 /* Where the axes x, y and z, axes[0] to axes[2], point after the rotation by rotation.x about x, then
  * rotation.y about y, then rotation.z about z: Q2.62, each component within 2^-57. */
-void turn_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
+void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
 
 #endif

@@ -15,7 +15,7 @@
  * Sums, differences and comparisons are the language's own. What is a call:
  *
  *   num_coordinate(q)      a Q16.16 coordinate as num_wide, exponent 16
- *   num_lattice(n, f)      the integer n as num_wide, exponent f
+ *   num_pixel_coordinate(n, f)      the integer n as num_wide, exponent f
  *   num_signed(t)          an unsigned mantissa as a signed one
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
@@ -40,7 +40,7 @@
 #include "num_q16.h"
 #endif
 
-/* A vector of coordinates relative to the eye (exponent 16) or of lattice numbers. */
+/* A vector of coordinates relative to the eye (exponent 16) or of pixel coordinates. */
 struct num_vec {
     num_wide x, y, z;
 };

@@ -30,7 +30,7 @@ static inline void num_at(const char *file, int line)
 #include "num_q16.h"
 
 #define NUM_AT num_at(__FILE__, __LINE__)
-#define num_lattice(n, e) (NUM_AT, num_lattice(n, e))
+#define num_pixel_coordinate(n, e) (NUM_AT, num_pixel_coordinate(n, e))
 #define num_depth(h, c, e) (NUM_AT, num_depth(h, c, e))
 #define num_colour_product(a, b) (NUM_AT, num_colour_product(a, b))
 #define num_signed(t) (NUM_AT, num_signed(t))

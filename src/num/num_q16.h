@@ -28,7 +28,7 @@ static inline num_wide num_coordinate(tia_q16 q)
     return q;
 }
 
-static inline num_wide num_lattice(int32_t n, int exponent)
+static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
 {
     NUM_CHECK(exponent >= 0 && exponent <= 30);
     return (num_wide)n * ((num_wide)1 << exponent);

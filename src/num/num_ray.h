@@ -1,33 +1,33 @@
 /* num_ray.h - the numbers of general rays, in each arithmetic.
  *
- *   num_x   a coordinate, a length, a colour: |x| < 2^18, in q16 Q18.45
- *   num_d   a component of a direction, a cosine, a fraction: |d| < 2, in q16 Q1.62
+ *   num_length   a coordinate, a length, a colour: |x| < 2^18, in q16 Q18.45
+ *   num_unit   a component of a direction, a cosine, a fraction: |d| < 2, in q16 Q1.62
  *
  * Both are plain numbers: sums, differences, comparisons and products with small integers are the
  * language's own. What is a call:
  *
- *   num_x_of(q), num_d_of(q)     from Q16.16, from Q2.30; num_d_of62(n): from Q1.62
- *   num_x_of_d(d)                a fraction as a num_x
+ *   num_length_of(q), num_unit_of(q)     from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
+ *   num_length_of_unit(d)                a fraction as a num_length
  *   num_times(a, d)              a d, a of either kind, rounded to nearest
  *   num_product(x, y)            x y, below 2^17; num_product_within(x, y): or 2^17, x, y >= 0
  *   num_sum_within(x, y)         x + y, or 2^17, both 0..2^17
- *   num_dot_x(a, d), num_dot_d   dot products, rounded once
+ *   num_point_dot(a, d), num_dir_dot   dot products, rounded once
  *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
- *   num_leg(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
+ *   num_half_chord(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
  *   num_within(r, p)             |p| <= r, exactly
- *   num_beyond(p, r, k)          (|p|^2 - r^2)/k, at most NUM_X_MOST in size; |p| and r below 2^18
- *   num_length(p), num_sqrt_d(d)
- *   num_over(x, d), num_ratio(x, y)  x/d, x/y as num_x, at most NUM_X_MOST in size
- *   num_fraction(x, y)           x/y as num_d, between -1 and 1
- *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_parts: see there
+ *   num_point_power(p, r, k)          (|p|^2 - r^2)/k, at most NUM_LENGTH_MAX in size; |p| and r below 2^18
+ *   num_norm(p), num_unit_sqrt(d)
+ *   num_div(x, d), num_ratio(x, y)  x/d, x/y as num_length, at most NUM_LENGTH_MAX in size
+ *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
+ *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_barycentric: see there
  *   num_power(d, e)              d^e, 0 <= d <= 1, e a Q16.16
- *   num_turn(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_d
- *   num_tile(x, n, &cell)        floor(n x) in cell and n x - floor(n x), n a Q16.16 of at most 1024
- *   num_floor(x), num_int(n)     the integer part, rounded down; an integer as num_x
- *   num_steep(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
- *   num_slab_start(s)            such a distance as num_x, a little less than it is
+ *   num_atan2(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
+ *   num_repeat(x, n, &cell)        floor(n x) in cell and n x - floor(n x), n a Q16.16 of at most 1024
+ *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length
+ *   num_steepness(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
+ *   num_slab_start(s)            such a distance as num_length, a little less than it is
  *   num_divide(v, s, d)          the direction and length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled(t, length)
- *                                and num_unscaled: t times it and over it, at most NUM_X_MOST
+ *                                and num_unscaled: t times it and over it, at most NUM_LENGTH_MAX
  *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise
  */
 #ifndef TIA_NUM_RAY_H
@@ -42,16 +42,16 @@
 #endif
 
 struct num_point {
-    num_x x, y, z;
+    num_length x, y, z;
 };
 
 struct num_dir {
-    num_d x, y, z;
+    num_unit x, y, z;
 };
 
 static inline struct num_point num_point_of(struct tia_vec3 v)
 {
-    return (struct num_point){num_x_of(v.x), num_x_of(v.y), num_x_of(v.z)};
+    return (struct num_point){num_length_of(v.x), num_length_of(v.y), num_length_of(v.z)};
 }
 
 static inline struct num_point num_point_add(struct num_point a, struct num_point b)
@@ -65,23 +65,23 @@ static inline struct num_point num_point_sub(struct num_point a, struct num_poin
 }
 
 /* t d */
-static inline struct num_point num_point_along(struct num_dir d, num_x t)
+static inline struct num_point num_point_along(struct num_dir d, num_length t)
 {
     return (struct num_point){num_times(t, d.x), num_times(t, d.y), num_times(t, d.z)};
 }
 
 /* a + t d */
-static inline struct num_point num_point_at(struct num_point a, struct num_dir d, num_x t)
+static inline struct num_point num_point_at(struct num_point a, struct num_dir d, num_length t)
 {
     return num_point_add(a, num_point_along(d, t));
 }
 
-static inline struct num_dir num_dir_turned(struct num_dir d)
+static inline struct num_dir num_dir_negated(struct num_dir d)
 {
     return (struct num_dir){-d.x, -d.y, -d.z};
 }
 
-static inline struct num_dir num_dir_scaled(struct num_dir d, num_d s)
+static inline struct num_dir num_dir_scaled(struct num_dir d, num_unit s)
 {
     return (struct num_dir){num_times(d.x, s), num_times(d.y, s), num_times(d.z, s)};
 }
@@ -91,18 +91,18 @@ static inline struct num_dir num_dir_add(struct num_dir a, struct num_dir b)
     return (struct num_dir){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-static inline num_x num_dot_x(struct num_point a, struct num_dir d)
+static inline num_length num_point_dot(struct num_point a, struct num_dir d)
 {
     return num_dot3(a.x, a.y, a.z, d.x, d.y, d.z);
 }
 
-static inline num_d num_dot_d(struct num_dir a, struct num_dir d)
+static inline num_unit num_dir_dot(struct num_dir a, struct num_dir d)
 {
     return num_dot3(a.x, a.y, a.z, d.x, d.y, d.z);
 }
 
 /* a x d, each component rounded once. */
-static inline struct num_dir num_cross_d(struct num_dir a, struct num_dir d)
+static inline struct num_dir num_dir_cross(struct num_dir a, struct num_dir d)
 {
     return (struct num_dir){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),
                             num_dot3(a.x, -a.y, 0, d.y, d.x, 0)};
@@ -114,7 +114,7 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
 }
 
 /* A direction that has lost or never had the length 1; not 0. */
-static inline struct num_dir num_dir_unit(struct num_dir v)
+static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;
 
@@ -124,45 +124,45 @@ static inline struct num_dir num_dir_unit(struct num_dir v)
 
 static inline struct num_dir num_dir_of(struct tia_dir3 v)
 {
-    return num_dir_unit((struct num_dir){num_d_of(v.x), num_d_of(v.y), num_d_of(v.z)});
+    return num_dir_normalised((struct num_dir){num_unit_of(v.x), num_unit_of(v.y), num_unit_of(v.z)});
 }
 
-static inline num_x num_leg(num_x r, struct num_point p)
+static inline num_length num_half_chord(num_length r, struct num_point p)
 {
-    return num_leg4(r, p.x, p.y, p.z);
+    return num_half_chord4(r, p.x, p.y, p.z);
 }
 
-static inline bool num_within(num_x r, struct num_point p)
+static inline bool num_within(num_length r, struct num_point p)
 {
     return num_within4(r, p.x, p.y, p.z);
 }
 
-static inline num_x num_beyond(struct num_point p, num_x r, num_x k)
+static inline num_length num_point_power(struct num_point p, num_length r, num_length k)
 {
-    return num_beyond5(p.x, p.y, p.z, r, k);
+    return num_point_power5(p.x, p.y, p.z, r, k);
 }
 
-static inline num_x num_length(struct num_point p)
+static inline num_length num_norm(struct num_point p)
 {
-    return num_length3(p.x, p.y, p.z);
+    return num_norm3(p.x, p.y, p.z);
 }
 
-static inline num_x num_x_clamp(num_x x, num_x least, num_x most)
+static inline num_length num_length_clamp(num_length x, num_length least, num_length most)
 {
     return x < least ? least : x > most ? most : x;
 }
 
-/* a + b, at most NUM_X_MOST; neither below 0 nor above that. */
-static inline num_x num_sum_within(num_x a, num_x b)
+/* a + b, at most NUM_LENGTH_MAX; neither below 0 nor above that. */
+static inline num_length num_sum_within(num_length a, num_length b)
 {
-    return a < NUM_X_MOST - b ? a + b : NUM_X_MOST;
+    return a < NUM_LENGTH_MAX - b ? a + b : NUM_LENGTH_MAX;
 }
 
 /* See num_divide3. */
-static inline struct num_scale num_divide(struct num_dir v, const num_x s[3], struct num_dir *d)
+static inline struct num_scale num_divide(struct num_dir v, const num_length s[3], struct num_dir *d)
 {
-    const num_d from[3] = {v.x, v.y, v.z};
-    num_d to[3];
+    const num_unit from[3] = {v.x, v.y, v.z};
+    num_unit to[3];
     struct num_scale k = num_divide3(from, s, to);
 
     *d = (struct num_dir){to[0], to[1], to[2]};

@@ -2,14 +2,14 @@
 #ifndef TIA_NUM_RAY_CHK_H
 #define TIA_NUM_RAY_CHK_H
 
-#define num_int(n) (NUM_AT, num_int(n))
+#define num_integer(n) (NUM_AT, num_integer(n))
 #define num_product(a, b) (NUM_AT, num_product(a, b))
-#define num_dot_x(a, d) (NUM_AT, num_dot_x(a, d))
-#define num_dot_d(a, d) (NUM_AT, num_dot_d(a, d))
-#define num_cross_d(a, d) (NUM_AT, num_cross_d(a, d))
+#define num_point_dot(a, d) (NUM_AT, num_point_dot(a, d))
+#define num_dir_dot(a, d) (NUM_AT, num_dir_dot(a, d))
+#define num_dir_cross(a, d) (NUM_AT, num_dir_cross(a, d))
 #define num_normalise(v, d) (NUM_AT, num_normalise(v, d))
-#define num_sqrt_d(d) (NUM_AT, num_sqrt_d(d))
-#define num_parts(a, p) (NUM_AT, num_parts(a, p))
+#define num_unit_sqrt(d) (NUM_AT, num_unit_sqrt(d))
+#define num_barycentric(a, p) (NUM_AT, num_barycentric(a, p))
 #define num_levels(c, n, t) (NUM_AT, num_levels(c, n, t))
 #define num_power(d, e) (NUM_AT, num_power(d, e))
 #define num_point_at(a, d, t) (NUM_AT, num_point_at(a, d, t))

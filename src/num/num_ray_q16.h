@@ -4,78 +4,78 @@
 
 #include "math/wide.h"
 
-typedef int64_t num_x;
-typedef int64_t num_d;
+typedef int64_t num_length;
+typedef int64_t num_unit;
 
-#define NUM_X_ONE ((num_x)1 << 45)
-#define NUM_X_BIAS ((num_x)1 << 32) /* of secondary rays: 2^-13 */
-#define NUM_X_FAR ((num_x)1 << 61)  /* 2^16: what is farther away from the origin of the world is not seen */
-#define NUM_X_MOST ((num_x)1 << 62) /* 2^17, infinitely far */
-#define NUM_X_LEAST ((num_x)1)      /* the smallest there is */
-#define NUM_D_ONE ((num_d)1 << 62)
-#define NUM_D_LEAST ((num_d)1 << 20) /* a slope under which a ray counts as parallel: 2^-42 */
+#define NUM_LENGTH_ONE ((num_length)1 << 45)
+#define NUM_LENGTH_BIAS ((num_length)1 << 32) /* of secondary rays: 2^-13 */
+#define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: what is farther away from the origin of the world is not seen */
+#define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17, infinitely far */
+#define NUM_LENGTH_LEAST ((num_length)1)      /* the smallest there is */
+#define NUM_UNIT_ONE ((num_unit)1 << 62)
+#define NUM_UNIT_LEAST ((num_unit)1 << 20) /* a slope under which a ray counts as parallel: 2^-42 */
 
-static inline num_x num_x_of(tia_q16 q)
+static inline num_length num_length_of(tia_q16 q)
 {
-    return (num_x)q * ((num_x)1 << 29);
+    return (num_length)q * ((num_length)1 << 29);
 }
 
-static inline num_d num_d_of(tia_q30 q)
+static inline num_unit num_unit_of(tia_q30 q)
 {
-    return (num_d)q * ((num_d)1 << 32);
+    return (num_unit)q * ((num_unit)1 << 32);
 }
 
-static inline num_d num_d_of62(int64_t n)
+static inline num_unit num_unit_of_q62(int64_t n)
 {
     return n;
 }
 
-static inline num_x num_x_of_d(num_d d)
+static inline num_length num_length_of_unit(num_unit d)
 {
     return tia_round_shift(d >> 1, 16);
 }
 
-static inline num_x num_int(int32_t n)
+static inline num_length num_integer(int32_t n)
 {
     NUM_CHECK(n < 1 << 18 && n > -(1 << 18));
-    return (num_x)n * NUM_X_ONE;
+    return (num_length)n * NUM_LENGTH_ONE;
 }
 
-static inline int32_t num_floor(num_x x)
+static inline int32_t num_floor(num_length x)
 {
     return (int32_t)(x >> 45);
 }
 
-static inline num_x num_times(num_x a, num_d d)
+static inline num_length num_times(num_length a, num_unit d)
 {
     return wide_round(wide_product(a, d), 62);
 }
 
-static inline num_x num_product(num_x a, num_x b)
+static inline num_length num_product(num_length a, num_length b)
 {
     NUM_CHECK(wide_bits(wide_product(a < 0 ? -a : a, b < 0 ? -b : b)) <= 62 + 45);
     return wide_round(wide_product(a, b), 45);
 }
 
-static inline num_x num_product_within(num_x a, num_x b)
+static inline num_length num_product_within(num_length a, num_length b)
 {
     wide product = wide_product(a, b);
 
     NUM_CHECK(a >= 0 && b >= 0);
-    return wide_bits(product) > 62 + 45 ? NUM_X_MOST : wide_round(product, 45);
+    return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-static inline num_x num_tile(num_x x, tia_q16 n, int32_t *cell)
+static inline num_length num_repeat(num_length x, tia_q16 n, int32_t *cell)
 {
     wide product = wide_product(x, n);
     int64_t floor = wide_down(product, 61);
 
     NUM_CHECK(floor < INT32_MAX && floor > -INT32_MAX);
     *cell = (int32_t)floor;
-    return (num_x)(wide_low(product) & ((UINT64_C(1) << 61) - 1)) >> 16;
+    return (num_length)(wide_low(product) & ((UINT64_C(1) << 61) - 1)) >> 16;
 }
 
-static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_d bx, num_d by, num_d bz)
+static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_unit bx, num_unit by, num_unit bz)
 {
     wide sum = wide_sum(wide_sum(wide_product(ax, bx), wide_product(ay, by)), wide_product(az, bz));
 
@@ -83,20 +83,21 @@ static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_d bx, num
     return wide_round(sum, 62);
 }
 
-static inline bool num_normalise3(num_x x, num_x y, num_x z, num_d *dx, num_d *dy, num_d *dz)
+static inline bool num_normalise3(num_length x, num_length y, num_length z, num_unit *dx, num_unit *dy, num_unit *dz)
 {
     const int64_t v[3] = {x, y, z};
     int64_t d[3];
     bool some = wide_normalise(v, d);
 
-    NUM_CHECK((x < 0 ? -x : x) <= NUM_X_MOST && (y < 0 ? -y : y) <= NUM_X_MOST && (z < 0 ? -z : z) <= NUM_X_MOST);
+    NUM_CHECK((x < 0 ? -x : x) <= NUM_LENGTH_MAX && (y < 0 ? -y : y) <= NUM_LENGTH_MAX &&
+              (z < 0 ? -z : z) <= NUM_LENGTH_MAX);
     *dx = d[0];
     *dy = d[1];
     *dz = d[2];
     return some;
 }
 
-static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
+static inline num_length num_half_chord4(num_length r, num_length x, num_length y, num_length z)
 {
     const int64_t p[3] = {x, y, z};
 
@@ -106,7 +107,7 @@ static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
     return wide_is_negative(rest) ? -1 : wide_sqrt(rest);
 }
 
-static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
+static inline bool num_within4(num_length r, num_length x, num_length y, num_length z)
 {
     const int64_t p[3] = {x, y, z};
 
@@ -116,7 +117,7 @@ static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
 }
 
 /* The numerator exact, then its upper 63 bits. */
-static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
+static inline num_length num_point_power5(num_length x, num_length y, num_length z, num_length r, num_length k)
 {
     const int64_t p[3] = {x, y, z};
     wide square = wide_dot(p, p), other = wide_product(r, r), n = wide_difference(square, other);
@@ -125,34 +126,35 @@ static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
     if (negative)
         n = wide_difference(other, square);
     int s = wide_bits(n) - 63;
-    num_x quotient = s > 0 ? wide_quotient(wide_down(n, (unsigned)s), k, s) : wide_quotient((int64_t)wide_low(n), k, 0);
+    num_length quotient =
+        s > 0 ? wide_quotient(wide_down(n, (unsigned)s), k, s) : wide_quotient((int64_t)wide_low(n), k, 0);
     return negative ? -quotient : quotient;
 }
 
-static inline num_x num_length3(num_x x, num_x y, num_x z)
+static inline num_length num_norm3(num_length x, num_length y, num_length z)
 {
     const int64_t p[3] = {x, y, z};
 
     return wide_sqrt(wide_dot(p, p));
 }
 
-static inline num_d num_sqrt_d(num_d d)
+static inline num_unit num_unit_sqrt(num_unit d)
 {
     NUM_CHECK(d >= 0);
-    return wide_sqrt(wide_product(d, NUM_D_ONE));
+    return wide_sqrt(wide_product(d, NUM_UNIT_ONE));
 }
 
-static inline num_x num_over(num_x x, num_d d)
+static inline num_length num_div(num_length x, num_unit d)
 {
     return wide_quotient(x, d, 62);
 }
 
-static inline num_x num_ratio(num_x x, num_x y)
+static inline num_length num_ratio(num_length x, num_length y)
 {
     return wide_quotient(x, y, 45);
 }
 
-static inline num_d num_fraction(num_x x, num_x y)
+static inline num_unit num_fraction(num_length x, num_length y)
 {
     return wide_quotient(x, y, 62);
 }
@@ -160,7 +162,7 @@ static inline num_d num_fraction(num_x x, num_x y)
 /* Twice the area of a triangle with a corner at 0, exact: of coordinates below 2^17.6. */
 typedef wide num_area;
 
-static inline num_area num_cross2(num_x ax, num_x ay, num_x bx, num_x by)
+static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
 {
     return wide_difference(wide_product(ax, by), wide_product(ay, bx));
 }
@@ -177,7 +179,7 @@ static inline int64_t num_area_top(num_area a, int zeros)
 }
 
 /* Three areas over their sum, which is not 0. Those that have not its sign are taken as 0. */
-static inline void num_parts(const num_area areas[3], num_d parts[3])
+static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
     bool negative = wide_is_negative(sum);
@@ -189,15 +191,15 @@ static inline void num_parts(const num_area areas[3], num_d parts[3])
     NUM_CHECK(zeros < 62);
     parts[1] = wide_quotient(num_area_top(a[1], zeros), num_area_top(sum, zeros), 62);
     parts[2] = wide_quotient(num_area_top(a[2], zeros), num_area_top(sum, zeros), 62);
-    parts[0] = NUM_D_ONE - parts[1] - parts[2];
+    parts[0] = NUM_UNIT_ONE - parts[1] - parts[2];
 }
 
 /* d^e: the integer part of e by squaring, its fraction by square roots. */
-static inline num_d num_power(num_d d, tia_q16 e)
+static inline num_unit num_power(num_unit d, tia_q16 e)
 {
-    num_d power = NUM_D_ONE, base = d;
+    num_unit power = NUM_UNIT_ONE, base = d;
 
-    NUM_CHECK(d >= 0 && d <= NUM_D_ONE && e >= 0);
+    NUM_CHECK(d >= 0 && d <= NUM_UNIT_ONE && e >= 0);
     for (tia_q16 n = e >> 16; n; n >>= 1) {
         if (n & 1)
             power = num_times(power, base);
@@ -205,57 +207,57 @@ static inline num_d num_power(num_d d, tia_q16 e)
     }
     base = d;
     for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
-        base = num_sqrt_d(base);
+        base = num_unit_sqrt(base);
         if (n & 0x8000)
             power = num_times(power, base);
     }
     return power;
 }
 
-#define NUM_D_LEVEL ((num_d)1 << 42) /* 2^-20 */
+#define NUM_UNIT_LEVEL ((num_unit)1 << 42) /* 2^-20 */
 
-/* 1/d with 42 bits behind the point, below 2^62, rounded towards 0: d is taken as NUM_D_LEVEL at least. The
+/* 1/d with 42 bits behind the point, below 2^62, rounded towards 0: d is taken as NUM_UNIT_LEVEL at least. The
  * reciprocal of d 2^z is 2^64/d 2^-z with 62 bits, and z is at most 21. */
-static inline num_x num_steep(num_d d)
+static inline num_length num_steepness(num_unit d)
 {
-    num_d size = d < 0 ? -d : d;
-    uint64_t divisor = (uint64_t)(size < NUM_D_LEVEL ? NUM_D_LEVEL : size);
+    num_unit size = d < 0 ? -d : d;
+    uint64_t divisor = (uint64_t)(size < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : size);
     unsigned z = tia_clz64(divisor);
-    num_x steep = wide_reciprocal(divisor << z) >> (22 - z);
+    num_length steep = wide_reciprocal(divisor << z) >> (22 - z);
 
     return d < 0 ? -steep : steep;
 }
 
 /* x/d with 23 bits behind the point, rounded down. */
-static inline num_x num_slab(num_x x, num_x steep)
+static inline num_length num_slab(num_length x, num_length steep)
 {
     return wide_high(wide_product(x, steep));
 }
 
-#define NUM_SLAB_ERROR ((num_x)2) /* what two of them may be off by */
+#define NUM_SLAB_ERROR ((num_length)2) /* what two of them may be off by */
 
 /* A distance as num_slab has it. */
-static inline num_x num_slab_of(num_x t)
+static inline num_length num_slab_of(num_length t)
 {
     return t >> 22;
 }
 
 /* What num_slab says as a distance, a little less than it is. */
-static inline num_x num_slab_start(num_x slab)
+static inline num_length num_slab_start(num_length slab)
 {
-    return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_x)1 << 22);
+    return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
 }
 
 /* mantissa 2^exponent */
 struct num_scale {
-    num_d mantissa;
+    num_unit mantissa;
     int exponent;
 };
 
 /* The vector (x/s[0], y/s[1], z/s[2]): its length, and the direction, within 2^-57. |x|, |y|, |z| <= 1, one of
  * them not below 2^-1, s in 2^-10..2^10: quotients below 2^62 are found first with 51 bits behind the point, then
  * with as many as fit. */
-static inline struct num_scale num_divide3(const num_d v[3], const num_x s[3], num_d d[3])
+static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     int64_t q[3], most = 0;
 
@@ -270,27 +272,27 @@ static inline struct num_scale num_divide3(const num_d v[3], const num_x s[3], n
     return (struct num_scale){wide_sqrt(wide_dot(q, q)), 11 - more};
 }
 
-/* t times the scale and over it, at most NUM_X_MOST. t >= 0 */
-static inline num_x num_scaled(num_x t, struct num_scale k)
+/* t times the scale and over it, at most NUM_LENGTH_MAX. t >= 0 */
+static inline num_length num_scaled(num_length t, struct num_scale k)
 {
     wide p = wide_product(t, k.mantissa);
     int shift = 62 - k.exponent;
 
-    return wide_bits(p) - shift > 62 ? NUM_X_MOST : wide_round(p, (unsigned)shift);
+    return wide_bits(p) - shift > 62 ? NUM_LENGTH_MAX : wide_round(p, (unsigned)shift);
 }
 
-static inline num_x num_unscaled(num_x t, struct num_scale k)
+static inline num_length num_unscaled(num_length t, struct num_scale k)
 {
     return wide_quotient(t, k.mantissa, 62 - k.exponent);
 }
 
 /* CORDIC: the vector is turned to the x axis by angles with the tangents 1, 1/2, 1/4, ...; within 2^-55. */
-static inline num_d num_turn(num_d y, num_d x)
+static inline num_unit num_atan2(num_unit y, num_unit x)
 {
-    num_d turned = 0;
+    num_unit turned = 0;
 
     if (x < 0) {
-        turned = y < 0 ? -(NUM_D_ONE / 2) : NUM_D_ONE / 2;
+        turned = y < 0 ? -(NUM_UNIT_ONE / 2) : NUM_UNIT_ONE / 2;
         x = -x;
         y = -y;
     }
@@ -299,7 +301,7 @@ static inline num_d num_turn(num_d y, num_d x)
     if (x == 0 && y == 0)
         return 0;
     for (int i = 0; i < 60; i++) {
-        num_d dx = y >> i, dy = x >> i;
+        num_unit dx = y >> i, dy = x >> i;
         turned += y < 0 ? -tia_turns[i] : tia_turns[i];
         x += y < 0 ? -dx : dx;
         y += y < 0 ? dy : -dy;
@@ -307,10 +309,10 @@ static inline num_d num_turn(num_d y, num_d x)
     return turned;
 }
 
-static inline unsigned num_levels(num_x c, unsigned levels, num_u threshold)
+static inline unsigned num_levels(num_length c, unsigned levels, num_u threshold)
 {
-    NUM_CHECK(c >= 0 && c <= NUM_X_ONE && threshold < NUM_ONE);
-    return (unsigned)((c * (num_x)levels + ((num_x)threshold << 15)) >> 45);
+    NUM_CHECK(c >= 0 && c <= NUM_LENGTH_ONE && threshold < NUM_ONE);
+    return (unsigned)((c * (num_length)levels + ((num_length)threshold << 15)) >> 45);
 }
 
 #endif

@@ -2,65 +2,65 @@
 #ifndef TIA_NUM_RAY_REAL_H
 #define TIA_NUM_RAY_REAL_H
 
-typedef num_real num_x;
-typedef num_real num_d;
+typedef num_real num_length;
+typedef num_real num_unit;
 
-#define NUM_X_ONE ((num_real)1)
-#define NUM_X_BIAS ((num_real)1 / 8192)
-#define NUM_X_FAR ((num_real)65536)
-#define NUM_X_MOST ((num_real)131072)
-#define NUM_X_LEAST ((num_real)1e-30)
-#define NUM_D_ONE ((num_real)1)
-#define NUM_D_LEAST ((num_real)1 / ((int64_t)1 << 42))
+#define NUM_LENGTH_ONE ((num_real)1)
+#define NUM_LENGTH_BIAS ((num_real)1 / 8192)
+#define NUM_LENGTH_FAR ((num_real)65536)
+#define NUM_LENGTH_MAX ((num_real)131072)
+#define NUM_LENGTH_LEAST ((num_real)1e-30)
+#define NUM_UNIT_ONE ((num_real)1)
+#define NUM_UNIT_LEAST ((num_real)1 / ((int64_t)1 << 42))
 
-static inline num_x num_x_of(tia_q16 q)
+static inline num_length num_length_of(tia_q16 q)
 {
     return (num_real)q / 65536;
 }
 
-static inline num_d num_d_of(tia_q30 q)
+static inline num_unit num_unit_of(tia_q30 q)
 {
     return (num_real)q / 1073741824;
 }
 
-static inline num_d num_d_of62(int64_t n)
+static inline num_unit num_unit_of_q62(int64_t n)
 {
     return (num_real)n / (num_real)((int64_t)1 << 62);
 }
 
-static inline num_x num_x_of_d(num_d d)
+static inline num_length num_length_of_unit(num_unit d)
 {
     return d;
 }
 
-static inline num_x num_int(int32_t n)
+static inline num_length num_integer(int32_t n)
 {
     return (num_real)n;
 }
 
 /* x below 2^31. */
-static inline int32_t num_floor(num_x x)
+static inline int32_t num_floor(num_length x)
 {
     int32_t n = (int32_t)x;
     return n - ((num_real)n > x);
 }
 
-static inline num_x num_times(num_x a, num_d d)
+static inline num_length num_times(num_length a, num_unit d)
 {
     return a * d;
 }
 
-static inline num_x num_product(num_x a, num_x b)
+static inline num_length num_product(num_length a, num_length b)
 {
     return a * b;
 }
 
-static inline num_x num_product_within(num_x a, num_x b)
+static inline num_length num_product_within(num_length a, num_length b)
 {
-    return a * b < NUM_X_MOST ? a * b : NUM_X_MOST;
+    return a * b < NUM_LENGTH_MAX ? a * b : NUM_LENGTH_MAX;
 }
 
-static inline num_x num_tile(num_x x, tia_q16 n, int32_t *cell)
+static inline num_length num_repeat(num_length x, tia_q16 n, int32_t *cell)
 {
     num_real product = x * ((num_real)n / 65536);
 
@@ -68,19 +68,19 @@ static inline num_x num_tile(num_x x, tia_q16 n, int32_t *cell)
     return product - (num_real)*cell;
 }
 
-static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_d bx, num_d by, num_d bz)
+static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_unit bx, num_unit by, num_unit bz)
 {
     return ax * bx + ay * by + az * bz;
 }
 
-static inline num_x num_length3(num_x x, num_x y, num_x z)
+static inline num_length num_norm3(num_length x, num_length y, num_length z)
 {
     return num_root(x * x + y * y + z * z);
 }
 
-static inline bool num_normalise3(num_x x, num_x y, num_x z, num_d *dx, num_d *dy, num_d *dz)
+static inline bool num_normalise3(num_length x, num_length y, num_length z, num_unit *dx, num_unit *dy, num_unit *dz)
 {
-    num_real length = num_length3(x, y, z);
+    num_real length = num_norm3(x, y, z);
     num_real scale = length > 0 ? 1 / length : 0;
 
     *dx = x * scale;
@@ -89,18 +89,18 @@ static inline bool num_normalise3(num_x x, num_x y, num_x z, num_d *dx, num_d *d
     return length > 0;
 }
 
-static inline num_x num_leg4(num_x r, num_x x, num_x y, num_x z)
+static inline num_length num_half_chord4(num_length r, num_length x, num_length y, num_length z)
 {
     num_real rest = r * r - (x * x + y * y + z * z);
     return rest < 0 ? -1 : num_root(rest);
 }
 
-static inline bool num_within4(num_x r, num_x x, num_x y, num_x z)
+static inline bool num_within4(num_length r, num_length x, num_length y, num_length z)
 {
     return r >= 0 && x * x + y * y + z * z <= r * r;
 }
 
-static inline num_d num_sqrt_d(num_d d)
+static inline num_unit num_unit_sqrt(num_unit d)
 {
     return num_root(d);
 }
@@ -110,32 +110,32 @@ static inline num_real num_bounded(num_real x, num_real most)
     return x > most ? most : x < -most ? -most : x;
 }
 
-static inline num_x num_over(num_x x, num_d d)
+static inline num_length num_div(num_length x, num_unit d)
 {
     if (d == 0)
-        return x < 0 ? -NUM_X_MOST : x > 0 ? NUM_X_MOST : 0;
-    return num_bounded(x / d, NUM_X_MOST);
+        return x < 0 ? -NUM_LENGTH_MAX : x > 0 ? NUM_LENGTH_MAX : 0;
+    return num_bounded(x / d, NUM_LENGTH_MAX);
 }
 
-static inline num_x num_beyond5(num_x x, num_x y, num_x z, num_x r, num_x k)
+static inline num_length num_point_power5(num_length x, num_length y, num_length z, num_length r, num_length k)
 {
-    return num_over(x * x + y * y + z * z - r * r, k);
+    return num_div(x * x + y * y + z * z - r * r, k);
 }
 
-static inline num_x num_ratio(num_x x, num_x y)
+static inline num_length num_ratio(num_length x, num_length y)
 {
-    return num_over(x, y);
+    return num_div(x, y);
 }
 
-static inline num_d num_fraction(num_x x, num_x y)
+static inline num_unit num_fraction(num_length x, num_length y)
 {
-    return num_bounded(num_over(x, y), 1);
+    return num_bounded(num_div(x, y), 1);
 }
 
 typedef num_real num_area;
 
 /* In two statements, so that no compiler makes one rounding of two: the sign is right or 0. */
-static inline num_area num_cross2(num_x ax, num_x ay, num_x bx, num_x by)
+static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
 {
     num_real left = ax * by, right = ay * bx;
     return left - right;
@@ -146,7 +146,7 @@ static inline int num_area_sign(num_area a)
     return (a > 0) - (a < 0);
 }
 
-static inline void num_parts(const num_area areas[3], num_d parts[3])
+static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     num_real sum = areas[0] + areas[1] + areas[2], a[3];
 
@@ -158,7 +158,7 @@ static inline void num_parts(const num_area areas[3], num_d parts[3])
     parts[0] = 1 - parts[1] - parts[2];
 }
 
-static inline num_d num_power(num_d d, tia_q16 e)
+static inline num_unit num_power(num_unit d, tia_q16 e)
 {
     num_real power = 1, base = d;
 
@@ -176,14 +176,14 @@ static inline num_d num_power(num_d d, tia_q16 e)
     return power;
 }
 
-#define NUM_D_LEVEL ((num_real)1 / 1048576)
+#define NUM_UNIT_LEVEL ((num_real)1 / 1048576)
 
-static inline num_x num_steep(num_d d)
+static inline num_length num_steepness(num_unit d)
 {
-    return 1 / (d < 0 ? (d > -NUM_D_LEVEL ? -NUM_D_LEVEL : d) : d < NUM_D_LEVEL ? NUM_D_LEVEL : d);
+    return 1 / (d < 0 ? (d > -NUM_UNIT_LEVEL ? -NUM_UNIT_LEVEL : d) : d < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : d);
 }
 
-static inline num_x num_slab(num_x x, num_x steep)
+static inline num_length num_slab(num_length x, num_length steep)
 {
     return x * steep;
 }
@@ -191,12 +191,12 @@ static inline num_x num_slab(num_x x, num_x steep)
 /* 2^-22; of float, whose coordinates are 2^-8 apart at the far end, 2^-4. */
 #define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 
-static inline num_x num_slab_of(num_x t)
+static inline num_length num_slab_of(num_length t)
 {
     return t;
 }
 
-static inline num_x num_slab_start(num_x slab)
+static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : slab - NUM_SLAB_ERROR;
 }
@@ -205,30 +205,30 @@ struct num_scale {
     num_real mantissa;
 };
 
-static inline struct num_scale num_divide3(const num_d v[3], const num_x s[3], num_d d[3])
+static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     const num_real x = v[0] / s[0], y = v[1] / s[1], z = v[2] / s[2];
 
     (void)num_normalise3(x, y, z, &d[0], &d[1], &d[2]);
-    return (struct num_scale){num_length3(x, y, z)};
+    return (struct num_scale){num_norm3(x, y, z)};
 }
 
-static inline num_x num_scaled(num_x t, struct num_scale k)
+static inline num_length num_scaled(num_length t, struct num_scale k)
 {
-    return num_bounded(t * k.mantissa, NUM_X_MOST);
+    return num_bounded(t * k.mantissa, NUM_LENGTH_MAX);
 }
 
-static inline num_x num_unscaled(num_x t, struct num_scale k)
+static inline num_length num_unscaled(num_length t, struct num_scale k)
 {
-    return num_over(t, k.mantissa);
+    return num_div(t, k.mantissa);
 }
 
-static inline num_d num_turn(num_d y, num_d x)
+static inline num_unit num_atan2(num_unit y, num_unit x)
 {
     return num_angle(y, x) / (num_real)6.283185307179586476925286766559;
 }
 
-static inline unsigned num_levels(num_x c, unsigned levels, num_u threshold)
+static inline unsigned num_levels(num_length c, unsigned levels, num_u threshold)
 {
     return num_quantise(c, levels, threshold);
 }

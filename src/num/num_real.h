@@ -21,7 +21,7 @@ static inline num_wide num_coordinate(tia_q16 q)
     return (num_real)q / 65536;
 }
 
-static inline num_wide num_lattice(int32_t n, int exponent)
+static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
 {
     (void)exponent;
     return (num_real)n;

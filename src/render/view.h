@@ -8,8 +8,8 @@ struct ray_view; /* of general rays, see ray/ */
 
 /* What spans need. Everything is relative to the eye: a point seen by a pixel is P = t v. */
 struct span_view {
-    struct body *bodies; /* the spheres, then the lights */
-    struct lattice lattice;
+    struct span_sphere *spheres; /* the spheres, then the lights */
+    struct primary_rays primary;
     bool tinted;       /* some material lets shadow rays through */
     bool grey_shadows; /* what they keep on their way is grey */
     bool grey;         /* and all lights are */

@@ -5,7 +5,7 @@
  * own axes: a sphere r |w|, a box's corner what each of its coordinates gives, a disc r |w x N| / |N|.
  *
  * Rows are kept as Q11.52, scales being at most 2^10, and sums as Q31.32. A length is rounded up to 2^-30 of
- * itself; all other roundings together stay far below the unit of 2^-16 that bounds_with_margin adds.
+ * itself; all other roundings together stay far below the unit of 2^-16 that tia_bounds_with_margin adds.
  */
 #include "bounds.h"
 
@@ -39,7 +39,7 @@ static void prepare(struct frame *frame, const struct tia_transform *t)
     const tia_q16 scale[3] = {t->scale.x, t->scale.y, t->scale.z};
     int64_t axes[3][3];
 
-    turn_axes(t->rotation, axes);
+    tia_rotation_axes(t->rotation, axes);
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < 3; i++)
             frame->rows[k][i] = tia_scaled_product(axes[i][k], scale[i], 62 + 16 - 52);
@@ -164,7 +164,7 @@ static void include_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec
     include_disc(hull, top, top_radius, axis);
 }
 
-void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
+void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
 {
 #define ADD(c)                                                                                                         \
     bounds->min.c = more->min.c < bounds->min.c ? more->min.c : bounds->min.c;                                         \
@@ -175,24 +175,24 @@ void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
 #undef ADD
 }
 
-struct tia_bounds bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
+struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
     for (int i = 0; i < 3; i++) {
         struct tia_vec3 p = mesh->vertices[mesh->faces[face].corner[i].vertex];
-        bounds_add(&bounds, &(struct tia_bounds){p, p});
+        tia_bounds_add(&bounds, &(struct tia_bounds){p, p});
     }
     return bounds;
 }
 
-struct tia_bounds bounds_of_mesh(const struct tia_mesh *mesh)
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
     for (uint32_t i = 0; i < mesh->face_count; i++) {
-        struct tia_bounds face = bounds_of_face(mesh, i);
-        bounds_add(&bounds, &face);
+        struct tia_bounds face = tia_bounds_of_face(mesh, i);
+        tia_bounds_add(&bounds, &face);
     }
     return bounds;
 }
@@ -239,7 +239,7 @@ static bool include_shape(struct hull *hull, const struct tia_scene *scene, cons
         box = (struct tia_bounds){s->box.min, s->box.max};
         break;
     case TIA_MESH:
-        box = own ? *own : bounds_of_mesh(&scene->meshes[s->mesh]);
+        box = own ? *own : tia_bounds_of_mesh(&scene->meshes[s->mesh]);
         break;
     case TIA_GRID:
         box = bounds_of_grid(&scene->grids[s->grid]);
@@ -277,8 +277,8 @@ static bool around_shape(const struct frame *frame, const struct tia_scene *scen
     return true;
 }
 
-bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
-                     struct bounds_wide *bounds)
+bool tia_bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
+                         struct bounds_wide *bounds)
 {
     struct frame frame;
 
@@ -294,7 +294,7 @@ bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struc
     return around_shape(&frame, scene, shape, own, bounds);
 }
 
-void bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
+void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
 {
     *bounds = (struct bounds_wide){{0, 0, 0}, {0, 0, 0}};
     (void)around_shape(&no_transform, scene, shape, NULL, bounds);
@@ -312,7 +312,7 @@ static tia_q16 cut(int64_t x, bool *fits)
     return (tia_q16)(x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : x);
 }
 
-bool bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out)
+bool tia_bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out)
 {
     const int64_t *min = bounds->min, *max = bounds->max;
     bool fits = true;
@@ -327,7 +327,7 @@ struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t inde
     struct bounds_wide wide;
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    if (bounds_in_world(scene, index, NULL, &wide))
-        (void)bounds_with_margin(&wide, &bounds);
+    if (tia_bounds_in_world(scene, index, NULL, &wide))
+        (void)tia_bounds_with_margin(&wide, &bounds);
     return bounds;
 }

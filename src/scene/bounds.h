@@ -19,21 +19,21 @@ struct bounds_wide {
         }                                                                                                              \
     }
 
-void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
+void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
 
 /* Exact, in the mesh's own axes. */
-struct tia_bounds bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
-struct tia_bounds bounds_of_mesh(const struct tia_mesh *mesh);
+struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh);
 
 /* The object's box in the world, rounded outwards; `own` is the box of its mesh, for which NULL asks to find it.
  * False: it has none, being a plane or a mesh without faces. */
-bool bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
-                     struct bounds_wide *bounds);
+bool tia_bounds_in_world(const struct tia_scene *scene, uint32_t object, const struct tia_bounds *own,
+                         struct bounds_wide *bounds);
 
 /* As if the shape had no transform, a unit of 2^-16 larger on every side; around 0 when there is nothing of it. */
-void bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds);
+void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds);
 
 /* A unit of 2^-16 larger on every side. False: Q16.16 does not hold it, and it is cut off. */
-bool bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out);
+bool tia_bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out);
 
 #endif

@@ -6,38 +6,38 @@
 
 #define RULE "must be none: this program draws spheres alone"
 
-int check_transform(const struct check *check)
+int tia_check_transform(const struct check *check)
 {
-    return check_refuse(check, "count", RULE);
+    return tia_check_refuse(check, "count", RULE);
 }
 
-int check_mesh(const struct check *check)
+int tia_check_mesh(const struct check *check)
 {
-    return check_refuse(check, "count", RULE);
+    return tia_check_refuse(check, "count", RULE);
 }
 
-int check_grid(const struct check *check)
+int tia_check_grid(const struct check *check)
 {
-    return check_refuse(check, "count", RULE);
+    return tia_check_refuse(check, "count", RULE);
 }
 
-int check_shape(const struct check *check)
+int tia_check_shape(const struct check *check)
 {
-    return check_refuse(check, "count", RULE);
+    return tia_check_refuse(check, "count", RULE);
 }
 
-int check_track(const struct check *check)
+int tia_check_track(const struct check *check)
 {
-    return check_refuse(check, "count", RULE);
+    return tia_check_refuse(check, "count", RULE);
 }
 
-int check_uses(struct check *check)
+int tia_check_uses(struct check *check)
 {
     (void)check;
     return TIA_OK;
 }
 
-void bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
+void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
 {
     (void)bounds;
     (void)more;

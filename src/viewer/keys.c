@@ -1,7 +1,7 @@
 /* keys.c - keys that are pressed, released and held. */
 #include "loop.h"
 
-int viewer_press(struct loop *loop, uint16_t key)
+int tia_viewer_press(struct loop *loop, uint16_t key)
 {
     const struct tia_viewer *v = loop->viewer;
     uint32_t light = tia_key_light(loop->scene, v->lights, loop->light_count, key);
@@ -33,10 +33,10 @@ static int take_event(struct loop *loop, const struct tia_event *event)
         *repeat = viewer_now(loop) + TIA_HOLD_DELAY_US;
     if (event->time_us && (!loop->key_us || event->time_us < loop->key_us))
         loop->key_us = event->time_us;
-    return viewer_press(loop, event->key);
+    return tia_viewer_press(loop, event->key);
 }
 
-int viewer_take_events(struct loop *loop)
+int tia_viewer_take_events(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
     struct tia_event event;
@@ -52,7 +52,7 @@ int viewer_take_events(struct loop *loop)
 
 /* Moves the light for held keys whose time has come. After a pause that long that a person would
  * see a jump, steps that were missed are dropped. */
-void viewer_repeat_held(struct loop *loop)
+void tia_viewer_repeat_held(struct loop *loop)
 {
     uint64_t time = viewer_now(loop);
 
@@ -61,11 +61,11 @@ void viewer_repeat_held(struct loop *loop)
         if (*repeat && time > *repeat + 1000000)
             *repeat = time;
         for (; *repeat && time >= *repeat; *repeat += TIA_HOLD_STEP_US)
-            viewer_press(loop, (uint16_t)(TIA_KEY_LEFT + i));
+            tia_viewer_press(loop, (uint16_t)(TIA_KEY_LEFT + i));
     }
 }
 
-uint64_t viewer_repeat_us(const struct loop *loop)
+uint64_t tia_viewer_repeat_us(const struct loop *loop)
 {
     uint64_t next = 0;
 

@@ -51,20 +51,20 @@ static inline uint64_t viewer_now(const struct loop *loop)
 }
 
 /* keys.c: all that waits is taken before a frame is drawn. VIEWER_QUIT after a quitting key. */
-int viewer_press(struct loop *loop, uint16_t key);
-int viewer_take_events(struct loop *loop);
-void viewer_repeat_held(struct loop *loop);
+int tia_viewer_press(struct loop *loop, uint16_t key);
+int tia_viewer_take_events(struct loop *loop);
+void tia_viewer_repeat_held(struct loop *loop);
 
 /* When a held key moves the light next; 0: none is held. */
-uint64_t viewer_repeat_us(const struct loop *loop);
+uint64_t tia_viewer_repeat_us(const struct loop *loop);
 
 /* play.c: the scene as it is at its first moment; and before a frame, as it is now. */
-int viewer_play_begin(struct loop *loop);
-int viewer_play(struct loop *loop);
+int tia_viewer_play_begin(struct loop *loop);
+int tia_viewer_play(struct loop *loop);
 
 /* tiles.c: memory and a view for the display's mode and the scene as it is; all tiles of a frame. */
-int viewer_prepare(struct loop *loop);
-int viewer_prepare_view(struct loop *loop);
-int viewer_draw_tiles(struct loop *loop);
+int tia_viewer_prepare(struct loop *loop);
+int tia_viewer_prepare_view(struct loop *loop);
+int tia_viewer_draw_tiles(struct loop *loop);
 
 #endif

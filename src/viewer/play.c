@@ -72,7 +72,7 @@ static bool moves_only_lights(const struct tia_scene *scene)
 }
 
 /* Keys that are pressed before the first frame are pressed at its time. */
-int viewer_play_begin(struct loop *loop)
+int tia_viewer_play_begin(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
@@ -103,18 +103,18 @@ static int place_view(struct loop *loop, tia_q16 time)
     if (!status && anew && loop->boxes_size)
         status = tia_bvh_build(&loop->moment->bvh, loop->boxes_memory, loop->boxes_size, NULL, loop->moment);
     if (!status && anew)
-        status = viewer_prepare_view(loop);
+        status = tia_viewer_prepare_view(loop);
     loop->changed = true;
     return status;
 }
 
-int viewer_play(struct loop *loop)
+int tia_viewer_play(struct loop *loop)
 {
     uint64_t now = viewer_now(loop);
     tia_q16 time = time_now(loop);
 
     if (!loop->plays)
-        return loop->view_ready ? TIA_OK : viewer_prepare_view(loop);
+        return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
     if (!loop->started)
         loop->start_us = loop->due_us = now;
     loop->started = true;

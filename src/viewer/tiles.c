@@ -61,7 +61,7 @@ static bool find_memory(struct loop *loop)
     return false;
 }
 
-int viewer_prepare(struct loop *loop)
+int tia_viewer_prepare(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
@@ -71,7 +71,7 @@ int viewer_prepare(struct loop *loop)
     return find_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
-int viewer_prepare_view(struct loop *loop)
+int tia_viewer_prepare_view(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
     int status = loop->core->view_init(&loop->view, loop->view, loop->view_size, loop->scene,
@@ -119,7 +119,7 @@ static void tile_job(void *arg, unsigned index)
     loop->status[index] = (int8_t)draw_tile(loop, tile_at(loop, index));
 }
 
-int viewer_draw_tiles(struct loop *loop)
+int tia_viewer_draw_tiles(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
     int status = TIA_OK;

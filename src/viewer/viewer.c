@@ -4,7 +4,7 @@
 /* How long nothing will happen, in ms, rounded up; -1: until a key. */
 static int idle_ms(const struct loop *loop)
 {
-    uint64_t time = viewer_now(loop), next = viewer_repeat_us(loop);
+    uint64_t time = viewer_now(loop), next = tia_viewer_repeat_us(loop);
 
     if (loop->plays && loop->viewer->clock && loop->end > loop->viewer->time && (!next || loop->due_us < next))
         next = loop->due_us;
@@ -21,7 +21,7 @@ static int draw_frame(struct loop *loop)
     int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
 
     if (!status)
-        status = viewer_draw_tiles(loop);
+        status = tia_viewer_draw_tiles(loop);
     frame.draw_us = viewer_now(loop) - start;
     if (!status)
         status = v->display->present(v->display_ctx);
@@ -52,10 +52,10 @@ static int show(struct loop *loop)
         loop->changed = true;
     if (!status && (!loop->view || !same_mode(&mode, &loop->mode))) {
         loop->mode = mode;
-        status = viewer_prepare(loop);
+        status = tia_viewer_prepare(loop);
     }
     if (!status)
-        status = viewer_play(loop);
+        status = tia_viewer_play(loop);
     if (!status && (loop->changed || v->frame_limit))
         status = draw_frame(loop);
     return status;
@@ -75,11 +75,11 @@ static int rest(struct loop *loop, bool hidden)
 static int step(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    int status = viewer_take_events(loop);
+    int status = tia_viewer_take_events(loop);
 
     if (status)
         return status;
-    viewer_repeat_held(loop);
+    tia_viewer_repeat_held(loop);
     status = show(loop);
     if (status && status != TIA_HIDDEN)
         return status;
@@ -92,7 +92,7 @@ static int step(struct loop *loop)
 
 static bool is_acceptable(const struct tia_viewer *v)
 {
-    return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.reached &&
+    return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
            v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
 }
 
@@ -106,9 +106,9 @@ int tia_viewer_run(struct tia_viewer *viewer)
         viewer->lights[i] = scene->lights[i];
     loop.light_count = scene->light_count;
     if (!status)
-        status = viewer_play_begin(&loop);
+        status = tia_viewer_play_begin(&loop);
     for (size_t i = 0; !status && i < viewer->key_count; i++)
-        status = viewer_press(&loop, viewer->keys[i]);
+        status = tia_viewer_press(&loop, viewer->keys[i]);
     while (!status && !(viewer->stop && *viewer->stop))
         status = step(&loop);
     return status == VIEWER_QUIT ? TIA_OK : status;

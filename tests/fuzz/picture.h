@@ -21,7 +21,7 @@ struct picture {
     struct tia_hits *hits;
     struct tia_tile tile;
     tia_rgb565 *pixels;
-    uint32_t *reached;
+    uint32_t *path_hash;
     void *memory[2];
 };
 
@@ -37,8 +37,8 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     p->memory[0] = malloc(view);
     p->memory[1] = malloc(hits);
     p->pixels = malloc(count * sizeof *p->pixels);
-    p->reached = malloc(count * sizeof *p->reached);
-    MUST(p->memory[0] && p->memory[1] && p->pixels && p->reached);
+    p->path_hash = malloc(count * sizeof *p->path_hash);
+    MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
     MUST(core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height) == TIA_OK);
     MUST(core->hits_init(&p->hits, p->memory[1], hits, tile) == TIA_OK);
     MUST(core->trace(p->view, p->hits, tile) == TIA_OK);
@@ -47,7 +47,7 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
 static inline void light_picture(struct picture *p, bool dither)
 {
     struct tia_surface surface = {p->pixels, 2, p->tile.width * 2};
-    struct tia_options options = {dither, p->reached};
+    struct tia_options options = {dither, p->path_hash};
 
     MUST(p->core->light(p->view, p->hits, p->tile, &surface, &options) == TIA_OK);
 }
@@ -57,7 +57,7 @@ static inline void close_picture(struct picture *p)
     free(p->memory[0]);
     free(p->memory[1]);
     free(p->pixels);
-    free(p->reached);
+    free(p->path_hash);
 }
 
 static inline void must_see_objects(const struct picture *p, const struct tia_scene *scene)
@@ -74,7 +74,7 @@ static inline void must_be_same(const struct picture *p, const struct picture *q
     size_t count = (size_t)p->tile.width * p->tile.height;
 
     MUST(!memcmp(p->pixels, q->pixels, count * sizeof *p->pixels));
-    MUST(!memcmp(p->reached, q->reached, count * sizeof *p->reached));
+    MUST(!memcmp(p->path_hash, q->path_hash, count * sizeof *p->path_hash));
 }
 
 #endif

@@ -147,7 +147,7 @@ static void shade(const struct tia_scene *scene, struct ray ray, struct oracle_p
         uint32_t passed;
         bool lit = add_light(scene, &scene->lights[i], p, n, rgb(material->colour), pixel->linear, &passed);
         if (lit && i < 16)
-            pixel->reached = (pixel->reached + (passed * (i + 1) << 16)) | UINT32_C(1) << i;
+            pixel->path_hash = (pixel->path_hash + (passed * (i + 1) << 16)) | UINT32_C(1) << i;
     }
     for (int c = 0; c < 3; c++)
         pixel->linear[c] += emission.channel[c];
@@ -191,7 +191,7 @@ static struct oracle_pixel spheres_look(const struct tia_scene *scene, unsigned 
     uint32_t light = nearest_light(scene, ray, &pixel.depth);
     pixel.object = light == TIA_NO_OBJECT ? pixel.sphere : scene->sphere_count + light;
     if (light != TIA_NO_OBJECT) {
-        pixel.reached = UINT32_C(0xffff0000) + light;
+        pixel.path_hash = UINT32_C(0xffff0000) + light;
         set_linear(&pixel, rgb(scene->lights[light].emission));
     } else if (pixel.object == TIA_NO_OBJECT) {
         set_linear(&pixel, rgb(scene->background));
@@ -224,7 +224,7 @@ bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned he
     for (int i = 0; i < 9; i++) {
         double u = x + (i % 3 - 1) * reach, v = y + (i / 3 - 1) * reach;
         struct oracle_pixel near = oracle_look(scene, width, height, u, v);
-        if (near.object != here.object || near.sphere != here.sphere || near.reached != here.reached)
+        if (near.object != here.object || near.sphere != here.sphere || near.path_hash != here.path_hash)
             return true;
     }
     return false;

@@ -267,7 +267,7 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
         for (int k = 0; k < 3; k++)
             pixel.linear[k] += fmin(fmax(c.channel[k], 0), 1) / samples;
     }
-    pixel.reached = look.path;
+    pixel.path_hash = look.path;
     return pixel;
 }
 

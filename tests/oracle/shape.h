@@ -10,7 +10,7 @@ struct hit {
     struct oracle_vec normal; /* geometric */
     struct oracle_vec smooth; /* interpolated, or the same */
     double u, v;
-    uint32_t part;     /* of the shape, as tia_options.reached has it */
+    uint32_t part;     /* of the shape, as tia_options.path_hash has it */
     uint32_t material; /* an index into the scene's; from a shape alone, what to add to the shape's own */
 };
 

@@ -97,8 +97,8 @@ static void print_stats(const struct drawing *drawing)
 {
     stats.display = "file";
     stats.format = image_format_name(drawing->options->format);
-    stats.width = drawing->picture.turn.width;
-    stats.height = drawing->picture.turn.height;
+    stats.width = drawing->picture.rotation.width;
+    stats.height = drawing->picture.rotation.height;
     stats.threads = threads_count(drawing->picture.pool);
     stats_print(&stats);
 }

@@ -13,10 +13,10 @@ tia_q16 film_time(const struct options *options, uint32_t frame)
     return tia_frame_time(options->time, frame, options->rate);
 }
 
-struct turn film_turn(const struct options *options)
+struct rotation film_turn(const struct options *options)
 {
-    return (struct turn){options->rotate, options->width ? options->width : DEFAULT_WIDTH,
-                         options->height ? options->height : DEFAULT_HEIGHT};
+    return (struct rotation){options->rotate, options->width ? options->width : DEFAULT_WIDTH,
+                             options->height ? options->height : DEFAULT_HEIGHT};
 }
 
 /* As many as begin before the last keyframe, and one where nothing moves. */
@@ -67,8 +67,8 @@ static int plan_frames(const struct options *options, struct image_film *film)
 
 int film_plan(const struct options *options, struct image_film *film)
 {
-    struct turn turn = film_turn(options);
-    struct turn back = turn_back(&turn);
+    struct rotation rotation = film_turn(options);
+    struct rotation back = rotation_inverse(&rotation);
     *film = (struct image_film){.width = back.width,
                                 .height = back.height,
                                 .rows = back.height,

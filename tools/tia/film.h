@@ -9,7 +9,7 @@
 tia_q16 film_time(const struct options *options, uint32_t frame);
 
 /* The picture's size, and how it is turned into the file. */
-struct turn film_turn(const struct options *options);
+struct rotation film_turn(const struct options *options);
 
 /* What goes into the file: size, rows, frames. EXIT_FINE, or EXIT_USAGE after one line that says what is wrong. */
 int film_plan(const struct options *options, struct image_film *film);

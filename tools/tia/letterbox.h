@@ -10,7 +10,7 @@
 
 #include "rotate.h"
 
-struct stage {
+struct letterbox {
     /* What its maker fills in; all else zero. */
     const struct tia_display *screen;
     void *screen_ctx;
@@ -23,12 +23,12 @@ struct stage {
     /* Its own. */
     bool opened;          /* the screen could be opened, whatever became of the rest */
     struct tia_mode mode; /* the screen's */
-    struct turn turn;
+    struct rotation rotation;
     struct tia_tile place; /* of the turned picture on the screen */
     tia_rgb565 *frame;     /* with a checksum: the turned picture */
     uint32_t crc;          /* of the frame that was presented last: the turned picture */
 };
 
-extern const struct tia_display stage_display; /* its context is a struct stage */
+extern const struct tia_display letterbox_display; /* its context is a struct letterbox */
 
 #endif

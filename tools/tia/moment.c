@@ -70,9 +70,9 @@ static int prepare_view(struct moment *moment)
     if (!take(&moment->view_memory, &moment->view_bytes, size)) {
         return TIA_ERR_MEMORY;
     }
-    struct turn turn = film_turn(options);
+    struct rotation rotation = film_turn(options);
     int status = options->core->view_init(&moment->view, moment->view_memory, size, moment->scene, lights->capacity,
-                                          turn.width, turn.height);
+                                          rotation.width, rotation.height);
     return status == TIA_OK ? options->core->set_lights(moment->view, lights->array, lights->count) : status;
 }
 

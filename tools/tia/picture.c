@@ -12,9 +12,9 @@ enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
 {
-    struct turn back = turn_back(&picture->turn);
+    struct rotation back = rotation_inverse(&picture->rotation);
     struct tia_tile rows = {0, (uint16_t)band->y, (uint16_t)picture->width, (uint16_t)band->rows};
-    return turn_tile(&back, rows);
+    return rotation_tile(&back, rows);
 }
 
 /* ---- jobs ---- */
@@ -41,11 +41,11 @@ static void draw_rows(struct picture *picture, unsigned job)
     tile.y = (uint16_t)(tile.y + first);
     tile.height = (uint16_t)(left < picture->job_rows ? left : picture->job_rows);
 
-    struct tia_tile place = turn_tile(&picture->turn, tile);
+    struct tia_tile place = rotation_tile(&picture->rotation, tile);
     const struct picture_band *band = &picture->band[0];
     struct tia_surface rows = {band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
                                sizeof(tia_rgb565), (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
-    struct tia_surface surface = turn_surface(&picture->turn, &rows, place.width, place.height);
+    struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
 
     int status = picture->core->trace(picture->view, picture->hits, tile);
     if (status == TIA_OK) {
@@ -117,7 +117,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     const struct tia_core *core = options->core;
     *picture = (struct picture){.core = core,
                                 .pixel_options = {.dither = options->dither},
-                                .turn = film_turn(options),
+                                .rotation = film_turn(options),
                                 .width = film->width,
                                 .first_row = film->first_row,
                                 .rows = film->rows,

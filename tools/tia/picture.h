@@ -24,7 +24,7 @@ struct picture {
     /* Its own. */
     const struct tia_core *core;
     struct tia_options pixel_options;
-    struct turn turn;
+    struct rotation rotation;
     unsigned width, first_row, rows; /* of the file: the picture turned */
     unsigned band_rows, job_rows;
     void *hits_memory;

@@ -1,22 +1,22 @@
 #include "rotate.h"
 
-struct turn turn_back(const struct turn *turn)
+struct rotation rotation_inverse(const struct rotation *rotation)
 {
-    struct turn back = {(360 - turn->degrees) % 360, turn->width, turn->height};
-    if (turn_swaps(turn->degrees)) {
-        back.width = turn->height;
-        back.height = turn->width;
+    struct rotation back = {(360 - rotation->degrees) % 360, rotation->width, rotation->height};
+    if (rotation_swaps(rotation->degrees)) {
+        back.width = rotation->height;
+        back.height = rotation->width;
     }
     return back;
 }
 
 /* Pixel (x, y) goes to (height - 1 - y, x) by 90 degrees, (width - 1 - x, height - 1 - y) by 180
  * and (y, width - 1 - x) by 270. */
-struct tia_tile turn_tile(const struct turn *turn, struct tia_tile tile)
+struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile)
 {
-    uint16_t from_right = (uint16_t)(turn->width - tile.x - tile.width);
-    uint16_t from_below = (uint16_t)(turn->height - tile.y - tile.height);
-    switch (turn->degrees) {
+    uint16_t from_right = (uint16_t)(rotation->width - tile.x - tile.width);
+    uint16_t from_below = (uint16_t)(rotation->height - tile.y - tile.height);
+    switch (rotation->degrees) {
     case 90:
         return (struct tia_tile){from_below, tile.x, tile.height, tile.width};
     case 180:
@@ -28,13 +28,13 @@ struct tia_tile turn_tile(const struct turn *turn, struct tia_tile tile)
     }
 }
 
-struct tia_surface turn_surface(const struct turn *turn, const struct tia_surface *surface, unsigned width,
-                                unsigned height)
+struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
+                                    unsigned height)
 {
     ptrdiff_t last_x = (ptrdiff_t)(width - 1) * surface->step, last_y = (ptrdiff_t)(height - 1) * surface->pitch;
     char *pixels = (char *)surface->pixels;
     struct tia_surface out = *surface;
-    switch (turn->degrees) {
+    switch (rotation->degrees) {
     case 90:
         pixels += last_x;
         out.step = surface->pitch;

@@ -4,26 +4,26 @@
 
 #include <tia/render.h>
 
-struct turn {
+struct rotation {
     unsigned degrees;       /* 0, 90, 180, 270 */
     unsigned width, height; /* of the picture before it is turned */
 };
 
 /* Whether the turned picture is as wide as the picture is high. */
-static inline bool turn_swaps(unsigned degrees)
+static inline bool rotation_swaps(unsigned degrees)
 {
     return degrees % 180 != 0;
 }
 
 /* The turn that takes the turned picture back to the picture. */
-struct turn turn_back(const struct turn *turn);
+struct rotation rotation_inverse(const struct rotation *rotation);
 
 /* The rectangle of the turned picture that holds `tile` of the picture. */
-struct tia_tile turn_tile(const struct turn *turn, struct tia_tile tile);
+struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile);
 
 /* The surface on which the picture's pixels fall into `surface`, which is plain memory of a
  * turned tile width x height pixels in size. */
-struct tia_surface turn_surface(const struct turn *turn, const struct tia_surface *surface, unsigned width,
-                                unsigned height);
+struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
+                                    unsigned height);
 
 #endif

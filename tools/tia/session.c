@@ -42,7 +42,7 @@ int session_open_input(struct session *session, const struct port_input *port)
 static struct port_wish display_wish(struct session *session)
 {
     const struct options *options = session->options;
-    bool swaps = turn_swaps(options->rotate);
+    bool swaps = rotation_swaps(options->rotate);
     return (struct port_wish){.device = options->display_device,
                               .width = swaps ? options->height : options->width,
                               .height = swaps ? options->width : options->height,
@@ -60,15 +60,15 @@ int session_open_display(struct session *session, const struct port_display *por
         return EXIT_DISPLAY;
     }
     session->display = port;
-    session->stage = (struct stage){.screen = port->ops,
-                                    .screen_ctx = session->display_ctx,
-                                    .name = port->name,
-                                    .width = options->width,
-                                    .height = options->height,
-                                    .degrees = options->rotate,
-                                    .checksum = options->checksum,
-                                    .why = session->why};
-    int status = stage_display.open(&session->stage, &session->mode);
+    session->letterbox = (struct letterbox){.screen = port->ops,
+                                            .screen_ctx = session->display_ctx,
+                                            .name = port->name,
+                                            .width = options->width,
+                                            .height = options->height,
+                                            .degrees = options->rotate,
+                                            .checksum = options->checksum,
+                                            .why = session->why};
+    int status = letterbox_display.open(&session->letterbox, &session->mode);
     if (status == TIA_ERR_MEMORY) {
         return EXIT_RUNNING;
     }
@@ -78,7 +78,7 @@ int session_open_display(struct session *session, const struct port_display *por
 void session_close(struct session *session)
 {
     if (session->display != NULL) {
-        stage_display.close(&session->stage);
+        letterbox_display.close(&session->letterbox);
         session->display->destroy(session->display_ctx);
         session->display = NULL;
     }
@@ -105,7 +105,7 @@ static void *get_memory(void *ctx, size_t size)
 
 static int print_checksum(struct session *session, uint32_t number)
 {
-    if (fprintf(session->lines, "%" PRIu32 " %08" PRIx32 "\n", number, session->stage.crc) < 0 ||
+    if (fprintf(session->lines, "%" PRIu32 " %08" PRIx32 "\n", number, session->letterbox.crc) < 0 ||
         fflush(session->lines) != 0) {
         (void)snprintf(session->why, PORT_WHY, "standard output: %s", strerror(errno));
         return TIA_ERR_DEVICE;
@@ -162,11 +162,11 @@ static struct tia_viewer viewer_of(struct session *session)
                                .key_count = options->key_count,
                                .time = options->time,
                                .rate = {options->rate_given ? options->rate[0] : 0, options->rate[1]},
-                               .display = &stage_display,
+                               .display = &letterbox_display,
                                .input = session->input->ops,
                                .clock = &clock_monotonic,
                                .workers = &threads_workers,
-                               .display_ctx = &session->stage,
+                               .display_ctx = &session->letterbox,
                                .input_ctx = session->input_ctx,
                                .workers_ctx = session->pool,
                                .memory = get_memory,
@@ -190,8 +190,8 @@ int session_run(struct session *session)
     (void)snprintf(session->format, sizeof session->format, "%s", session->mode.format);
     session->stats.display = session->display->name;
     session->stats.format = session->format;
-    session->stats.width = session->stage.turn.width;
-    session->stats.height = session->stage.turn.height;
+    session->stats.width = session->letterbox.rotation.width;
+    session->stats.height = session->letterbox.rotation.height;
     session->stats.threads = session->pool != NULL ? threads_count(session->pool) : 1;
     if (status < 0 && session->why[0] == '\0') {
         (void)snprintf(session->why, PORT_WHY, "%s", fail_reason(status));

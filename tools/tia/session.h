@@ -17,7 +17,7 @@ struct session {
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
     void *display_ctx, *input_ctx;
-    struct stage stage;
+    struct letterbox letterbox;
     struct tia_mode mode;
     struct threads *pool;
     struct lights lights;

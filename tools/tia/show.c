@@ -116,7 +116,7 @@ static int show_any(struct session *session)
         int status = try_display(session, port);
         bool named = strcmp(session->options->input, "auto") != 0 && strcmp(session->options->input, "none") != 0;
         bool refused = status == EXIT_DISPLAY || (status == EXIT_INPUT && !named);
-        if (!refused || session->stage.opened) {
+        if (!refused || session->letterbox.opened) {
             return status;
         }
     }

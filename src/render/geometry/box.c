@@ -5,7 +5,7 @@
  * compared on the coordinates themselves, which are exact. */
 #include "box.h"
 
-struct box_axis box_axis(num_x min, num_x max, num_x origin, num_d direction)
+struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction)
 {
     if (direction < 0)
         return (struct box_axis){origin - max, origin - min, -direction, true};
@@ -18,14 +18,14 @@ static uint32_t entered(const struct box_axis *axes, int i)
 }
 
 /* The last slab entered, -1 when the ray starts within all of them. A slab along the ray is not entered. */
-static int enter(const struct box_axis axes[3], num_x *t)
+static int enter(const struct box_axis axes[3], num_length *t)
 {
     int last = -1;
 
     for (int i = 0; i < 3; i++) {
         if (axes[i].enter < 0 || axes[i].pace == 0)
             continue;
-        num_x ti = num_over(axes[i].enter, axes[i].pace);
+        num_length ti = num_div(axes[i].enter, axes[i].pace);
         if (last < 0 || ti > *t) {
             *t = ti;
             last = i;
@@ -35,12 +35,12 @@ static int enter(const struct box_axis axes[3], num_x *t)
 }
 
 /* The first slab left. */
-static int leave(const struct box_axis axes[3], num_x *t)
+static int leave(const struct box_axis axes[3], num_length *t)
 {
     int first = -1;
 
     for (int i = 0; i < 3; i++) {
-        num_x ti = num_over(axes[i].leave, axes[i].pace);
+        num_length ti = num_div(axes[i].leave, axes[i].pace);
         if (axes[i].pace != 0 && (first < 0 || ti < *t)) {
             *t = ti;
             first = i;
@@ -54,18 +54,18 @@ static bool is_passed(const struct box_axis *axis)
     return axis->leave < 0 || (axis->pace == 0 && axis->enter > 0);
 }
 
-static bool is_left(const struct box_axis *axis, num_x t)
+static bool is_left(const struct box_axis *axis, num_length t)
 {
     return num_times(t, axis->pace) > axis->leave;
 }
 
-bool box_meet(const struct prepared_box *box, const struct ray *ray, num_x limit, struct crossing *crossing,
-              bool *inside)
+bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
+                   struct intersection *intersection, bool *inside)
 {
     const struct box_axis axes[3] = {box_axis(box->min.x, box->max.x, ray->origin.x, ray->direction.x),
                                      box_axis(box->min.y, box->max.y, ray->origin.y, ray->direction.y),
                                      box_axis(box->min.z, box->max.z, ray->origin.z, ray->direction.z)};
-    num_x t = 0;
+    num_length t = 0;
 
     if (is_passed(&axes[0]) || is_passed(&axes[1]) || is_passed(&axes[2]))
         return false;
@@ -73,25 +73,25 @@ bool box_meet(const struct prepared_box *box, const struct ray *ray, num_x limit
     *inside = axis < 0;
     if (*inside)
         axis = leave(axes, &t);
-    if (t > limit || t >= NUM_X_MOST)
+    if (t > limit || t >= NUM_LENGTH_MAX)
         return false;
     for (int i = 0; i < 3 && !*inside; i++)
         if (i != axis && is_left(&axes[i], t))
             return false;
-    crossing->t = t;
-    crossing->element = entered(axes, axis) ^ *inside;
+    intersection->t = t;
+    intersection->element = entered(axes, axis) ^ *inside;
     return true;
 }
 
 void box_surface(uint32_t face, struct surface *surface)
 {
-    num_d out = face & 1 ? NUM_D_ONE : -NUM_D_ONE;
+    num_unit out = face & 1 ? NUM_UNIT_ONE : -NUM_UNIT_ONE;
 
     surface->normal = (struct num_dir){face / 2 == 0 ? out : 0, face / 2 == 1 ? out : 0, face / 2 == 2 ? out : 0};
     surface->smooth = surface->normal;
 }
 
-void box_uv(const struct prepared_box *box, struct num_point point, uint32_t face, num_x uv[2])
+void box_uv(const struct prepared_box *box, struct num_point point, uint32_t face, num_length uv[2])
 {
     struct num_point v = num_point_sub(point, box->min), size = num_point_sub(box->max, box->min);
 
@@ -99,11 +99,12 @@ void box_uv(const struct prepared_box *box, struct num_point point, uint32_t fac
     uv[1] = face / 2 == 1 ? num_ratio(v.z, size.z) : num_ratio(v.y, size.y);
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
     bool inside;
 
-    return box_meet(&shape->box, ray, limit, crossing, &inside);
+    return box_intersect(&shape->box, ray, limit, intersection, &inside);
 }
 
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
@@ -113,7 +114,7 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     box_surface(element, surface);
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     box_uv(&shape->box, point, element, uv);
 }

@@ -1,17 +1,18 @@
 /* disc.c - planes within a radius. */
 #include "flat.h"
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
     const struct prepared_plane *disc = &shape->plane;
     struct num_point from = num_point_sub(ray->origin, disc->point);
 
-    crossing->element = 0;
-    return flat_meet(disc, ray, limit, &crossing->t) &&
-           num_within(disc->radius, num_point_at(from, ray->direction, crossing->t));
+    intersection->element = 0;
+    return flat_intersect(disc, ray, limit, &intersection->t) &&
+           num_within(disc->radius, num_point_at(from, ray->direction, intersection->t));
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     (void)element;
     flat_uv(&shape->plane, point, uv);
@@ -25,5 +26,5 @@ void shape_disc(struct shape *shape, const struct tia_disc *disc)
 
     shape->kind = &kind;
     flat_prepare(&shape->plane, disc->centre, disc->normal);
-    shape->plane.radius = num_x_of(disc->radius);
+    shape->plane.radius = num_length_of(disc->radius);
 }

@@ -9,14 +9,14 @@ void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct ti
     shape_axes(plane->normal, plane->axes);
 }
 
-bool flat_meet(const struct prepared_plane *plane, const struct ray *ray, num_x limit, num_x *t)
+bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t)
 {
-    num_d slope = num_dot_d(ray->direction, plane->normal);
+    num_unit slope = num_dir_dot(ray->direction, plane->normal);
 
-    if (slope < NUM_D_LEAST && slope > -NUM_D_LEAST)
+    if (slope < NUM_UNIT_LEAST && slope > -NUM_UNIT_LEAST)
         return false;
-    *t = num_over(num_dot_x(num_point_sub(plane->point, ray->origin), plane->normal), slope);
-    return *t >= 0 && *t <= limit && *t < NUM_X_MOST;
+    *t = num_div(num_point_dot(num_point_sub(plane->point, ray->origin), plane->normal), slope);
+    return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX;
 }
 
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
@@ -26,10 +26,10 @@ void flat_surface(const struct shape *shape, struct num_point point, uint32_t el
     surface->normal = surface->smooth = shape->plane.normal;
 }
 
-void flat_uv(const struct prepared_plane *plane, struct num_point point, num_x uv[2])
+void flat_uv(const struct prepared_plane *plane, struct num_point point, num_length uv[2])
 {
     struct num_point v = num_point_sub(point, plane->point);
 
-    uv[0] = num_dot_x(v, plane->axes[0]);
-    uv[1] = num_dot_x(v, plane->axes[1]);
+    uv[0] = num_point_dot(v, plane->axes[0]);
+    uv[1] = num_point_dot(v, plane->axes[1]);
 }

@@ -7,12 +7,12 @@
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal);
 
 /* Where the ray meets the infinite plane. */
-bool flat_meet(const struct prepared_plane *plane, const struct ray *ray, num_x limit, num_x *t);
+bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
 /* shape_kind's: the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
 /* The coordinates along the axes. */
-void flat_uv(const struct prepared_plane *plane, struct num_point point, num_x uv[2]);
+void flat_uv(const struct prepared_plane *plane, struct num_point point, num_length uv[2]);
 
 #endif

@@ -13,36 +13,36 @@
 #include "scene/bounds.h"
 #include "shape.h"
 
-struct placement {
+struct instance {
     struct num_point position;
     struct num_dir axes[3];
-    num_x scale[3];
-    num_x min[3], max[3]; /* of the box, along the axes in the world's units */
+    num_length scale[3];
+    num_length min[3], max[3]; /* of the box, along the axes in the world's units */
 };
 
 /* `bounds` are those of the shape in its own axes. */
-void placement_prepare(struct placement *placement, const struct tia_transform *transform,
-                       const struct bounds_wide *bounds);
+void instance_prepare(struct instance *instance, const struct tia_transform *transform,
+                      const struct bounds_wide *bounds);
 
 /* A ray in the shape's axes. */
-struct placed_ray {
+struct instance_ray {
     struct ray ray;
-    num_x start;            /* the world's t of the local 0; beyond NUM_X_MOST where the ray misses the box */
+    num_length start;       /* the world's t of the local 0; beyond NUM_LENGTH_MAX where the ray misses the box */
     struct num_scale scale; /* k */
 };
 
-void placement_ray(const struct placement *placement, const struct ray *ray, struct placed_ray *placed);
+void instance_transform_ray(const struct instance *instance, const struct ray *ray, struct instance_ray *placed);
 
 /* Distances from the world's, below 0 when it lies before the local 0 or the ray misses; and back. */
-num_x placement_distance(const struct placed_ray *placed, num_x t);
-num_x placement_distance_back(const struct placed_ray *placed, num_x t);
+num_length instance_distance(const struct instance_ray *placed, num_length t);
+num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
-/* What placement_distance gives for t, and a little more than it is off by: a crossing that is not beyond t in the
+/* What instance_distance gives for t, and a little more than it is off by: a intersection that is not beyond t in the
  * world is not beyond that. */
-num_x placement_limit(const struct placed_ray *placed, num_x t);
+num_length instance_limit(const struct instance_ray *placed, num_length t);
 
 /* A world point on the shape in the shape's axes, and a normal back in the world. */
-struct num_point placement_point(const struct placement *placement, struct num_point point);
-struct num_dir placement_normal(const struct placement *placement, struct num_dir normal);
+struct num_point instance_point(const struct instance *instance, struct num_point point);
+struct num_dir instance_normal(const struct instance *instance, struct num_dir normal);
 
 #endif

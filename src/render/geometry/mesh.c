@@ -1,13 +1,13 @@
-/* mesh.c - faces over shared vertices; the element of a crossing is its face. */
+/* mesh.c - faces over shared vertices; the element of a intersection is its face. */
 #include "triangle.h"
 #include "walk.h"
 
-/* A search among faces: the nearest crossing so far is at nearest.t, or nothing nearer than that. */
+/* A search among faces: the nearest intersection so far is at nearest.t, or nothing nearer than that. */
 struct search {
     const struct tia_mesh *mesh;
     struct triangle_ray ray;
-    struct crossing nearest;
-    bool any, found; /* any crossing ends the search */
+    struct intersection nearest;
+    bool any, found; /* any intersection ends the search */
 };
 
 static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t face)
@@ -21,13 +21,13 @@ static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t 
 static void try_face(struct search *s, uint32_t face)
 {
     struct triangle_corners corners = corners_of(s->mesh, face);
-    num_x t;
+    num_length t;
 
-    if (!triangle_meets(&s->ray, &corners, s->nearest.t, &t))
+    if (!triangle_intersect(&s->ray, &corners, s->nearest.t, &t))
         return;
     if (s->found && t == s->nearest.t && face > s->nearest.element)
         return;
-    s->nearest = (struct crossing){t, face};
+    s->nearest = (struct intersection){t, face};
     s->found = true;
 }
 
@@ -48,35 +48,36 @@ static void try_tree(struct search *s, const struct tia_bvh_tree *tree, const st
         try_faces(s, tree->items, leaf->index, leaf->count);
 }
 
-static bool search(const struct prepared_mesh *prepared, const struct ray *ray, num_x limit, bool any,
-                   struct crossing *crossing)
+static bool search(const struct prepared_mesh *prepared, const struct ray *ray, num_length limit, bool any,
+                   struct intersection *intersection)
 {
     struct search s = {.mesh = prepared->mesh, .nearest = {limit, 0}, .any = any};
 
-    triangle_start(&s.ray, ray);
+    triangle_ray_prepare(&s.ray, ray);
     if (prepared->tree)
         try_tree(&s, prepared->tree, ray);
     else
         try_faces(&s, NULL, 0, prepared->mesh->face_count);
-    *crossing = s.nearest;
+    *intersection = s.nearest;
     return s.found;
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
-    return search(&shape->mesh, ray, limit, false, crossing);
+    return search(&shape->mesh, ray, limit, false, intersection);
 }
 
-static bool occluded(const struct shape *shape, const struct ray *ray, num_x limit)
+static bool occluded(const struct shape *shape, const struct ray *ray, num_length limit)
 {
-    struct crossing crossing;
+    struct intersection intersection;
 
-    return search(&shape->mesh, ray, limit, true, &crossing);
+    return search(&shape->mesh, ray, limit, true, &intersection);
 }
 
 /* The vertices' normals, each weighted with its part; the face's own where they cancel. */
 static struct num_dir smooth_normal(const struct tia_mesh *mesh, const struct tia_corner corner[3],
-                                    const num_d parts[3], struct num_dir flat)
+                                    const num_unit parts[3], struct num_dir flat)
 {
     struct num_dir sum = {0, 0, 0}, smooth;
 
@@ -90,33 +91,33 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     const struct tia_mesh *mesh = shape->mesh.mesh;
     const struct tia_corner *corner = mesh->faces[element].corner;
     struct triangle_corners corners = corners_of(mesh, element);
-    num_d parts[3];
+    num_unit parts[3];
 
     (void)triangle_normal(&corners, &surface->normal);
     surface->smooth = surface->normal;
     if (corner[0].normal == TIA_NO_INDEX)
         return;
-    triangle_parts(&corners, surface->normal, point, parts);
+    triangle_barycentric(&corners, surface->normal, point, parts);
     surface->smooth = smooth_normal(mesh, corner, parts, surface->normal);
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     const struct tia_mesh *mesh = shape->mesh.mesh;
     const struct tia_corner *corner = mesh->faces[element].corner;
     struct triangle_corners corners = corners_of(mesh, element);
     struct num_dir normal;
-    num_d parts[3];
+    num_unit parts[3];
 
     (void)triangle_normal(&corners, &normal);
-    triangle_parts(&corners, normal, point, parts);
-    uv[0] = num_x_of_d(parts[1]);
-    uv[1] = num_x_of_d(parts[2]);
+    triangle_barycentric(&corners, normal, point, parts);
+    uv[0] = num_length_of_unit(parts[1]);
+    uv[1] = num_length_of_unit(parts[2]);
     if (corner[0].uv == TIA_NO_INDEX)
         return;
     const struct tia_uv *a = &mesh->uvs[corner[0].uv], *b = &mesh->uvs[corner[1].uv], *c = &mesh->uvs[corner[2].uv];
-    uv[0] = num_dot3(num_x_of(a->u), num_x_of(b->u), num_x_of(c->u), parts[0], parts[1], parts[2]);
-    uv[1] = num_dot3(num_x_of(a->v), num_x_of(b->v), num_x_of(c->v), parts[0], parts[1], parts[2]);
+    uv[0] = num_dot3(num_length_of(a->u), num_length_of(b->u), num_length_of(c->u), parts[0], parts[1], parts[2]);
+    uv[1] = num_dot3(num_length_of(a->v), num_length_of(b->v), num_length_of(c->v), parts[0], parts[1], parts[2]);
 }
 
 void shape_mesh(struct shape *shape, const struct tia_mesh *mesh, const struct tia_bvh_tree *tree)

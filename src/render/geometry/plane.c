@@ -1,21 +1,22 @@
 /* plane.c - infinite planes, as far as the world goes. */
 #include "flat.h"
 
-static bool is_near(num_x x)
+static bool is_near(num_length x)
 {
-    return x < NUM_X_FAR && x > -NUM_X_FAR;
+    return x < NUM_LENGTH_FAR && x > -NUM_LENGTH_FAR;
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
-    crossing->element = 0;
-    if (!flat_meet(&shape->plane, ray, limit, &crossing->t))
+    intersection->element = 0;
+    if (!flat_intersect(&shape->plane, ray, limit, &intersection->t))
         return false;
-    struct num_point p = num_point_at(ray->origin, ray->direction, crossing->t);
+    struct num_point p = num_point_at(ray->origin, ray->direction, intersection->t);
     return is_near(p.x) && is_near(p.y) && is_near(p.z);
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     (void)element;
     flat_uv(&shape->plane, point, uv);

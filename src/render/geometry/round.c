@@ -37,39 +37,39 @@
 
 /* Where along a ray something is true: nowhere when far < near. */
 struct span {
-    num_x near, far;
+    num_length near, far;
 };
 
-static const struct span everywhere = {-NUM_X_MOST, NUM_X_MOST}, nowhere = {NUM_X_MOST, -NUM_X_MOST};
+static const struct span everywhere = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX}, nowhere = {NUM_LENGTH_MAX, -NUM_LENGTH_MAX};
 
 /* The ray as the axis sees it. */
 struct beam {
-    num_x start;            /* how far its origin was moved */
-    num_x height;           /* of that origin above the anchor */
-    num_d rise;             /* of the direction */
-    num_d pace;             /* q */
-    num_x nearest, passing; /* m, w */
+    num_length start;            /* how far its origin was moved */
+    num_length height;           /* of that origin above the anchor */
+    num_unit rise;               /* of the direction */
+    num_unit pace;               /* q */
+    num_length nearest, passing; /* m, w */
 };
 
 /* False when the ray is never near. */
-static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_x limit, struct beam *b)
+static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_length limit, struct beam *b)
 {
     const struct num_dir *a = cone->across;
     struct num_point o = num_point_sub(ray->origin, cone->anchor);
-    num_d d[2] = {num_dot_d(ray->direction, a[0]), num_dot_d(ray->direction, a[1])};
-    struct num_dir q = num_dir_unit((struct num_dir){d[0], d[1], 0});
+    num_unit d[2] = {num_dir_dot(ray->direction, a[0]), num_dir_dot(ray->direction, a[1])};
+    struct num_dir q = num_dir_normalised((struct num_dir){d[0], d[1], 0});
 
-    b->start = -num_dot_x(o, ray->direction);
+    b->start = -num_point_dot(o, ray->direction);
     if (b->start < -cone->reach || b->start - cone->reach > limit)
         return false;
     o = num_point_at(o, ray->direction, b->start);
     if (!num_within(cone->reach, o))
         return false;
     if (q.x == 0 && q.y == 0) /* along the axis: across it any direction will do */
-        q.x = NUM_D_ONE;
-    num_x p[2] = {num_dot_x(o, a[0]), num_dot_x(o, a[1])};
-    b->height = num_dot_x(o, cone->axis);
-    b->rise = num_dot_d(ray->direction, cone->axis);
+        q.x = NUM_UNIT_ONE;
+    num_length p[2] = {num_point_dot(o, a[0]), num_point_dot(o, a[1])};
+    b->height = num_point_dot(o, cone->axis);
+    b->rise = num_dir_dot(ray->direction, cone->axis);
     b->pace = num_times(d[0], q.x) + num_times(d[1], q.y);
     b->nearest = -(num_times(p[0], q.x) + num_times(p[1], q.y));
     b->passing = num_times(p[0], q.y) - num_times(p[1], q.x);
@@ -78,68 +78,69 @@ static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num
 
 /* The quadratic at the top, once c and s are in it. */
 struct quadratic {
-    num_x g, m, p;
-    num_d sigma, gamma;
+    num_length g, m, p;
+    num_unit sigma, gamma;
 };
 
 static struct span solve(const struct quadratic *u)
 {
-    num_d ab = num_times(u->sigma + u->gamma, u->sigma - u->gamma);
-    num_x h = num_times(u->m, u->sigma) + num_times(u->g, u->gamma);
-    num_x e = num_times(u->g, u->sigma) + num_times(u->m, u->gamma);
-    num_x p = num_times(u->p, num_sqrt_d(ab < 0 ? -ab : ab));
-    num_x d = ab < 0 ? num_length((struct num_point){e, p, 0}) : num_leg(e, (struct num_point){p, 0, 0});
+    num_unit ab = num_times(u->sigma + u->gamma, u->sigma - u->gamma);
+    num_length h = num_times(u->m, u->sigma) + num_times(u->g, u->gamma);
+    num_length e = num_times(u->g, u->sigma) + num_times(u->m, u->gamma);
+    num_length p = num_times(u->p, num_unit_sqrt(ab < 0 ? -ab : ab));
+    num_length d = ab < 0 ? num_norm((struct num_point){e, p, 0}) : num_half_chord(e, (struct num_point){p, 0, 0});
 
     if (ab >= 0 && (e <= 0 || d < 0))
         return nowhere;
-    num_x k = h < 0 ? h - d : h + d;
-    num_x one = num_over(k, ab), other = k == 0 ? 0 : num_beyond((struct num_point){u->m, u->p, 0}, u->g, k);
+    num_length k = h < 0 ? h - d : h + d;
+    num_length one = num_div(k, ab), other = k == 0 ? 0 : num_point_power((struct num_point){u->m, u->p, 0}, u->g, k);
     struct span roots = one < other ? (struct span){one, other} : (struct span){other, one};
     if (ab >= 0)
         return roots;
-    return u->gamma > 0 ? (struct span){roots.far, NUM_X_MOST} : (struct span){-NUM_X_MOST, roots.near};
+    return u->gamma > 0 ? (struct span){roots.far, NUM_LENGTH_MAX} : (struct span){-NUM_LENGTH_MAX, roots.near};
 }
 
 /* Where the ray is inside the side, that going on for ever in both directions. */
 static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
 {
-    num_d c = cone->slope_cosine, s = cone->slope_sine;
-    struct num_dir flat = {num_times(b->pace, c), num_times(b->rise, s), 0}, n = num_dir_unit(flat);
-    num_d pace = num_dot_d(flat, n);
-    num_x radius = cone->anchored > 0 ? cone->top_radius : cone->base_radius;
+    num_unit c = cone->slope_cosine, s = cone->slope_sine;
+    struct num_dir flat = {num_times(b->pace, c), num_times(b->rise, s), 0}, n = num_dir_normalised(flat);
+    num_unit pace = num_dir_dot(flat, n);
+    num_length radius = cone->anchored > 0 ? cone->top_radius : cone->base_radius;
     struct quadratic u = {num_times(radius, c) + num_times(b->height, s), num_times(b->nearest, c),
                           num_times(b->passing, c), n.x, n.y};
 
     if (pace == 0) /* the distance from the side stays the same */
         return num_within(u.g, (struct num_point){u.m, u.p, 0}) ? everywhere : nowhere;
     struct span span = solve(&u);
-    return (struct span){num_over(span.near, pace), num_over(span.far, pace)};
+    return (struct span){num_div(span.near, pace), num_div(span.far, pace)};
 }
 
 /* Where it is between the base and the top. An apex bounds nothing that the side does not. */
 static struct span height_span(const struct prepared_cone *cone, const struct beam *b)
 {
-    num_x base = cone->base_radius > 0 ? -cone->anchored - b->height : -NUM_X_MOST;
-    num_x top = cone->top_radius > 0 ? cone->length - cone->anchored - b->height : NUM_X_MOST;
+    num_length base = cone->base_radius > 0 ? -cone->anchored - b->height : -NUM_LENGTH_MAX;
+    num_length top = cone->top_radius > 0 ? cone->length - cone->anchored - b->height : NUM_LENGTH_MAX;
 
     if (b->rise == 0)
         return base <= 0 && top >= 0 ? everywhere : nowhere;
-    num_x to_base = num_over(base, b->rise), to_top = num_over(top, b->rise);
+    num_length to_base = num_div(base, b->rise), to_top = num_div(top, b->rise);
     return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
 }
 
 /* Whether t from the moved origin counts; nothing of the shape is beyond its reach. */
-static bool take(const struct prepared_cone *cone, const struct beam *b, num_x t, num_x limit, uint32_t element,
-                 struct crossing *crossing)
+static bool take(const struct prepared_cone *cone, const struct beam *b, num_length t, num_length limit,
+                 uint32_t element, struct intersection *intersection)
 {
     if (t > cone->reach || t < -cone->reach)
         return false;
-    crossing->t = b->start + t;
-    crossing->element = element;
-    return crossing->t >= 0 && crossing->t <= limit;
+    intersection->t = b->start + t;
+    intersection->element = element;
+    return intersection->t >= 0 && intersection->t <= limit;
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
     const struct prepared_cone *cone = &shape->cone;
     struct beam b;
@@ -152,31 +153,32 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_x li
     bool enters = side.near >= height.near, leaves = side.far <= height.far;
     if (cone->capped) {
         uint32_t first = b.rise > 0 ? ROUND_BASE : ROUND_TOP, last = b.rise > 0 ? ROUND_TOP : ROUND_BASE;
-        return take(cone, &b, enters ? side.near : height.near, limit, enters ? ROUND_SIDE : first, crossing) ||
-               take(cone, &b, leaves ? side.far : height.far, limit, leaves ? ROUND_SIDE : last, crossing);
+        return take(cone, &b, enters ? side.near : height.near, limit, enters ? ROUND_SIDE : first, intersection) ||
+               take(cone, &b, leaves ? side.far : height.far, limit, leaves ? ROUND_SIDE : last, intersection);
     }
-    return (enters && take(cone, &b, side.near, limit, ROUND_SIDE, crossing)) ||
-           (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, crossing));
+    return (enters && take(cone, &b, side.near, limit, ROUND_SIDE, intersection)) ||
+           (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, intersection));
 }
 
 /* The direction from the axis to the point, in the axes across. */
-static void aside(const struct prepared_cone *cone, struct num_point v, num_d out[2])
+static void aside(const struct prepared_cone *cone, struct num_point v, num_unit out[2])
 {
-    num_d none;
+    num_unit none;
 
-    (void)num_normalise3(num_dot_x(v, cone->across[0]), num_dot_x(v, cone->across[1]), 0, &out[0], &out[1], &none);
+    (void)num_normalise3(num_point_dot(v, cone->across[0]), num_point_dot(v, cone->across[1]), 0, &out[0], &out[1],
+                         &none);
 }
 
 /* The gradient of (1). At an apex what is left of it is the axis. */
 static struct num_dir side_normal(const struct prepared_cone *cone, struct num_point point)
 {
-    num_d out[2];
+    num_unit out[2];
 
     aside(cone, num_point_sub(point, cone->base), out);
     struct num_dir a = num_dir_scaled(cone->across[0], num_times(out[0], cone->slope_cosine));
     struct num_dir b = num_dir_scaled(cone->across[1], num_times(out[1], cone->slope_cosine));
     struct num_dir up = num_dir_scaled(cone->axis, -cone->slope_sine);
-    return num_dir_unit(num_dir_add(num_dir_add(a, b), up));
+    return num_dir_normalised(num_dir_add(num_dir_add(a, b), up));
 }
 
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
@@ -186,37 +188,38 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     if (element == ROUND_SIDE)
         surface->normal = side_normal(cone, point);
     else
-        surface->normal = element == ROUND_TOP ? cone->axis : num_dir_turned(cone->axis);
+        surface->normal = element == ROUND_TOP ? cone->axis : num_dir_negated(cone->axis);
     surface->smooth = surface->normal;
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     const struct prepared_cone *cone = &shape->cone;
     struct num_point v = num_point_sub(point, cone->base);
-    num_d out[2];
+    num_unit out[2];
 
     if (element == ROUND_SIDE) {
         aside(cone, v, out);
-        uv[0] = num_x_of_d(num_turn(out[1], out[0])) + NUM_X_ONE / 2;
-        uv[1] = num_ratio(num_dot_x(v, cone->axis), cone->length);
+        uv[0] = num_length_of_unit(num_atan2(out[1], out[0])) + NUM_LENGTH_ONE / 2;
+        uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
         return;
     }
-    num_x radius = element == ROUND_TOP ? cone->top_radius : cone->base_radius;
-    uv[0] = num_ratio(num_dot_x(v, cone->across[1]), radius); /* A */
-    uv[1] = num_ratio(num_dot_x(v, cone->across[0]), radius); /* B */
+    num_length radius = element == ROUND_TOP ? cone->top_radius : cone->base_radius;
+    uv[0] = num_ratio(num_point_dot(v, cone->across[1]), radius); /* A */
+    uv[1] = num_ratio(num_point_dot(v, cone->across[0]), radius); /* B */
 }
 
 /* Lengths are rounded down: a reach of 2^-13 more hides no point. */
 static void set_anchor(struct prepared_cone *cone, struct num_point top)
 {
     bool at_top = cone->top_radius < cone->base_radius;
-    num_x here = at_top ? cone->top_radius : cone->base_radius, there = at_top ? cone->base_radius : cone->top_radius;
+    num_length here = at_top ? cone->top_radius : cone->base_radius,
+               there = at_top ? cone->base_radius : cone->top_radius;
 
     cone->anchor = at_top ? top : cone->base;
     cone->anchored = at_top ? cone->length : 0;
-    num_x far = num_length((struct num_point){cone->length, there, 0});
-    cone->reach = (far > here ? far : here) + NUM_X_BIAS;
+    num_length far = num_norm((struct num_point){cone->length, there, 0});
+    cone->reach = (far > here ? far : here) + NUM_LENGTH_BIAS;
 }
 
 void round_prepare(struct shape *shape, const struct round_ends *ends, bool capped)
@@ -225,7 +228,7 @@ void round_prepare(struct shape *shape, const struct round_ends *ends, bool capp
     struct prepared_cone *cone = &shape->cone;
     struct num_point top = num_point_of(ends->top), along;
     struct num_dir axes[2];
-    num_d none;
+    num_unit none;
 
     shape->kind = &kind;
     cone->capped = capped;
@@ -235,9 +238,9 @@ void round_prepare(struct shape *shape, const struct round_ends *ends, bool capp
     shape_axes(cone->axis, axes);
     cone->across[0] = axes[1];
     cone->across[1] = axes[0];
-    cone->length = num_length(along);
-    cone->base_radius = num_x_of(ends->base_radius);
-    cone->top_radius = num_x_of(ends->top_radius);
+    cone->length = num_norm(along);
+    cone->base_radius = num_length_of(ends->base_radius);
+    cone->top_radius = num_length_of(ends->top_radius);
     (void)num_normalise3(cone->length, cone->top_radius - cone->base_radius, 0, &cone->slope_cosine, &cone->slope_sine,
                          &none);
     set_anchor(cone, top);

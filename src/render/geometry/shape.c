@@ -1,10 +1,10 @@
 #include "shape.h"
 
-bool shape_occludes(const struct shape *shape, const struct ray *ray, num_x limit)
+bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit)
 {
-    struct crossing crossing;
+    struct intersection intersection;
 
-    return shape->kind->intersect(shape, ray, limit, &crossing);
+    return shape->kind->intersect(shape, ray, limit, &intersection);
 }
 
 uint32_t shape_material(const struct shape *shape, uint32_t element)
@@ -17,7 +17,7 @@ uint32_t shape_material(const struct shape *shape, uint32_t element)
 /* e x N, e the unit vector of N's smallest coordinate. */
 static struct num_dir across(struct num_dir n)
 {
-    num_d x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+    num_unit x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
 
     if (x <= y && x <= z)
         return (struct num_dir){0, -n.z, n.y};
@@ -28,6 +28,6 @@ static struct num_dir across(struct num_dir n)
 
 void shape_axes(struct num_dir normal, struct num_dir axes[2])
 {
-    axes[0] = num_dir_unit(across(normal));
-    axes[1] = num_cross_d(normal, axes[0]);
+    axes[0] = num_dir_normalised(across(normal));
+    axes[1] = num_dir_cross(normal, axes[0]);
 }

@@ -2,7 +2,7 @@
  *
  * A shape is prepared once for a view: its constants lie in `struct shape`, in the shape's own axes, and the
  * functions of its kind in a table. Those know nothing of transforms: a placed shape's ray is moved into
- * the shape's axes first (placement.h).
+ * the shape's axes first (instance.h).
  */
 #ifndef TIA_SHAPE_SHAPE_H
 #define TIA_SHAPE_SHAPE_H
@@ -17,12 +17,12 @@ struct ray {
 };
 
 /* Where a ray meets a shape. `element` says which part: a face, a cap, a cell; see each shape. */
-struct crossing {
-    num_x t;
+struct intersection {
+    num_length t;
     uint32_t element;
 };
 
-/* What shading asks of a crossing. */
+/* What shading asks of a intersection. */
 struct surface {
     struct num_dir normal; /* of the surface, length 1, outwards as tia/shape.h has it */
     struct num_dir smooth; /* the one that shading takes: a smooth mesh's is interpolated, others' the same */
@@ -30,34 +30,35 @@ struct surface {
 
 struct shape;
 
-/* The functions of a kind. `ray` and `point` are in the shape's axes. Of crossings that a ray has with a
- * shape only those with 0 <= t <= limit count; `limit` is at most NUM_X_MOST. */
+/* The functions of a kind. `ray` and `point` are in the shape's axes. Of intersections that a ray has with a
+ * shape only those with 0 <= t <= limit count; `limit` is at most NUM_LENGTH_MAX. */
 struct shape_kind {
-    /* The nearest crossing, the lowest element of several at the same t; false: there is none. */
-    bool (*intersect)(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing);
+    /* The nearest intersection, the lowest element of several at the same t; false: there is none. */
+    bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection);
     /* Whether there is any: never costs more than intersect, which may stand here too as shape_occludes. */
-    bool (*occluded)(const struct shape *shape, const struct ray *ray, num_x limit);
+    bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
     /* Surface coordinates, see tia/shape.h. */
-    void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2]);
+    void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 };
 
 /* Constants of the prepared shapes. */
 struct prepared_plane {
     struct num_point point; /* of a disc its centre */
     struct num_dir normal, axes[2];
-    num_x radius;
+    num_length radius;
 };
 
 /* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */
 struct prepared_cone {
     struct num_point base;
     struct num_dir axis, across[2]; /* of length 1, at right angles; across are B and A of light.h for `axis` */
-    num_x length, base_radius, top_radius;
-    struct num_point anchor;        /* that end of the axis where it is thinner, */
-    num_x anchored;                 /* its height above the base, */
-    num_x reach;                    /* and how far its points are from there at most */
-    num_d slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
+    num_length length, base_radius, top_radius;
+    struct num_point anchor;           /* that end of the axis where it is thinner, */
+    num_length anchored;               /* its height above the base, */
+    num_length reach;                  /* and how far its points are from there at most */
+    num_unit slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
     bool capped;
 };
 
@@ -67,7 +68,7 @@ struct prepared_box {
 
 struct prepared_sphere {
     struct num_point centre;
-    num_x radius;
+    num_length radius;
 };
 
 struct prepared_mesh {
@@ -78,12 +79,12 @@ struct prepared_mesh {
 struct prepared_grid {
     const struct tia_grid *grid;
     struct num_point corner;
-    num_x cell;
+    num_length cell;
 };
 
 struct shape {
     const struct shape_kind *kind;
-    const struct placement *placement; /* NULL: the world's axes */
+    const struct instance *instance; /* NULL: the world's axes */
     uint32_t material;
     union {
         struct prepared_sphere sphere;
@@ -108,7 +109,7 @@ void shape_mesh(struct shape *shape, const struct tia_mesh *mesh, const struct t
 void shape_grid(struct shape *shape, const struct tia_grid *grid);
 
 /* `occluded` for shapes that have no shorter way. */
-bool shape_occludes(const struct shape *shape, const struct ray *ray, num_x limit);
+bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);
 
 /* What the material of an element is: a grid's cells have their own. */
 extern const struct shape_kind shape_grid_kind;
@@ -118,8 +119,9 @@ uint32_t shape_material(const struct shape *shape, uint32_t element);
 void shape_axes(struct num_dir normal, struct num_dir axes[2]);
 
 /* The spheres of a scene are not prepared: they are met as they are. */
-bool sphere_intersect(struct num_point centre, num_x radius, const struct ray *ray, num_x limit, num_x *t);
+bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
+                      num_length *t);
 void sphere_surface(struct num_point centre, struct num_point point, struct surface *surface);
-void sphere_uv(struct num_point centre, struct num_point point, num_x uv[2]);
+void sphere_uv(struct num_point centre, struct num_point point, num_length uv[2]);
 
 #endif

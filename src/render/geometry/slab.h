@@ -5,23 +5,23 @@
 #include "num/num_ray.h"
 
 struct slab {
-    num_x origin, steep; /* steep: 1/direction, see num_steep */
+    num_length origin, steep; /* steep: 1/direction, see num_steepness */
     bool level;
 };
 
-/* A slope that num_steep cuts off makes entering early, which is safe; leaving would be too early as well, so a
+/* A slope that num_steepness cuts off makes entering early, which is safe; leaving would be too early as well, so a
  * level ray that is between the planes never leaves. */
-static inline struct slab slab_of(num_x origin, num_d direction)
+static inline struct slab slab_of(num_length origin, num_unit direction)
 {
-    bool level = direction < NUM_D_LEVEL && direction > -NUM_D_LEVEL;
+    bool level = direction < NUM_UNIT_LEVEL && direction > -NUM_UNIT_LEVEL;
 
-    return (struct slab){origin, num_steep(direction), level};
+    return (struct slab){origin, num_steepness(direction), level};
 }
 
-static inline void slab_clip(const struct slab *slab, num_x min, num_x max, num_x *near, num_x *far)
+static inline void slab_clip(const struct slab *slab, num_length min, num_length max, num_length *near, num_length *far)
 {
-    num_x a = num_slab(min - slab->origin, slab->steep), b = num_slab(max - slab->origin, slab->steep);
-    num_x enter = a < b ? a : b, leave = a < b ? b : a;
+    num_length a = num_slab(min - slab->origin, slab->steep), b = num_slab(max - slab->origin, slab->steep);
+    num_length enter = a < b ? a : b, leave = a < b ? b : a;
 
     *near = enter > *near ? enter : *near;
     if (!slab->level || leave < 0)

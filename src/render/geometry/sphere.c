@@ -5,14 +5,15 @@
  * the nearer unless it lies behind the origin. The perpendicular L - tca D does not cancel. */
 #include "shape.h"
 
-bool sphere_intersect(struct num_point centre, num_x radius, const struct ray *ray, num_x limit, num_x *t)
+bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
+                      num_length *t)
 {
     struct num_point l = num_point_sub(centre, ray->origin);
-    num_x tca = num_dot_x(l, ray->direction);
+    num_length tca = num_point_dot(l, ray->direction);
 
     if (tca < -radius || tca - radius > limit)
         return false;
-    num_x thc = num_leg(radius, num_point_sub(l, num_point_along(ray->direction, tca)));
+    num_length thc = num_half_chord(radius, num_point_sub(l, num_point_along(ray->direction, tca)));
     if (thc < 0 || tca + thc < 0)
         return false;
     *t = tca - thc < 0 ? tca + thc : tca - thc;
@@ -26,20 +27,21 @@ void sphere_surface(struct num_point centre, struct num_point point, struct surf
 }
 
 /* (atan2(z, x)/(2 pi) + 1/2, acos(y)/pi), the latter as atan2(sqrt(1 - y^2), y)/pi. */
-void sphere_uv(struct num_point centre, struct num_point point, num_x uv[2])
+void sphere_uv(struct num_point centre, struct num_point point, num_length uv[2])
 {
     struct num_dir n;
 
     (void)num_normalise(num_point_sub(point, centre), &n);
-    num_d aside = num_sqrt_d(num_times(n.x, n.x) + num_times(n.z, n.z));
-    uv[0] = num_x_of_d(num_turn(n.z, n.x)) + NUM_X_ONE / 2;
-    uv[1] = 2 * num_x_of_d(num_turn(aside, n.y));
+    num_unit aside = num_unit_sqrt(num_times(n.x, n.x) + num_times(n.z, n.z));
+    uv[0] = num_length_of_unit(num_atan2(n.z, n.x)) + NUM_LENGTH_ONE / 2;
+    uv[1] = 2 * num_length_of_unit(num_atan2(aside, n.y));
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
-    crossing->element = 0;
-    return sphere_intersect(shape->sphere.centre, shape->sphere.radius, ray, limit, &crossing->t);
+    intersection->element = 0;
+    return sphere_intersect(shape->sphere.centre, shape->sphere.radius, ray, limit, &intersection->t);
 }
 
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
@@ -48,7 +50,7 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     sphere_surface(shape->sphere.centre, point, surface);
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     (void)element;
     sphere_uv(shape->sphere.centre, point, uv);
@@ -59,5 +61,5 @@ void shape_sphere(struct shape *shape, struct tia_vec3 centre, tia_q16 radius)
     static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
 
     shape->kind = &kind;
-    shape->sphere = (struct prepared_sphere){num_point_of(centre), num_x_of(radius)};
+    shape->sphere = (struct prepared_sphere){num_point_of(centre), num_length_of(radius)};
 }

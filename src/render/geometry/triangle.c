@@ -20,43 +20,43 @@
  * other end as exactly the negative.
  *
  * How near t is: x' is within 2^-46 and the error of a slope, 2^-59 |z|. A corner that is aside by e puts the
- * crossing off the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas:
+ * intersection off the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas:
  * corners are nearer to each other than 2^16 in each coordinate, so x' by 2^17, and the sum of the areas stays
  * below 2^34, 2^124 as num_area has it. */
 #include "triangle.h"
 
 #include "math/wide.h"
 
-static num_d size(num_d d)
+static num_unit size(num_unit d)
 {
     return d < 0 ? -d : d;
 }
 
 static int largest(struct num_dir d)
 {
-    num_d x = size(d.x), y = size(d.y), z = size(d.z);
+    num_unit x = size(d.x), y = size(d.y), z = size(d.z);
 
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
 /* The components in the order main, next, the one after. */
-static void from(int main, num_x x, num_x y, num_x z, num_x v[3])
+static void from(int main, num_length x, num_length y, num_length z, num_length v[3])
 {
     v[0] = main == 0 ? x : main == 1 ? y : z;
     v[1] = main == 0 ? y : main == 1 ? z : x;
     v[2] = main == 0 ? z : main == 1 ? x : y;
 }
 
-static void relative(struct num_point origin, int main, struct tia_vec3 corner, num_x v[3])
+static void relative(struct num_point origin, int main, struct tia_vec3 corner, num_length v[3])
 {
     struct num_point p = num_point_sub(num_point_of(corner), origin);
 
     from(main, p.x, p.y, p.z, v);
 }
 
-void triangle_start(struct triangle_ray *start, const struct ray *ray)
+void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
 {
-    num_d d[3];
+    num_unit d[3];
 
     start->origin = ray->origin;
     start->main = largest(ray->direction);
@@ -67,7 +67,7 @@ void triangle_start(struct triangle_ray *start, const struct ray *ray)
 }
 
 /* Where a corner is seen: v[0] along the main axis, v[1] and v[2] aside of the ray. */
-static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_x v[3])
+static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_length v[3])
 {
     relative(ray->origin, ray->main, corner, v);
     v[1] -= num_times(v[0], ray->slant[0]);
@@ -75,10 +75,10 @@ static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_x v
 }
 
 /* The areas that the origin makes with the edges: each belongs to the corner that it does not touch. */
-static void span_areas(num_x v[3][3], num_area areas[3])
+static void span_areas(num_length v[3][3], num_area areas[3])
 {
     for (int i = 0; i < 3; i++) {
-        const num_x *a = v[(i + 1) % 3], *b = v[(i + 2) % 3];
+        const num_length *a = v[(i + 1) % 3], *b = v[(i + 2) % 3];
         areas[i] = num_cross2(a[1], a[2], b[1], b[2]);
     }
 }
@@ -90,11 +90,12 @@ static bool is_inside(const num_area areas[3])
     return a * b >= 0 && b * c >= 0 && c * a >= 0 && (a || b || c);
 }
 
-bool triangle_meets(const struct triangle_ray *ray, const struct triangle_corners *corners, num_x limit, num_x *t)
+bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
+                        num_length *t)
 {
-    num_x v[3][3];
+    num_length v[3][3];
     num_area areas[3];
-    num_d parts[3];
+    num_unit parts[3];
     struct num_dir normal;
 
     for (int i = 0; i < 3; i++)
@@ -102,10 +103,10 @@ bool triangle_meets(const struct triangle_ray *ray, const struct triangle_corner
     span_areas(v, areas);
     if (!is_inside(areas))
         return false;
-    num_parts(areas, parts);
-    *t = num_over(num_dot3(v[0][0], v[1][0], v[2][0], parts[0], parts[1], parts[2]), ray->along);
+    num_barycentric(areas, parts);
+    *t = num_div(num_dot3(v[0][0], v[1][0], v[2][0], parts[0], parts[1], parts[2]), ray->along);
     /* What is rounded may give corners on one line an area. */
-    return *t >= 0 && *t <= limit && *t < NUM_X_MOST && triangle_normal(corners, &normal);
+    return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && triangle_normal(corners, &normal);
 }
 
 /* In integers, exact but for the last rounding: corners are 2^33 units of 2^-16 apart at most, so the product has
@@ -128,21 +129,21 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     for (int i = 0; i < 3; i++)
         n[i] = bits > 61 ? wide_round(product[i], (unsigned)(bits - 61)) : (int64_t)wide_low(product[i]);
     bool any = wide_normalise(n, d);
-    *normal = (struct num_dir){num_d_of62(d[0]), num_d_of62(d[1]), num_d_of62(d[2])};
+    *normal = (struct num_dir){num_unit_of_q62(d[0]), num_unit_of_q62(d[1]), num_unit_of_q62(d[2])};
     return any;
 }
 
 /* Seen along the axis that the normal is nearest to; a point that rounding has put outside is on the edge. */
-void triangle_parts(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
-                    num_d parts[3])
+void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
+                          num_unit parts[3])
 {
-    num_x v[3][3];
+    num_length v[3][3];
     num_area areas[3];
 
     for (int i = 0; i < 3; i++)
         relative(point, largest(normal), corners->at[i], v[i]);
     span_areas(v, areas);
-    num_parts(areas, parts);
+    num_barycentric(areas, parts);
 }
 
 static struct triangle_corners corners_of(const struct shape *shape)
@@ -152,14 +153,15 @@ static struct triangle_corners corners_of(const struct shape *shape)
     return (struct triangle_corners){{corner[0], corner[1], corner[2]}};
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                      struct intersection *intersection)
 {
     struct triangle_corners corners = corners_of(shape);
     struct triangle_ray start;
 
-    triangle_start(&start, ray);
-    crossing->element = 0;
-    return triangle_meets(&start, &corners, limit, &crossing->t);
+    triangle_ray_prepare(&start, ray);
+    intersection->element = 0;
+    return triangle_intersect(&start, &corners, limit, &intersection->t);
 }
 
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
@@ -172,17 +174,17 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     surface->smooth = surface->normal;
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_x uv[2])
+static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     struct triangle_corners corners = corners_of(shape);
     struct num_dir normal;
-    num_d parts[3];
+    num_unit parts[3];
 
     (void)element;
     (void)triangle_normal(&corners, &normal);
-    triangle_parts(&corners, normal, point, parts);
-    uv[0] = num_x_of_d(parts[1]);
-    uv[1] = num_x_of_d(parts[2]);
+    triangle_barycentric(&corners, normal, point, parts);
+    uv[0] = num_length_of_unit(parts[1]);
+    uv[1] = num_length_of_unit(parts[2]);
 }
 
 void shape_triangle(struct shape *shape, const struct tia_triangle *triangle)

@@ -1,18 +1,18 @@
 #include "walk.h"
 
 /* Whether the ray may meet the box before `limit`, and where it enters. */
-static bool enters(const struct walk *w, const struct tia_bounds *b, num_x limit, num_x *near)
+static bool enters(const struct walk *w, const struct tia_bounds *b, num_length limit, num_length *near)
 {
-    num_x far = num_slab_of(limit);
+    num_length far = num_slab_of(limit);
 
     *near = 0;
-    slab_clip(&w->slabs[0], num_x_of(b->min.x), num_x_of(b->max.x), near, &far);
-    slab_clip(&w->slabs[1], num_x_of(b->min.y), num_x_of(b->max.y), near, &far);
-    slab_clip(&w->slabs[2], num_x_of(b->min.z), num_x_of(b->max.z), near, &far);
+    slab_clip(&w->slabs[0], num_length_of(b->min.x), num_length_of(b->max.x), near, &far);
+    slab_clip(&w->slabs[1], num_length_of(b->min.y), num_length_of(b->max.y), near, &far);
+    slab_clip(&w->slabs[2], num_length_of(b->min.z), num_length_of(b->max.z), near, &far);
     return *near <= far + NUM_SLAB_ERROR;
 }
 
-static void push(struct walk *w, uint32_t node, num_x near)
+static void push(struct walk *w, uint32_t node, num_length near)
 {
     w->stack[w->depth] = node;
     w->near[w->depth++] = near;
@@ -29,11 +29,11 @@ void walk_start(struct walk *w, const struct tia_bvh_tree *tree, const struct ra
         push(w, 0, 0);
 }
 
-static void push_children(struct walk *w, uint32_t node, num_x limit)
+static void push_children(struct walk *w, uint32_t node, num_length limit)
 {
     const struct tia_bvh_node *nodes = w->tree->nodes;
     uint32_t first = node + 1, second = nodes[node].index;
-    num_x near_first, near_second;
+    num_length near_first, near_second;
     bool a = enters(w, &nodes[first].bounds, limit, &near_first);
     bool b = enters(w, &nodes[second].bounds, limit, &near_second);
 
@@ -48,7 +48,7 @@ static void push_children(struct walk *w, uint32_t node, num_x limit)
         push(w, first, near_first);
 }
 
-const struct tia_bvh_node *walk_leaf(struct walk *w, num_x limit)
+const struct tia_bvh_node *walk_leaf(struct walk *w, num_length limit)
 {
     while (w->depth > 0) {
         uint32_t node = w->stack[--w->depth];
@@ -74,7 +74,7 @@ void candidates_start(struct candidates *c, const struct tia_scene *scene, const
 }
 
 /* The next leaf's objects; false: there is none. */
-static bool take_leaf(struct candidates *c, num_x limit)
+static bool take_leaf(struct candidates *c, num_length limit)
 {
     const struct tia_bvh_tree *tree = &c->scene->bvh->objects;
 
@@ -90,7 +90,7 @@ static bool take_leaf(struct candidates *c, num_x limit)
     return true;
 }
 
-uint32_t candidates_next(struct candidates *c, num_x limit)
+uint32_t candidates_next(struct candidates *c, num_length limit)
 {
     if (c->next == c->end && (!c->scene->bvh || !take_leaf(c, limit)))
         return TIA_NO_OBJECT;

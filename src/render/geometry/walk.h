@@ -12,7 +12,7 @@
 struct walk {
     const struct tia_bvh_tree *tree;
     struct slab slabs[3];
-    num_x near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
+    num_length near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
     int depth;
 };
@@ -20,7 +20,7 @@ struct walk {
 void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct ray *ray);
 
 /* The next leaf that the ray enters at 0 <= t <= limit, or NULL. */
-const struct tia_bvh_node *walk_leaf(struct walk *walk, num_x limit);
+const struct tia_bvh_node *walk_leaf(struct walk *walk, num_length limit);
 
 /* The objects of a scene that a ray may meet: what has no bounds, then leaf by leaf; without a hierarchy all. */
 struct candidates {
@@ -35,6 +35,6 @@ struct candidates {
 void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
 
 /* The next one, by the hierarchy of those at 0 <= t <= limit, or TIA_NO_OBJECT. */
-uint32_t candidates_next(struct candidates *candidates, num_x limit);
+uint32_t candidates_next(struct candidates *candidates, num_length limit);
 
 #endif

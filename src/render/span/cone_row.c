@@ -1,24 +1,24 @@
 #include "cone_row.h"
 
-static num_wide lattice_at(const struct slice *s, int i)
+static num_wide coordinate_at(const struct cone_row *s, int i)
 {
-    return num_lattice(2 * i + 1 - s->count, s->exponent);
+    return num_pixel_coordinate(2 * i + 1 - s->count, s->exponent);
 }
 
-static bool inside(const struct slice *s, int i)
+static bool inside(const struct cone_row *s, int i)
 {
-    num_wide x = lattice_at(s, i);
+    num_wide x = coordinate_at(s, i);
     return num_inside_cone(s->slope * x + s->base, s->c, x * x + s->square);
 }
 
 /* Whether L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */
-static bool rising(const struct slice *s, int i)
+static bool rising(const struct cone_row *s, int i)
 {
-    return num_product_above(s->slope, s->square, s->base, lattice_at(s, i));
+    return num_product_above(s->slope, s->square, s->base, coordinate_at(s, i));
 }
 
 /* The pixel where L.v/|v| is largest, or the one left of it. */
-static int peak(const struct slice *s)
+static int peak(const struct cone_row *s)
 {
     int low = 0, high = s->count;
 
@@ -35,7 +35,7 @@ static int peak(const struct slice *s)
 }
 
 /* The last pixel inside, walking from `in`, which is inside, by `step` (+1 or -1) to the line's end. */
-static int boundary(const struct slice *s, int in, int step, int guess)
+static int boundary(const struct cone_row *s, int in, int step, int guess)
 {
     int out = step > 0 ? s->count : -1;
     int stride = step;
@@ -65,7 +65,7 @@ static int boundary(const struct slice *s, int in, int step, int guess)
 }
 
 /* A pixel inside the cone, or -1. */
-static int any_inside(const struct slice *s, struct run guess)
+static int any_inside(const struct cone_row *s, struct span guess)
 {
     int middle = guess.first + (guess.end - guess.first) / 2;
 
@@ -77,14 +77,14 @@ static int any_inside(const struct slice *s, struct run guess)
     return middle + 1 < s->count && inside(s, middle + 1) ? middle + 1 : -1;
 }
 
-struct run slice_run(const struct slice *slice, struct run guess)
+struct span cone_row_span(const struct cone_row *cone_row, struct span guess)
 {
-    struct run run = {0, 0};
-    int seed = any_inside(slice, guess);
+    struct span span = {0, 0};
+    int seed = any_inside(cone_row, guess);
 
     if (seed >= 0) {
-        run.first = boundary(slice, seed, -1, guess.first);
-        run.end = boundary(slice, seed, 1, guess.end - 1) + 1;
+        span.first = boundary(cone_row, seed, -1, guess.first);
+        span.end = boundary(cone_row, seed, 1, guess.end - 1) + 1;
     }
-    return run;
+    return span;
 }

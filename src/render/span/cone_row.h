@@ -6,7 +6,7 @@
  *
  * Along a line of pixels v = (X, ...), X = 2i + 1 - n for pixel i of n, the product is linear and
  * the square quadratic: L.v = slope X + base and v.v = X^2 + square. A cone is convex, so its
- * pixels on the line are one run, and both ends are found by exact comparisons: from a guess in
+ * pixels on the line are one span, and both ends are found by exact comparisons: from a guess in
  * a few steps, or by bisection.
  */
 #ifndef TIA_SLICE_H
@@ -14,27 +14,27 @@
 
 #include "num/num.h"
 
-struct slice {
+struct cone_row {
     num_wide slope, base; /* exponents 16 and 16 + f */
     num_wide square;      /* exponent 2 f */
     num_wide c;           /* exponent 32 */
-    int exponent;         /* f, the lattice's */
+    int exponent;         /* f, of pixel coordinates */
     int count;            /* pixels on the line */
 };
 
 /* Pixels first..end-1; none when first == end. */
-struct run {
+struct span {
     int first, end;
 };
 
-static inline struct run run_within(struct run run, int first, int end)
+static inline struct span span_within(struct span span, int first, int end)
 {
-    struct run r = {run.first > first ? run.first : first, run.end < end ? run.end : end};
+    struct span r = {span.first > first ? span.first : first, span.end < end ? span.end : end};
     return r;
 }
 
-/* The run of pixels inside the cone. `guess` is where it may be, for speed only: the answer does
+/* The span of pixels inside the cone. `guess` is where it may be, for speed only: the answer does
  * not depend on it. */
-struct run slice_run(const struct slice *slice, struct run guess);
+struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
 
 #endif

@@ -1,6 +1,6 @@
-/* kernels.h - the hot loops: passes over a run of pixels in one row, at most CHUNK of them.
+/* kernels.h - the hot loops: passes over a span of pixels in one row, at most CHUNK of them.
  *
- * Each takes its constants, prepared once a run, and arrays with one entry a pixel. They are
+ * Each takes its constants, prepared once a span, and arrays with one entry a pixel. They are
  * all that a vector version has to replace; it must give the same bits.
  */
 #ifndef TIA_KERNELS_H
@@ -10,7 +10,7 @@
 
 #define CHUNK 64 /* pixels that a kernel works on at once */
 
-/* What sphere_distances knows of a run. */
+/* What span_sphere_distances knows of a span. */
 struct sphere_line {
     num_wide b, b_step;       /* accumulator of L.v */
     struct row_square square; /* accumulator of v.v */
@@ -43,7 +43,7 @@ struct light_line {
     int count;
 };
 
-/* What one light does to each pixel of a run. Where facing is 0, the rest is not defined. */
+/* What one light does to each pixel of a span. Where facing is 0, the rest is not defined. */
 struct lit {
     num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
     num_wide reach[CHUNK];  /* |P|^2 */
@@ -59,7 +59,7 @@ bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit
 /* lambert = max(0, N.Ldir), NUM_ONE is 1; inverse as in the light_line. */
 void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert);
 
-/* A sphere, centre C and radius R, that may stand between a light Q and the points P of a run of
+/* A sphere, centre C and radius R, that may stand between a light Q and the points P of a span of
  * the sphere L, r. With w = Q - P and A = C - P, seen from P as the eye sees a sphere:
  *
  *     A.w         = C.Q - t (C + Q).v + |P|^2

@@ -1,19 +1,19 @@
-/* light.h - prepares what one light does to a run of pixels of one sphere. */
+/* light.h - prepares what one light does to a span of pixels of one sphere. */
 #ifndef TIA_SPAN_LIGHT_H
 #define TIA_SPAN_LIGHT_H
 
 #include "kernels.h"
 #include "sphere.h"
 
-/* A light as a run of pixels sees it. */
+/* A light as a span of pixels sees it. */
 struct light_source {
-    const struct body *body;      /* the run's sphere */
-    struct num_vec light;         /* Q */
-    int exponent, reach_exponent; /* e_d of |Q - P|^2 and e_p of |P|^2, found by light_line_prepare */
+    const struct span_sphere *sphere; /* the span's sphere */
+    struct num_vec light;             /* Q */
+    int exponent, reach_exponent;     /* e_d of |Q - P|^2 and e_p of |P|^2, found by light_line_prepare */
 };
 
 /* Prepares `line`, but for count, from pixel (x, y) on. */
-void light_line_prepare(const struct lattice *lattice, struct light_source *source, int x, int y,
+void light_line_prepare(const struct primary_rays *primary, struct light_source *source, int x, int y,
                         struct light_line *line);
 
 #endif

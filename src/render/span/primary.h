@@ -8,15 +8,15 @@
 
 #include "num/num.h"
 
-struct lattice {
+struct primary_rays {
     int width, height;
-    int exponent;              /* f, of lattice numbers */
+    int exponent;              /* f, of pixel coordinates */
     num_wide x_reach, y_reach; /* beyond every |X| and |Y| of the image */
     num_wide depth;            /* height/tan(fov/2) */
     int square_shift;          /* v.v * 2^square_shift fills an accumulator */
 };
 
-void lattice_prepare(struct lattice *lattice, unsigned width, unsigned height, tia_q16 fov);
+void primary_prepare(struct primary_rays *primary, unsigned width, unsigned height, tia_q16 fov);
 
 /* A product a.v along a row as an accumulator: start at the first pixel, then add step. */
 struct row_form {
@@ -29,15 +29,15 @@ struct row_square {
 };
 
 /* The largest |a.v| that a pixel of the image can have: it is met in a corner. */
-num_wide lattice_reach(const struct lattice *lattice, struct num_vec a);
+num_wide primary_reach(const struct primary_rays *primary, struct num_vec a);
 
 /* a.v * 2^shift from pixel (x, y) on, as num_top takes it. */
-struct row_form lattice_form(const struct lattice *lattice, struct num_vec a, int x, int y, int shift);
+struct row_form primary_form(const struct primary_rays *primary, struct num_vec a, int x, int y, int shift);
 
 /* v.v * 2^square_shift from pixel (x, y) on. */
-struct row_square lattice_square(const struct lattice *lattice, int x, int y);
+struct row_square primary_square(const struct primary_rays *primary, int x, int y);
 
-/* height - 2y - 1, as a lattice number. */
-num_wide lattice_y(const struct lattice *lattice, int y);
+/* height - 2y - 1, as a pixel coordinate. */
+num_wide primary_y(const struct primary_rays *primary, int y);
 
 #endif

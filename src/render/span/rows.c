@@ -1,4 +1,4 @@
-/* rows.c - from hits to pixels: a row is taken in chunks, and a chunk in runs of one object. */
+/* rows.c - from hits to pixels: a row is taken in chunks, and a chunk in spans of one object. */
 #include "kernels.h"
 #include "render/dither.h"
 #include "shade.h"
@@ -10,12 +10,12 @@ struct chunk {
     int x, y, count;
     const num_u *t;
     const uint32_t *object;
-    uint32_t *reached;  /* NULL, or the sets of lights */
-    tia_rgb565 *pixels; /* side by side */
+    uint32_t *path_hash; /* NULL, or the sets of lights */
+    tia_rgb565 *pixels;  /* side by side */
 };
 
-/* A run that sees the background or a light: one colour, but for the dithering. */
-static void flat_run(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
+/* A span that sees the background or a light: one colour, but for the dithering. */
+static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
     num_u rgb[3][8];
     tia_rgb565 pixels[8];
@@ -39,16 +39,16 @@ static void flat_run(struct chunk *chunk, int first, int count, const struct tia
 static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uint32_t *object)
 {
     const struct tia_view *view = chunk->view;
-    const struct body *body = &view->span.bodies[n];
-    struct run run = {chunk->x, chunk->x + chunk->count};
+    const struct span_sphere *sphere = &view->span.spheres[n];
+    struct span span = {chunk->x, chunk->x + chunk->count};
     num_u t[CHUNK];
 
-    run = run_within(sphere_run(&view->span.lattice, body, chunk->y, run), chunk->x, chunk->x + chunk->count);
-    if (run.first >= run.end)
+    span = span_within(span_sphere_row(&view->span.primary, sphere, chunk->y, span), chunk->x, chunk->x + chunk->count);
+    if (span.first >= span.end)
         return;
-    sphere_distances(&view->span.lattice, body, chunk->y, run.first, run.end - run.first, t);
-    span_keep_nearer(view, n, t, run.end - run.first, nearest + (run.first - chunk->x),
-                     object + (run.first - chunk->x));
+    span_sphere_distances(&view->span.primary, sphere, chunk->y, span.first, span.end - span.first, t);
+    span_keep_nearer(view, n, t, span.end - span.first, nearest + (span.first - chunk->x),
+                     object + (span.first - chunk->x));
 }
 
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
@@ -64,7 +64,7 @@ see_lights(struct chunk *chunk, uint32_t object[CHUNK])
     bool copied = false;
 
     for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
-        if (chunk->y < view->span.bodies[n].rows.first || chunk->y >= view->span.bodies[n].rows.end)
+        if (chunk->y < view->span.spheres[n].rows.first || chunk->y >= view->span.spheres[n].rows.end)
             continue;
         for (int i = 0; !copied && i < chunk->count; i++) {
             object[i] = chunk->object[i];
@@ -77,24 +77,24 @@ see_lights(struct chunk *chunk, uint32_t object[CHUNK])
         chunk->object = object;
 }
 
-/* A run that sees light number n itself. */
-static void light_run(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
+/* A span that sees light number n itself. */
+static void light_span(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
 {
-    flat_run(chunk, first, count, &chunk->view->lights[n].emission, threshold);
-    for (int i = first; chunk->reached && i < first + count; i++)
-        chunk->reached[i] = UINT32_C(0xffff0000) | (n & 0xffff);
+    flat_span(chunk, first, count, &chunk->view->lights[n].emission, threshold);
+    for (int i = first; chunk->path_hash && i < first + count; i++)
+        chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-static void shaded_run(const struct chunk *chunk, int first, int count, const num_u threshold[8])
+static void shaded_span(const struct chunk *chunk, int first, int count, const num_u threshold[8])
 {
-    struct shade_run run = {chunk->object[first],
-                            chunk->x + first,
-                            chunk->y,
-                            count,
-                            chunk->t + first,
-                            chunk->reached ? chunk->reached + first : NULL};
+    struct shaded_span span = {chunk->object[first],
+                               chunk->x + first,
+                               chunk->y,
+                               count,
+                               chunk->t + first,
+                               chunk->path_hash ? chunk->path_hash + first : NULL};
 
-    shade_run(chunk->view, &run, threshold, chunk->pixels + first);
+    shade_span(chunk->view, &span, threshold, chunk->pixels + first);
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])
@@ -109,11 +109,11 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
         for (end = first + 1; end < chunk->count && chunk->object[end] == object; end++)
             ;
         if (object == TIA_NO_OBJECT)
-            flat_run(chunk, first, end - first, &view->scene->background, threshold);
+            flat_span(chunk, first, end - first, &view->scene->background, threshold);
         else if (object >= view->scene->sphere_count)
-            light_run(chunk, first, end - first, object - view->scene->sphere_count, threshold);
+            light_span(chunk, first, end - first, object - view->scene->sphere_count, threshold);
         else
-            shaded_run(chunk, first, end - first, threshold);
+            shaded_span(chunk, first, end - first, threshold);
     }
 }
 
@@ -145,14 +145,14 @@ static void light_columns(struct chunk *chunk, const struct tia_hits *hits, stru
 static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
-    uint32_t *reached = options->reached ? options->reached + (size_t)(chunk->y - tile.y) * tile.width : NULL;
+    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(chunk->y - tile.y) * tile.width : NULL;
     num_u threshold[8];
 
     dither_thresholds(options->dither, chunk->y, threshold);
-    for (unsigned x = 0; reached && x < tile.width; x++)
-        reached[x] = 0;
+    for (unsigned x = 0; path_hash && x < tile.width; x++)
+        path_hash[x] = 0;
     for (unsigned x = 0; x < tile.width; x += CHUNK) {
-        chunk->reached = reached ? reached + x : NULL;
+        chunk->path_hash = path_hash ? path_hash + x : NULL;
         light_columns(chunk, hits, tile, x, surface, threshold);
     }
 }

@@ -3,16 +3,16 @@
 #include "scene/colour.h"
 #include "shadow.h"
 
-/* A run on its way to colours. */
+/* A span on its way to colours. */
 struct shading {
-    const struct shade_run *run;
+    const struct shaded_span *span;
     const struct tia_view *view;
     const struct tia_material *material;
     bool grey; /* red stands for all three */
     num_u sum[3][CHUNK];
 };
 
-/* What half-transparent spheres leave of a light on its way to each pixel of a run. */
+/* What half-transparent spheres leave of a light on its way to each pixel of a span. */
 struct tint {
     num_u left[3][CHUNK];
     uint16_t passed[CHUNK]; /* the sum of index + 1 of the spheres on the way */
@@ -36,19 +36,19 @@ static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num
 }
 
 /* The pixels' light states, as tia_options has them. */
-static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *reached)
+static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *path_hash)
 {
     for (int i = 0; i < count; i++)
         if (lit->facing[i] > 0) {
             uint32_t way = tint ? tint->passed[i] * (l + 1) & 0xffff : 0;
-            way = ((reached[i] >> 16) + way) & 0xffff;
-            reached[i] = way << 16 | (reached[i] & 0xffff) | UINT32_C(1) << l;
+            way = ((path_hash[i] >> 16) + way) & 0xffff;
+            path_hash[i] = way << 16 | (path_hash[i] & 0xffff) | UINT32_C(1) << l;
         }
 }
 
 static void cast_shadows(const struct shading *s, const struct light_source *source, struct lit *lit, struct tint *tint)
 {
-    const struct shade_run *run = s->run;
+    const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
 
     for (uint32_t j = 0; j < scene->sphere_count; j++) {
@@ -56,15 +56,15 @@ static void cast_shadows(const struct shading *s, const struct light_source *sou
         struct shadow_line line;
         num_u before[CHUNK];
 
-        if (j == run->object ||
-            !shadow_line_prepare(&s->view->span.lattice, source, &s->view->span.bodies[j], run->x, run->y, &line))
+        if (j == span->object ||
+            !shadow_line_prepare(&s->view->span.primary, source, &s->view->span.spheres[j], span->x, span->y, &line))
             continue;
-        line.count = run->count;
-        for (int i = 0; !colour_is_black(through) && i < run->count; i++)
+        line.count = span->count;
+        for (int i = 0; !colour_is_black(through) && i < span->count; i++)
             before[i] = lit->facing[i];
-        kernel_shadow(&line, run->t, lit);
+        kernel_shadow(&line, span->t, lit);
         if (!colour_is_black(through))
-            tint_light(through, j, before, lit, run->count, tint);
+            tint_light(through, j, before, lit, span->count, tint);
     }
 }
 
@@ -77,31 +77,31 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
 
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
-        for (int i = 0; tint && i < s->run->count; i++)
+        for (int i = 0; tint && i < s->span->count; i++)
             tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
-        kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->run->count);
+        kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->span->count);
     }
 }
 
 /* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
 static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
 {
-    const struct shade_run *run = s->run;
+    const struct shaded_span *span = s->span;
     const struct tia_view *view = s->view;
-    struct light_source source = {.body = &view->span.bodies[run->object],
+    struct light_source source = {.sphere = &view->span.spheres[span->object],
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
     num_u *lambert = lit.facing; /* takes its place: stack is scarce */
 
-    light_line_prepare(&view->span.lattice, &source, run->x, run->y, &line);
-    line.count = run->count;
-    if (!kernel_light(&line, run->t, &lit))
+    light_line_prepare(&view->span.primary, &source, span->x, span->y, &line);
+    line.count = span->count;
+    if (!kernel_light(&line, span->t, &lit))
         return;
     cast_shadows(s, &source, &lit, tint);
-    if (run->reached && l < 16)
-        note_reached(&lit, tint, l, run->count, run->reached);
-    kernel_lambert(&lit, source.body->inverse, run->count, lambert);
+    if (span->path_hash && l < 16)
+        note_reached(&lit, tint, l, span->count, span->path_hash);
+    kernel_lambert(&lit, source.sphere->inverse, span->count, lambert);
     add_light(s, &view->lights[l], lambert, tint);
 }
 
@@ -109,23 +109,24 @@ static void shade_tinted_light(struct shading *s, uint32_t l)
 {
     struct tint tint;
 
-    for (int i = 0; i < s->run->count; i++) {
+    for (int i = 0; i < s->span->count; i++) {
         tint.left[0][i] = tint.left[1][i] = tint.left[2][i] = NUM_ONE;
         tint.passed[i] = 0;
     }
     shade_light(s, l, &tint);
 }
 
-void shade_run(const struct tia_view *view, const struct shade_run *run, const num_u threshold[8], tia_rgb565 *pixels)
+void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
     struct shading s; /* not zeroed: the sums are large */
 
-    s.run = run;
+    s.span = span;
     s.view = view;
-    s.material = &scene->materials[scene->spheres[run->object].material];
+    s.material = &scene->materials[scene->spheres[span->object].material];
     s.grey = view->span.grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
-    for (int i = 0; i < run->count; i++) {
+    for (int i = 0; i < span->count; i++) {
         s.sum[0][i] = num_colour(s.material->emission.r);
         s.sum[1][i] = num_colour(s.material->emission.g);
         s.sum[2][i] = num_colour(s.material->emission.b);
@@ -136,5 +137,5 @@ void shade_run(const struct tia_view *view, const struct shade_run *run, const n
         else
             shade_light(&s, l, NULL);
     }
-    kernel_pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, run->x, run->count, pixels);
+    kernel_pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, span->x, span->count, pixels);
 }

@@ -1,17 +1,18 @@
-/* shade.h - a run of pixels that see one sphere, through the kernels: light by light, shadow by shadow. */
+/* shade.h - a span of pixels that see one sphere, through the kernels: light by light, shadow by shadow. */
 #ifndef TIA_SPAN_SHADE_H
 #define TIA_SPAN_SHADE_H
 
 #include "kernels.h"
 #include "render/view.h"
 
-struct shade_run {
+struct shaded_span {
     uint32_t object; /* the sphere */
     int x, y, count; /* the first pixel; at most CHUNK */
     const num_u *t;
-    uint32_t *reached; /* NULL, or the light states, as tia_options has them */
+    uint32_t *path_hash; /* NULL, or the light states, as tia_options has them */
 };
 
-void shade_run(const struct tia_view *view, const struct shade_run *run, const num_u threshold[8], tia_rgb565 *pixels);
+void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                tia_rgb565 *pixels);
 
 #endif

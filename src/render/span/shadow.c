@@ -7,31 +7,31 @@ static int limit(int e, int bits)
 }
 
 /* The same for t a.v, a product of t (31 bits) and a.v. */
-static int limit_product(int e, const struct lattice *lattice, const struct body *body, struct num_vec a)
+static int limit_product(int e, const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec a)
 {
-    int most = body->t_exponent + lattice->exponent - 16 + 61 - num_bits(lattice_reach(lattice, a));
+    int most = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, a));
     return e < most ? e : most;
 }
 
 /* a.v from pixel (x, y) on, so that its product with t has the exponent e. */
-static struct row_form product_form(const struct lattice *lattice, const struct body *body, struct num_vec a, int x,
-                                    int y, int e)
+static struct row_form product_form(const struct primary_rays *primary, const struct span_sphere *sphere,
+                                    struct num_vec a, int x, int y, int e)
 {
-    return lattice_form(lattice, a, x, y, e - body->t_exponent - lattice->exponent + 16);
+    return primary_form(primary, a, x, y, e - sphere->t_exponent - primary->exponent + 16);
 }
 
 /* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w,
  * below 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16,
  * num_bias_product has something to shift away. */
-static int prepare_product(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
-                           int x, int y, struct shadow_line *line)
+static int prepare_product(const struct primary_rays *primary, const struct light_source *source,
+                           const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
     num_wide toward = num_dot(caster->centre, source->light);
-    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), lattice, source->body, sum);
+    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), primary, source->sphere, sum);
 
     e = e < 57 ? e : 57;
-    struct row_form form = product_form(lattice, source->body, sum, x, y, e);
+    struct row_form form = product_form(primary, source->sphere, sum, x, y, e);
 
     line->a = form.start;
     line->a_step = form.step;
@@ -42,17 +42,17 @@ static int prepare_product(const struct lattice *lattice, const struct light_sou
 
 /* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each
  * term stays below 2^60, twice t C.v below 2^61. Returns e_k. */
-static int prepare_power(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
-                         int x, int y, struct shadow_line *line)
+static int prepare_power(const struct primary_rays *primary, const struct light_source *source,
+                         const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
-    const struct body *body = source->body;
-    num_wide r = body->radius, biased = r + NUM_BIAS;
-    num_wide apart = num_square30(num_vec_sub(body->centre, caster->centre)) -
+    const struct span_sphere *sphere = source->sphere;
+    num_wide r = sphere->radius, biased = r + NUM_BIAS;
+    num_wide apart = num_square30(num_vec_sub(sphere->centre, caster->centre)) -
                      num_shift(r * biased + caster->radius * caster->radius, -2);
     int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
-    e = limit_product(e, lattice, body, caster->centre);
-    struct row_form form = product_form(lattice, body, caster->centre, x, y, e);
+    e = limit_product(e, primary, sphere, caster->centre);
+    struct row_form form = product_form(primary, sphere, caster->centre, x, y, e);
     line->c = form.start;
     line->c_step = form.step;
     line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
@@ -77,32 +77,32 @@ static struct num_vec quarter(struct num_vec a)
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
  * In quarters the products fit; the last term makes up for their rounding. */
-static bool is_behind(const struct light_source *source, const struct body *caster)
+static bool is_behind(const struct light_source *source, const struct span_sphere *caster)
 {
-    struct num_vec d = quarter(num_vec_sub(caster->centre, source->body->centre));
-    struct num_vec g = quarter(num_vec_sub(source->light, source->body->centre));
-    num_wide r = num_shift(source->body->radius, -2) + 1;
+    struct num_vec d = quarter(num_vec_sub(caster->centre, source->sphere->centre));
+    struct num_vec g = quarter(num_vec_sub(source->light, source->sphere->centre));
+    num_wide r = num_shift(source->sphere->radius, -2) + 1;
 
     return num_dot(d, g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
 }
 
-bool shadow_line_prepare(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
-                         int x, int y, struct shadow_line *line)
+bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
+                         const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
     if (is_behind(source, caster))
         return false;
-    const struct body *body = source->body;
+    const struct span_sphere *sphere = source->sphere;
     num_wide from_light = num_square30(num_vec_sub(caster->centre, source->light));
-    int e_a = prepare_product(lattice, source, caster, x, y, line);
-    int e_k = prepare_power(lattice, source, caster, x, y, line);
+    int e_a = prepare_product(primary, source, caster, x, y, line);
+    int e_k = prepare_power(primary, source, caster, x, y, line);
 
     /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is
      * 2^(-28 - bits) inverse. */
-    line->inverse = body->inverse;
+    line->inverse = sphere->inverse;
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
     line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;
     line->product_down = e_a < source->exponent ? 0 : num_count(e_a - source->exponent);
-    line->swell = num_bias(body->inverse, body->radius_bits);
+    line->swell = num_bias(sphere->inverse, sphere->radius_bits);
     line->exponent = 2 * e_a - source->exponent - e_k;
     line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);
     return true;

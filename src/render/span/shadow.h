@@ -1,4 +1,4 @@
-/* shadow.h - prepares the test of one sphere between a light and a run of pixels. */
+/* shadow.h - prepares the test of one sphere between a light and a span of pixels. */
 #ifndef TIA_SPAN_SHADOW_H
 #define TIA_SPAN_SHADOW_H
 
@@ -6,7 +6,7 @@
 
 /* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on.
  * False when it shades none of them. */
-bool shadow_line_prepare(const struct lattice *lattice, const struct light_source *source, const struct body *caster,
-                         int x, int y, struct shadow_line *line);
+bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
+                         const struct span_sphere *caster, int x, int y, struct shadow_line *line);
 
 #endif

@@ -5,14 +5,14 @@
 #include "render/hits.h"
 #include "render/view.h"
 
-/* Bytes for the bodies; they are prepared in `memory`. */
+/* Bytes for the spheres; they are prepared in `memory`. */
 size_t span_size(const struct tia_scene *scene, uint32_t light_capacity);
 void span_prepare(struct tia_view *view, void *memory);
 
 /* The view's lights have changed. */
 void span_set_lights(struct tia_view *view);
 
-/* Keeps those of `count` distances to body `n` that are nearer than the best so far; a tie stays. */
+/* Keeps those of `count` distances to sphere `n` that are nearer than the best so far; a tie stays. */
 void span_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 

@@ -7,91 +7,94 @@
  * For b^2 - c v.v both products need the same exponent, so c is taken with
  * 2 e_b - e_v = 2 b_shift - square_shift. Both must stay below 2^31. From inside -c v.v is added:
  * then one bit less keeps the sum b + sqrt(...) below 2^32. */
-static void prepare_discriminant(const struct lattice *lattice, struct body *body)
+static void prepare_discriminant(const struct primary_rays *primary, struct span_sphere *sphere)
 {
-    num_wide b_reach = lattice_reach(lattice, body->centre);
-    int spare = body->c < 0, b_shift = 63 - num_bits(b_reach) - spare;
-    int c_limit = ((lattice->square_shift + 63 - num_bits(body->c)) >> 1) - spare;
+    num_wide b_reach = primary_reach(primary, sphere->centre);
+    int spare = sphere->c < 0, b_shift = 63 - num_bits(b_reach) - spare;
+    int c_limit = ((primary->square_shift + 63 - num_bits(sphere->c)) >> 1) - spare;
 
-    body->b_shift = b_shift < c_limit ? b_shift : c_limit;
-    body->c_disc = num_scale(num_abs(body->c), 2 * body->b_shift - lattice->square_shift - 32);
+    sphere->b_shift = b_shift < c_limit ? b_shift : c_limit;
+    sphere->c_disc = num_scale(num_abs(sphere->c), 2 * sphere->b_shift - primary->square_shift - 32);
 }
 
 /* t^2 <= c / v.v from outside (the tangent), t^2 <= (2r)^2 / v.v from inside; v.v is at least
  * depth^2. The exponent of t makes t^2 < 2^61. num_quotient(a, b, s) is a/b * 2^(63 - s), with
  * the exponents e of a and b: e_t = e_a - e_b + 63 - s. */
-static void prepare_distance(const struct lattice *lattice, struct body *body)
+static void prepare_distance(const struct primary_rays *primary, struct span_sphere *sphere)
 {
-    int b_exponent = body->b_shift + lattice->exponent - 16;
-    int v_exponent = lattice->square_shift + 2 * lattice->exponent - 32;
-    int depth_bits = num_bits(lattice->depth * lattice->depth) - 1 - 2 * lattice->exponent;
+    int b_exponent = sphere->b_shift + primary->exponent - 16;
+    int v_exponent = primary->square_shift + 2 * primary->exponent - 32;
+    int depth_bits = num_bits(primary->depth * primary->depth) - 1 - 2 * primary->exponent;
 
-    if (body->c < 0) {
-        int reach_bits = num_bits(body->radius * body->radius) + 2 - 32;
-        body->t_exponent = (61 - reach_bits + depth_bits) >> 1;
-        body->t_shift = b_exponent - v_exponent + 63 - body->t_exponent;
+    if (sphere->c < 0) {
+        int reach_bits = num_bits(sphere->radius * sphere->radius) + 2 - 32;
+        sphere->t_exponent = (61 - reach_bits + depth_bits) >> 1;
+        sphere->t_shift = b_exponent - v_exponent + 63 - sphere->t_exponent;
     } else {
-        int c_bits = num_bits(body->c);
-        c_bits += num_bits(num_shift(body->c, 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
-        body->c_top = num_scale(body->c, 32 - c_bits);
-        body->t_exponent = (61 - (c_bits - 32) + depth_bits) >> 1;
-        body->t_shift = 64 - c_bits - b_exponent + 63 - body->t_exponent;
+        int c_bits = num_bits(sphere->c);
+        c_bits += num_bits(num_shift(sphere->c, 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
+        sphere->c_top = num_scale(sphere->c, 32 - c_bits);
+        sphere->t_exponent = (61 - (c_bits - 32) + depth_bits) >> 1;
+        sphere->t_shift = 64 - c_bits - b_exponent + 63 - sphere->t_exponent;
     }
 }
 
 /* A line of pixels as the cone meets it: a row, or the rows themselves (then X is -Y). */
-static struct run rows_that_see(const struct lattice *lattice, const struct body *body)
+static struct span rows_that_see(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
-    struct run none = {0, 0}, all = {0, lattice->height};
-    struct slice s = {-body->centre.y,
-                      -body->centre.z * lattice->depth,
-                      lattice->depth * lattice->depth,
-                      body->c - body->centre.x * body->centre.x,
-                      lattice->exponent,
-                      lattice->height};
+    struct span none = {0, 0}, all = {0, primary->height};
+    struct cone_row s = {-sphere->centre.y,
+                         -sphere->centre.z * primary->depth,
+                         primary->depth * primary->depth,
+                         sphere->c - sphere->centre.x * sphere->centre.x,
+                         primary->exponent,
+                         primary->height};
 
     /* Along row y the largest (L.v)^2 / v.v is L.x^2 + (L.y Y - L.z depth)^2 / (Y^2 + depth^2):
      * the square of L's projection on the plane of the row. */
-    return s.c > 0 ? slice_run(&s, none) : all;
+    return s.c > 0 ? cone_row_span(&s, none) : all;
 }
 
-void sphere_prepare(const struct lattice *lattice, struct body *body, struct num_vec centre, tia_q16 radius)
+void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
+                         tia_q16 radius)
 {
-    struct run none = {0, 0};
+    struct span none = {0, 0};
 
-    body->centre = centre;
-    body->radius = num_coordinate(radius);
-    body->c = num_dot(body->centre, body->centre) - body->radius * body->radius;
-    body->rows = none;
+    sphere->centre = centre;
+    sphere->radius = num_coordinate(radius);
+    sphere->c = num_dot(sphere->centre, sphere->centre) - sphere->radius * sphere->radius;
+    sphere->rows = none;
     if (radius == 0)
         return;
-    body->radius_bits = num_bits(body->radius);
-    body->inverse = num_inverse(body->radius);
-    prepare_discriminant(lattice, body);
-    prepare_distance(lattice, body);
-    body->rows = rows_that_see(lattice, body);
+    sphere->radius_bits = num_bits(sphere->radius);
+    sphere->inverse = num_inverse(sphere->radius);
+    prepare_discriminant(primary, sphere);
+    prepare_distance(primary, sphere);
+    sphere->rows = rows_that_see(primary, sphere);
 }
 
-struct run sphere_run(const struct lattice *lattice, const struct body *body, int y, struct run guess)
+struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
+                            struct span guess)
 {
-    num_wide row = lattice_y(lattice, y);
-    struct slice s = {body->centre.x,
-                      body->centre.y * row - body->centre.z * lattice->depth,
-                      row * row + lattice->depth * lattice->depth,
-                      body->c,
-                      lattice->exponent,
-                      lattice->width};
+    num_wide row = primary_y(primary, y);
+    struct cone_row s = {sphere->centre.x,
+                         sphere->centre.y * row - sphere->centre.z * primary->depth,
+                         row * row + primary->depth * primary->depth,
+                         sphere->c,
+                         primary->exponent,
+                         primary->width};
 
-    return slice_run(&s, guess);
+    return cone_row_span(&s, guess);
 }
 
-void sphere_distances(const struct lattice *lattice, const struct body *body, int y, int x, int count, num_u *t)
+void span_sphere_distances(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
+                           int count, num_u *t)
 {
-    struct row_form b = lattice_form(lattice, body->centre, x, y, body->b_shift);
-    struct sphere_line line = {b.start,       b.step, lattice_square(lattice, x, y), body->c_disc, body->c_top,
-                               body->t_shift, count};
+    struct row_form b = primary_form(primary, sphere->centre, x, y, sphere->b_shift);
+    struct sphere_line line = {b.start,         b.step, primary_square(primary, x, y), sphere->c_disc, sphere->c_top,
+                               sphere->t_shift, count};
 
-    if (body->c < 0)
+    if (sphere->c < 0)
         kernel_sphere_inside(&line, t);
     else
         kernel_sphere(&line, t);

@@ -14,28 +14,31 @@
 #include "primary.h"
 
 /* A sphere of the scene, or the sphere that a light is seen as. */
-struct body {
+struct span_sphere {
     struct num_vec centre; /* L */
     num_wide c;            /* L.L - r^2, exponent 32: negative when the eye is inside */
     num_wide radius;       /* exponent 16 */
     num_u inverse;         /* num_inverse(radius) */
     int radius_bits;       /* num_bits(radius) */
 
-    /* The exponents and constants of the kernels that compute t, see body.c. */
+    /* The exponents and constants of the kernels that compute t, see sphere.c. */
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
     num_u c_disc, c_top; /* c as the discriminant and the quotient take it */
     int t_shift;         /* what num_quotient is given */
     int t_exponent;      /* the exponent of t */
-    struct run rows;     /* the rows that may see it; empty: no pixel does */
+    struct span rows;    /* the rows that may see it; empty: no pixel does */
 };
 
-/* Prepares a sphere whose radius is not 0; else a body that no pixel sees. */
-void sphere_prepare(const struct lattice *lattice, struct body *body, struct num_vec centre, tia_q16 radius);
+/* Prepares a sphere whose radius is not 0; else a sphere that no pixel sees. */
+void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
+                         tia_q16 radius);
 
 /* The pixels of row y that see the sphere; `guess` is for speed only. */
-struct run sphere_run(const struct lattice *lattice, const struct body *body, int y, struct run guess);
+struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
+                            struct span guess);
 
 /* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see the sphere. */
-void sphere_distances(const struct lattice *lattice, const struct body *body, int y, int x, int count, num_u *t);
+void span_sphere_distances(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
+                           int count, num_u *t);
 
 #endif

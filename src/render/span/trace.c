@@ -1,5 +1,5 @@
-/* trace.c - what the pixels of a tile see: each sphere's pixels are one run a row, found exactly;
- * where runs overlap, the nearer wins, and a tie goes to the lower index. */
+/* trace.c - what the pixels of a tile see: each sphere's pixels are one span a row, found exactly;
+ * where spans overlap, the nearer wins, and a tie goes to the lower index. */
 #include "kernels.h"
 #include "span.h"
 
@@ -12,27 +12,27 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-static void trace_run(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct run run)
+static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct span span)
 {
     num_u t[CHUNK];
 
-    for (int x = run.first; x < run.end; x += CHUNK) {
-        int count = run.end - x < CHUNK ? run.end - x : CHUNK;
+    for (int x = span.first; x < span.end; x += CHUNK) {
+        int count = span.end - x < CHUNK ? span.end - x : CHUNK;
         size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
 
-        sphere_distances(&view->span.lattice, &view->span.bodies[n], y, x, count, t);
+        span_sphere_distances(&view->span.primary, &view->span.spheres[n], y, x, count, t);
         span_keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
     }
 }
 
 static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
-    const struct body *body = &view->span.bodies[n];
-    struct run rows = run_within(body->rows, tile.y, tile.y + tile.height), run = {0, 0};
+    const struct span_sphere *sphere = &view->span.spheres[n];
+    struct span rows = span_within(sphere->rows, tile.y, tile.y + tile.height), span = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        run = sphere_run(&view->span.lattice, body, y, run);
-        trace_run(view, hits, n, y, run_within(run, tile.x, tile.x + tile.width));
+        span = span_sphere_row(&view->span.primary, sphere, y, span);
+        trace_span(view, hits, n, y, span_within(span, tile.x, tile.x + tile.width));
     }
 }
 

@@ -7,15 +7,15 @@ static void look(struct ray_camera *c, const struct tia_camera *given)
     struct num_point back = num_point_sub(c->eye, num_point_of(given->reference)), up = num_point_of(given->up);
     struct num_dir towards;
 
-    c->u = (struct num_dir){NUM_D_ONE, 0, 0};
-    c->v = (struct num_dir){0, NUM_D_ONE, 0};
-    c->n = (struct num_dir){0, 0, NUM_D_ONE};
+    c->u = (struct num_dir){NUM_UNIT_ONE, 0, 0};
+    c->v = (struct num_dir){0, NUM_UNIT_ONE, 0};
+    c->n = (struct num_dir){0, 0, NUM_UNIT_ONE};
     if (!given->up.x && !given->up.y && !given->up.z)
         return;
     (void)num_normalise(back, &c->n);
     (void)num_normalise(up, &towards);
-    c->u = num_dir_unit(num_cross_d(towards, c->n));
-    c->v = num_cross_d(c->n, c->u);
+    c->u = num_dir_normalised(num_dir_cross(towards, c->n));
+    c->v = num_dir_cross(c->n, c->u);
 }
 
 /* The window at the distance `depth`. In perspective its units are those of the lattice of pixels, over
@@ -25,21 +25,21 @@ static void open_window(struct ray_camera *c, const struct tia_camera *given)
     const struct tia_window *w = &given->window;
 
     if (c->projection == TIA_PERSPECTIVE) {
-        c->across = num_int(c->width) / 64;
-        c->upward = num_int(c->height) / 64;
+        c->across = num_integer(c->width) / 64;
+        c->upward = num_integer(c->height) / 64;
         c->left = -c->across / 2;
         c->bottom = -c->upward / 2;
-        c->depth = num_times(num_int(c->height), num_d_of62((int64_t)(tia_cotangent(given->fov) >> 1)));
+        c->depth = num_times(num_integer(c->height), num_unit_of_q62((int64_t)(tia_cotangent(given->fov) >> 1)));
         return;
     }
-    c->depth = num_x_of(w->near);
-    c->bottom = num_x_of(w->bottom);
-    c->upward = num_x_of(w->top) - c->bottom;
-    c->left = num_x_of(w->left);
-    c->across = num_x_of(w->right) - c->left;
+    c->depth = num_length_of(w->near);
+    c->bottom = num_length_of(w->bottom);
+    c->upward = num_length_of(w->top) - c->bottom;
+    c->left = num_length_of(w->left);
+    c->across = num_length_of(w->right) - c->left;
     if (!w->left && !w->right) {
-        num_x across = num_product_within(c->upward, num_ratio(num_int(c->width), num_int(c->height)));
-        c->across = across < NUM_X_FAR ? across : NUM_X_FAR;
+        num_length across = num_product_within(c->upward, num_ratio(num_integer(c->width), num_integer(c->height)));
+        c->across = across < NUM_LENGTH_FAR ? across : NUM_LENGTH_FAR;
         c->left = -c->across / 2;
     }
 }
@@ -60,13 +60,13 @@ void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct
 {
     int n = c->side, i = sample % n, j = sample / n;
     int column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
-    num_d right = num_fraction(num_int(column) / 2, num_int(n * n * c->width));
-    num_d down = num_fraction(num_int(row) / 2, num_int(n * n * c->height));
-    num_x h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
+    num_unit right = num_fraction(num_integer(column) / 2, num_integer(n * n * c->width));
+    num_unit down = num_fraction(num_integer(row) / 2, num_integer(n * n * c->height));
+    num_length h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
     ray->origin = c->eye;
-    ray->direction = num_dir_turned(c->n);
+    ray->direction = num_dir_negated(c->n);
     if (c->projection == TIA_ORTHOGRAPHIC)
         ray->origin = num_point_add(c->eye, aside);
     else

@@ -8,9 +8,9 @@ struct ray_camera {
     struct num_point eye;
     struct num_dir u, v, n;
     enum tia_projection projection;
-    int width, height, side;            /* of the image; side^2 samples a pixel */
-    num_x depth;                        /* of the image plane before the eye */
-    num_x left, bottom, across, upward; /* the window and its sizes */
+    int width, height, side;                 /* of the image; side^2 samples a pixel */
+    num_length depth;                        /* of the image plane before the eye */
+    num_length left, bottom, across, upward; /* the window and its sizes */
 };
 
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_camera *given, int width, int height);

@@ -4,12 +4,12 @@
 #include "math/rotation.h"
 #include "rgb.h"
 
-static num_d cosine(tia_q16 degrees)
+static num_unit cosine(tia_q16 degrees)
 {
     int64_t s, c;
 
     tia_sincos(degrees, &s, &c);
-    return num_d_of62(c);
+    return num_unit_of_q62(c);
 }
 
 static void prepare_rectangle(struct ray_light *l, const struct tia_light *given)
@@ -20,10 +20,10 @@ static void prepare_rectangle(struct ray_light *l, const struct tia_light *given
         l->side[i] = num_point_of(given->side[i]);
         (void)num_normalise(l->side[i], &along[i]);
     }
-    normal = num_dir_unit(num_cross_d(along[0], along[1]));
+    normal = num_dir_normalised(num_dir_cross(along[0], along[1]));
     l->direction = normal;
-    l->across[0] = num_cross_d(along[1], normal);
-    l->across[1] = num_cross_d(normal, along[0]);
+    l->across[0] = num_dir_cross(along[1], normal);
+    l->across[1] = num_dir_cross(normal, along[0]);
 }
 
 static void prepare_shape(struct ray_light *l, const struct tia_light *given)
@@ -46,13 +46,13 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
 
     l->kind = given->kind;
     l->samples = !area ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;
-    l->part = num_fraction(NUM_X_ONE, num_int((int32_t)(32 * l->samples)));
+    l->part = num_fraction(NUM_LENGTH_ONE, num_integer((int32_t)(32 * l->samples)));
     ray_rgb(&given->emission, l->emission);
     l->centre = num_point_of(given->centre);
-    l->radius = num_x_of(given->radius);
-    l->constant = num_x_of(given->constant);
-    l->linear = num_x_of(given->linear);
-    l->quadratic = num_x_of(given->quadratic);
+    l->radius = num_length_of(given->radius);
+    l->constant = num_length_of(given->constant);
+    l->linear = num_length_of(given->linear);
+    l->quadratic = num_length_of(given->quadratic);
     l->fades = given->constant || given->linear || given->quadratic;
     prepare_shape(l, given);
 }
@@ -66,10 +66,10 @@ static unsigned mirrored(unsigned i)
 }
 
 /* sin(2 pi v/256) */
-static num_d sine(unsigned v)
+static num_unit sine(unsigned v)
 {
     unsigned place = v & 63;
-    num_d s = num_d_of62(tia_sines[v & 64 ? 64 - place : place]);
+    num_unit s = num_unit_of_q62(tia_sines[v & 64 ? 64 - place : place]);
 
     return v & 128 ? -s : s;
 }
@@ -82,25 +82,25 @@ unsigned ray_pixel_class(int x, int y)
 }
 
 /* u = frac((i + 1/2)/n + b/16), of which the integers know when it is 0; and v in units of 1/256. */
-static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_d *u, unsigned *v)
+static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;
 
-    *u = l->part * (num_d)((32 * i + 16 + 2 * n * class) % (32 * n));
+    *u = l->part * (num_unit)((32 * i + 16 + 2 * n * class) % (32 * n));
     *v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
 }
 
 /* A point of the disc around the centre with these axes. */
-static struct num_point on_disc(const struct ray_light *l, const struct num_dir axes[2], num_d u, unsigned v)
+static struct num_point on_disc(const struct ray_light *l, const struct num_dir axes[2], num_unit u, unsigned v)
 {
-    num_x r = num_times(l->radius, num_sqrt_d(u));
+    num_length r = num_times(l->radius, num_unit_sqrt(u));
     struct num_point a = num_point_along(axes[0], num_times(r, sine(v + 64)));
     struct num_point b = num_point_along(axes[1], num_times(r, sine(v)));
 
     return num_point_add(l->centre, num_point_add(a, b));
 }
 
-static struct num_point scaled(struct num_point p, num_d s)
+static struct num_point scaled(struct num_point p, num_unit s)
 {
     return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
 }
@@ -116,7 +116,7 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_po
     aim->axes[1] = l->axes[1];
     if (l->kind == TIA_SPHERE_LIGHT) {
         if (!num_normalise(num_point_sub(point, l->centre), &from))
-            from = (struct num_dir){NUM_D_ONE, 0, 0};
+            from = (struct num_dir){NUM_UNIT_ONE, 0, 0};
         shape_axes(from, aim->axes);
     }
 }
@@ -125,7 +125,7 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_po
 static struct num_point source(const struct ray_aim *aim, unsigned i)
 {
     const struct ray_light *l = aim->light;
-    num_d u;
+    num_unit u;
     unsigned v;
 
     if (l->kind < TIA_RECTANGLE_LIGHT)
@@ -133,27 +133,27 @@ static struct num_point source(const struct ray_aim *aim, unsigned i)
     pattern(l, aim->class, i, &u, &v);
     if (l->kind != TIA_RECTANGLE_LIGHT)
         return on_disc(l, aim->axes, u, v);
-    num_d s = 2 * (u - NUM_D_ONE / 2), t = NUM_D_ONE / 128 * (num_d)((int)v - 128);
+    num_unit s = 2 * (u - NUM_UNIT_ONE / 2), t = NUM_UNIT_ONE / 128 * (num_unit)((int)v - 128);
     return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
 }
 
 /* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more. */
-static num_x attenuation(const struct ray_light *l, num_x d)
+static num_length attenuation(const struct ray_light *l, num_length d)
 {
-    num_x slope = l->linear + num_product_within(l->quadratic, d);
-    num_x sum = l->constant + num_product_within(slope < NUM_X_MOST ? slope : NUM_X_MOST, d);
+    num_length slope = l->linear + num_product_within(l->quadratic, d);
+    num_length sum = l->constant + num_product_within(slope < NUM_LENGTH_MAX ? slope : NUM_LENGTH_MAX, d);
 
-    return sum < NUM_X_MOST ? num_ratio(NUM_X_ONE, sum) : 0;
+    return sum < NUM_LENGTH_MAX ? num_ratio(NUM_LENGTH_ONE, sum) : 0;
 }
 
 /* How much of a spot light goes along a direction from the point to it. */
-static num_x spot(const struct ray_light *l, struct num_dir to)
+static num_length spot(const struct ray_light *l, struct num_dir to)
 {
-    num_d c = -num_dot_d(to, l->direction);
+    num_unit c = -num_dir_dot(to, l->direction);
 
     if (c >= l->inner)
-        return NUM_X_ONE;
-    return c <= l->outer ? 0 : num_x_of_d(num_fraction(c - l->outer, l->inner - l->outer));
+        return NUM_LENGTH_ONE;
+    return c <= l->outer ? 0 : num_length_of_unit(num_fraction(c - l->outer, l->inner - l->outer));
 }
 
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *s)
@@ -161,31 +161,31 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
     const struct ray_light *l = aim->light;
 
     if (l->kind == TIA_DIRECTIONAL_LIGHT) {
-        s->to = num_dir_turned(l->direction);
-        s->distance = NUM_X_MOST;
-        s->factor = NUM_X_ONE;
+        s->to = num_dir_negated(l->direction);
+        s->distance = NUM_LENGTH_MAX;
+        s->factor = NUM_LENGTH_ONE;
         return true;
     }
     struct num_point way = num_point_sub(source(aim, i), aim->point);
     if (!num_normalise(way, &s->to))
         return false;
-    s->distance = num_dot_x(way, s->to);
-    s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_X_ONE;
+    s->distance = num_point_dot(way, s->to);
+    s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_LENGTH_ONE;
     if (s->factor > 0 && l->fades)
         s->factor = num_product_within(s->factor, attenuation(l, s->distance));
     return s->factor > 0;
 }
 
 /* Where a ray meets the plane of a rectangle or disc. */
-static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_x limit, num_x *t,
+static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t,
                         struct num_point *from_centre)
 {
     struct num_point way = num_point_sub(l->centre, ray->origin);
-    num_d slope = num_dot_d(ray->direction, l->direction);
+    num_unit slope = num_dir_dot(ray->direction, l->direction);
 
-    if (slope > -NUM_D_LEAST && slope < NUM_D_LEAST)
+    if (slope > -NUM_UNIT_LEAST && slope < NUM_UNIT_LEAST)
         return false;
-    *t = num_over(num_dot_x(way, l->direction), slope);
+    *t = num_div(num_point_dot(way, l->direction), slope);
     if (*t < 0 || *t >= limit)
         return false;
     *from_centre = num_point_sub(num_point_along(ray->direction, *t), way);
@@ -194,13 +194,13 @@ static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_x 
 
 static bool is_within(struct num_point p, struct num_point side, struct num_dir across)
 {
-    num_x at = num_dot_x(p, across), reach = num_dot_x(side, across);
+    num_length at = num_point_dot(p, across), reach = num_point_dot(side, across);
 
     at = at < 0 ? -at : at;
     return at <= (reach < 0 ? -reach : reach);
 }
 
-bool ray_light_seen(const struct ray_light *l, const struct ray *ray, num_x limit, num_x *t)
+bool ray_light_intersect(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t)
 {
     struct num_point p;
 
@@ -209,7 +209,7 @@ bool ray_light_seen(const struct ray_light *l, const struct ray *ray, num_x limi
     case TIA_SPHERE_LIGHT:
         return l->radius > 0 && sphere_intersect(l->centre, l->radius, ray, limit, t) && *t < limit;
     case TIA_DISC_LIGHT:
-        return l->radius > 0 && meets_plane(l, ray, limit, t, &p) && num_length(p) <= l->radius;
+        return l->radius > 0 && meets_plane(l, ray, limit, t, &p) && num_norm(p) <= l->radius;
     case TIA_RECTANGLE_LIGHT:
         return meets_plane(l, ray, limit, t, &p) && is_within(p, l->side[0], l->across[0]) &&
                is_within(p, l->side[1], l->across[1]);

@@ -7,24 +7,24 @@
 struct ray_light {
     enum tia_light_kind kind;
     unsigned samples; /* 1 for lights without area */
-    num_d part;       /* 1/(32 samples) */
-    num_x emission[3];
+    num_unit part;    /* 1/(32 samples) */
+    num_length emission[3];
     struct num_point centre;
     struct num_dir direction; /* of length 1 */
-    num_x radius;             /* 0: not seen */
-    num_d inner, outer;       /* cosines */
+    num_length radius;        /* 0: not seen */
+    num_unit inner, outer;    /* cosines */
     struct num_dir axes[2];   /* of a disc */
     struct num_point side[2]; /* of a rectangle */
     struct num_dir across[2]; /* in its plane, at right angles to the other side */
-    num_x constant, linear, quadratic;
+    num_length constant, linear, quadratic;
     bool fades;
 };
 
 /* What one sample of a light does to a point. */
 struct ray_sample {
-    struct num_dir to; /* L */
-    num_x distance;    /* shadow rays end here */
-    num_x factor;      /* of the attenuation and the spot; 0: it does not shine here */
+    struct num_dir to;   /* L */
+    num_length distance; /* shadow rays end here */
+    num_length factor;   /* of the attenuation and the spot; 0: it does not shine here */
 };
 
 void ray_light_prepare(struct ray_light *light, const struct tia_light *given);
@@ -43,7 +43,7 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct nu
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
 /* Where a ray meets the light's surface, 0 <= t < limit. */
-bool ray_light_seen(const struct ray_light *light, const struct ray *ray, num_x limit, num_x *t);
+bool ray_light_intersect(const struct ray_light *light, const struct ray *ray, num_length limit, num_length *t);
 
 /* The class of pixel (x, y). */
 unsigned ray_pixel_class(int x, int y);

@@ -3,75 +3,77 @@
 #include "render/geometry/walk.h"
 #include "trace.h"
 
-static bool meet_shape(const struct shape *shape, const struct ray *ray, num_x limit, struct crossing *crossing)
+static bool meet_shape(const struct shape *shape, const struct ray *ray, num_length limit,
+                       struct intersection *intersection)
 {
-    const struct placement *placement = shape->placement;
-    struct placed_ray placed;
+    const struct instance *instance = shape->instance;
+    struct instance_ray placed;
 
-    if (!placement)
-        return shape->kind->intersect(shape, ray, limit, crossing);
-    placement_ray(placement, ray, &placed);
-    num_x within = placement_limit(&placed, limit);
-    if (within < 0 || !shape->kind->intersect(shape, &placed.ray, within, crossing))
+    if (!instance)
+        return shape->kind->intersect(shape, ray, limit, intersection);
+    instance_transform_ray(instance, ray, &placed);
+    num_length within = instance_limit(&placed, limit);
+    if (within < 0 || !shape->kind->intersect(shape, &placed.ray, within, intersection))
         return false;
-    crossing->t = placement_distance_back(&placed, crossing->t);
-    return crossing->t <= limit;
+    intersection->t = instance_distance_back(&placed, intersection->t);
+    return intersection->t <= limit;
 }
 
-static bool meet(const struct ray_view *view, const struct ray *ray, uint32_t object, num_x limit,
-                 struct crossing *crossing)
+static bool meet(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
+                 struct intersection *intersection)
 {
     const struct tia_scene *scene = view->scene;
 
     if (object >= scene->sphere_count)
-        return meet_shape(&view->shapes[object - scene->sphere_count], ray, limit, crossing);
+        return meet_shape(&view->shapes[object - scene->sphere_count], ray, limit, intersection);
     const struct tia_sphere *s = &scene->spheres[object];
-    crossing->element = 0;
-    return sphere_intersect(num_point_of(s->centre), num_x_of(s->radius), ray, limit, &crossing->t);
+    intersection->element = 0;
+    return sphere_intersect(num_point_of(s->centre), num_length_of(s->radius), ray, limit, &intersection->t);
 }
 
-static bool occludes_placed(const struct shape *shape, const struct ray *ray, num_x limit)
+static bool occludes_placed(const struct shape *shape, const struct ray *ray, num_length limit)
 {
-    struct placed_ray placed;
+    struct instance_ray placed;
 
-    placement_ray(shape->placement, ray, &placed);
-    limit = placement_distance(&placed, limit);
+    instance_transform_ray(shape->instance, ray, &placed);
+    limit = instance_distance(&placed, limit);
     return limit >= 0 && shape->kind->occluded(shape, &placed.ray, limit);
 }
 
-bool ray_occluded(const struct ray_view *view, const struct ray *ray, uint32_t object, num_x limit, uint32_t *element)
+bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
+                     uint32_t *element)
 {
     uint32_t spheres = view->scene->sphere_count;
-    struct crossing crossing;
+    struct intersection intersection;
 
     if (object >= spheres && !element) {
         const struct shape *shape = &view->shapes[object - spheres];
-        return shape->placement ? occludes_placed(shape, ray, limit) : shape->kind->occluded(shape, ray, limit);
+        return shape->instance ? occludes_placed(shape, ray, limit) : shape->kind->occluded(shape, ray, limit);
     }
-    bool met = meet(view, ray, object, limit, &crossing);
+    bool met = meet(view, ray, object, limit, &intersection);
     if (met && element)
-        *element = crossing.element;
+        *element = intersection.element;
     return met;
 }
 
 static void try_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit)
 {
-    struct crossing crossing;
+    struct intersection intersection;
 
-    if (meet(view, ray, object, hit->t, &crossing) &&
-        (crossing.t < hit->t || (crossing.t == hit->t && object < hit->object))) {
-        hit->t = crossing.t;
+    if (meet(view, ray, object, hit->t, &intersection) &&
+        (intersection.t < hit->t || (intersection.t == hit->t && object < hit->object))) {
+        hit->t = intersection.t;
         hit->object = object;
-        hit->element = crossing.element;
+        hit->element = intersection.element;
     }
 }
 
 static void clear(struct hit *hit)
 {
-    *hit = (struct hit){NUM_X_MOST, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
+    *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
 }
 
-void ray_nearest(const struct ray_view *view, const struct ray *ray, struct hit *hit)
+void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
     struct candidates candidates;
     uint32_t object;
@@ -82,18 +84,18 @@ void ray_nearest(const struct ray_view *view, const struct ray *ray, struct hit 
         try_object(view, ray, object, hit);
 }
 
-void ray_meet(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit)
+void ray_intersect_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit)
 {
     clear(hit);
     if (object != TIA_NO_OBJECT)
         try_object(view, ray, object, hit);
 }
 
-void ray_see_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit)
+void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
     for (uint32_t n = 0; n < view->light_count; n++) {
-        num_x t;
-        if (ray_light_seen(&view->lights[n], ray, hit->t, &t)) {
+        num_length t;
+        if (ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
             hit->t = t;
             hit->object = TIA_NO_OBJECT;
             hit->light = n;
@@ -110,17 +112,17 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
-    const struct placement *placement = shape->placement;
-    if (placement)
-        point = placement_point(placement, point);
+    const struct instance *instance = shape->instance;
+    if (instance)
+        point = instance_point(instance, point);
     shape->kind->surface(shape, point, hit->element, surface);
-    if (placement) {
-        surface->normal = placement_normal(placement, surface->normal);
-        surface->smooth = placement_normal(placement, surface->smooth);
+    if (instance) {
+        surface->normal = instance_normal(instance, surface->normal);
+        surface->smooth = instance_normal(instance, surface->smooth);
     }
 }
 
-void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_x uv[2])
+void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2])
 {
     const struct tia_scene *scene = view->scene;
 
@@ -129,8 +131,8 @@ void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
-    if (shape->placement)
-        point = placement_point(shape->placement, point);
+    if (shape->instance)
+        point = instance_point(shape->instance, point);
     shape->kind->uv(shape, point, hit->element, uv);
 }
 

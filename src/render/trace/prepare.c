@@ -1,4 +1,4 @@
-/* prepare.c - a scene for general rays: the camera, the lights, shapes and their placements. */
+/* prepare.c - a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
 #include "render/whitted/rays.h"
 #include "scene/bounds.h"
@@ -7,7 +7,7 @@
 size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
-                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct placement));
+                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance));
 
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
@@ -51,31 +51,31 @@ static void prepare_kind(struct shape *shape, const struct tia_scene *scene, con
 }
 
 /* False: the shape is where it is. */
-static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct placement *placement)
+static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
 {
     struct bounds_wide box;
 
     if (!given->transform)
         return false;
-    bounds_in_own_axes(scene, given, &box);
-    placement_prepare(placement, &scene->transforms[given->transform - 1], &box);
+    tia_bounds_in_own_axes(scene, given, &box);
+    instance_prepare(instance, &scene->transforms[given->transform - 1], &box);
     return true;
 }
 
 static void prepare_shapes(struct ray_view *view)
 {
     const struct tia_scene *scene = view->scene;
-    struct placement *placement = view->placements;
+    struct instance *instance = view->instances;
 
     for (uint32_t i = 0; i < scene->shape_count; i++) {
         const struct tia_shape *given = &scene->shapes[i];
         struct shape *shape = &view->shapes[i];
 
         shape->material = given->material;
-        shape->placement = NULL;
+        shape->instance = NULL;
         prepare_kind(shape, scene, given);
-        if (place(scene, given, placement))
-            shape->placement = placement++;
+        if (place(scene, given, instance))
+            shape->instance = instance++;
     }
 }
 
@@ -87,7 +87,7 @@ int ray_prepare(struct tia_view *view, void *memory)
     rays->scene = scene;
     rays->lights = (struct ray_light *)(void *)((char *)memory + ALIGN(sizeof *rays));
     rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
-    rays->placements = (struct placement *)(rays->shapes + scene->shape_count);
+    rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
     ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);

@@ -4,11 +4,11 @@
 
 #include "num/num_ray.h"
 
-static inline void ray_rgb(const struct tia_rgb *c, num_x rgb[3])
+static inline void ray_rgb(const struct tia_rgb *c, num_length rgb[3])
 {
-    rgb[0] = num_x_of_d(num_d_of(c->r));
-    rgb[1] = num_x_of_d(num_d_of(c->g));
-    rgb[2] = num_x_of_d(num_d_of(c->b));
+    rgb[0] = num_length_of_unit(num_unit_of(c->r));
+    rgb[1] = num_length_of_unit(num_unit_of(c->g));
+    rgb[2] = num_length_of_unit(num_unit_of(c->b));
 }
 
 #endif

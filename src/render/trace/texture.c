@@ -2,7 +2,7 @@
 
 #include "rgb.h"
 
-static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_x rgb[3])
+static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_length rgb[3])
 {
     uint32_t colour = (uint32_t)(cell[0] ^ cell[1]) & 1;
 
@@ -18,38 +18,38 @@ static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
 }
 
 /* The four texels around the place, each weighted by its nearness. */
-static void blend(const struct tia_texture *t, num_x u, num_x v, num_x rgb[3])
+static void blend(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
 {
     int32_t x = num_floor(u), y = num_floor(v);
-    num_x right = u - num_int(x), down = v - num_int(y);
+    num_length right = u - num_integer(x), down = v - num_integer(y);
     const uint8_t *upper[2] = {texel(t, x, y), texel(t, x + 1, y)};
     const uint8_t *lower[2] = {texel(t, x, y + 1), texel(t, x + 1, y + 1)};
 
     for (int c = 0; c < 3; c++) {
-        num_x above = num_int(upper[0][c]) + right * (upper[1][c] - upper[0][c]);
-        num_x below = num_int(lower[0][c]) + right * (lower[1][c] - lower[0][c]);
-        rgb[c] = num_ratio(above + num_product(below - above, down), num_int(255));
+        num_length above = num_integer(upper[0][c]) + right * (upper[1][c] - upper[0][c]);
+        num_length below = num_integer(lower[0][c]) + right * (lower[1][c] - lower[0][c]);
+        rgb[c] = num_ratio(above + num_product(below - above, down), num_integer(255));
     }
 }
 
-static uint32_t nearest(const struct tia_texture *t, num_x u, num_x v, num_x rgb[3])
+static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
 {
     const uint8_t *colour = texel(t, num_floor(u), num_floor(v));
 
     for (int c = 0; c < 3; c++)
-        rgb[c] = num_ratio(num_int(colour[c]), num_int(255));
+        rgb[c] = num_ratio(num_integer(colour[c]), num_integer(255));
     return (uint32_t)(colour - t->texels) / 3;
 }
 
-uint32_t ray_texture(const struct tia_texture *t, const num_x uv[2], num_x rgb[3])
+uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], num_length rgb[3])
 {
     int32_t cell[2];
-    num_x u = num_tile(uv[0], t->repeat[0], &cell[0]), v = num_tile(uv[1], t->repeat[1], &cell[1]);
+    num_length u = num_repeat(uv[0], t->repeat[0], &cell[0]), v = num_repeat(uv[1], t->repeat[1], &cell[1]);
 
     if (t->kind == TIA_CHECKER)
         return checker(t, cell, rgb);
     if (!t->bilinear)
         return nearest(t, u * t->width, v * t->height, rgb);
-    blend(t, u * t->width - NUM_X_ONE / 2, v * t->height - NUM_X_ONE / 2, rgb);
+    blend(t, u * t->width - NUM_LENGTH_ONE / 2, v * t->height - NUM_LENGTH_ONE / 2, rgb);
     return 0;
 }

@@ -5,6 +5,6 @@
 #include "num/num_ray.h"
 
 /* Which of the colours it is: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend of texels. */
-uint32_t ray_texture(const struct tia_texture *texture, const num_x uv[2], num_x rgb[3]);
+uint32_t ray_texture(const struct tia_texture *texture, const num_length uv[2], num_length rgb[3]);
 
 #endif

@@ -10,40 +10,42 @@
 struct ray_view {
     const struct tia_scene *scene;
     struct ray_camera camera;
-    struct shape *shapes;         /* the scene's, prepared */
-    struct placement *placements; /* one for each shape that has a transform */
+    struct shape *shapes;       /* the scene's, prepared */
+    struct instance *instances; /* one for each shape that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
 };
 
 /* What a ray meets first. */
 struct hit {
-    num_x t;
+    num_length t;
     uint32_t object;  /* an index, or TIA_NO_OBJECT: nothing, or if `light` is set that light */
     uint32_t element; /* of a shape, see shape.h */
     uint32_t light;   /* TIA_NO_OBJECT, or the light that is seen: then there is no object */
 };
 
 /* The nearest object, the lower index of several. */
-void ray_nearest(const struct ray_view *view, const struct ray *ray, struct hit *hit);
+void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
 /* Where the ray meets object `object`, known to be the nearest. */
-void ray_meet(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit);
+void ray_intersect_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit);
 
 /* A light with a surface that is nearer than the object takes its place. */
-void ray_see_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
+void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
 /* What objects between the ray's origin and t = limit let through: false when it is nothing. *blocker is an
  * object to try first, or TIA_NO_OBJECT, and then the one that lets nothing through: a neighbour's ray
  * often ends there too. */
-bool ray_passes(const struct ray_view *view, const struct ray *ray, num_x limit, uint32_t *blocker, num_x through[3]);
+bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
+                       num_length through[3]);
 
 /* Whether the ray meets object `object` at 0 <= t <= limit; with `element` not NULL the nearest of it. */
-bool ray_occluded(const struct ray_view *view, const struct ray *ray, uint32_t object, num_x limit, uint32_t *element);
+bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
+                     uint32_t *element);
 
 /* The surface of a hit object in the world's axes; its coordinates, for textures; its material. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_x uv[2]);
+void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 
 #endif

@@ -10,30 +10,30 @@
 #define KEPT 16
 
 /* The objects with the lowest indices that let something through, in rising order. */
-struct veils {
+struct filters {
     uint32_t object[KEPT], material[KEPT];
     uint32_t count, from; /* only objects from this index on */
     uint32_t blocker;     /* the object that takes all light */
     bool more;
 };
 
-static void keep(struct veils *veils, uint32_t object, uint32_t material)
+static void keep(struct filters *filters, uint32_t object, uint32_t material)
 {
-    uint32_t i = veils->count;
+    uint32_t i = filters->count;
 
     if (i == KEPT) {
-        veils->more = true;
-        if (veils->object[KEPT - 1] < object)
+        filters->more = true;
+        if (filters->object[KEPT - 1] < object)
             return;
         i--;
     }
-    for (; i > 0 && veils->object[i - 1] > object; i--) {
-        veils->object[i] = veils->object[i - 1];
-        veils->material[i] = veils->material[i - 1];
+    for (; i > 0 && filters->object[i - 1] > object; i--) {
+        filters->object[i] = filters->object[i - 1];
+        filters->material[i] = filters->material[i - 1];
     }
-    veils->object[i] = object;
-    veils->material[i] = material;
-    veils->count += veils->count < KEPT;
+    filters->object[i] = object;
+    filters->material[i] = material;
+    filters->count += filters->count < KEPT;
 }
 
 static bool is_grid(const struct ray_view *view, uint32_t object)
@@ -44,63 +44,64 @@ static bool is_grid(const struct ray_view *view, uint32_t object)
 }
 
 /* False when the object takes all light. */
-static bool passes_object(const struct ray_view *view, const struct ray *ray, uint32_t object, num_x limit,
-                          struct veils *veils)
+static bool object_transmits(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
+                             struct filters *filters)
 {
     const struct tia_material *materials = view->scene->materials;
     bool grid = is_grid(view, object);
     uint32_t element = 0;
 
-    if (object < veils->from || !ray_occluded(view, ray, object, limit, grid ? &element : NULL))
+    if (object < filters->from || !ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
         return true;
     uint32_t material = ray_material(view, object, element);
     if (colour_is_black(&materials[material].transmission)) {
-        veils->blocker = object;
+        filters->blocker = object;
         return false;
     }
-    keep(veils, object, material);
+    keep(filters, object, material);
     return true;
 }
 
-static bool passes_all(const struct ray_view *view, const struct ray *ray, num_x limit, struct veils *veils)
+static bool all_transmit(const struct ray_view *view, const struct ray *ray, num_length limit, struct filters *filters)
 {
     struct candidates candidates;
     uint32_t object;
 
     candidates_start(&candidates, view->scene, ray);
     while ((object = candidates_next(&candidates, limit)) != TIA_NO_OBJECT)
-        if (!passes_object(view, ray, object, limit, veils))
+        if (!object_transmits(view, ray, object, limit, filters))
             return false;
     return true;
 }
 
-static void multiply(const struct ray_view *view, const struct veils *veils, num_x through[3])
+static void multiply(const struct ray_view *view, const struct filters *filters, num_length through[3])
 {
-    for (uint32_t i = 0; i < veils->count; i++) {
-        num_x t[3];
+    for (uint32_t i = 0; i < filters->count; i++) {
+        num_length t[3];
 
-        ray_rgb(&view->scene->materials[veils->material[i]].transmission, t);
+        ray_rgb(&view->scene->materials[filters->material[i]].transmission, t);
         for (int c = 0; c < 3; c++)
             through[c] = num_product(through[c], t[c]);
     }
 }
 
-bool ray_passes(const struct ray_view *view, const struct ray *ray, num_x limit, uint32_t *blocker, num_x through[3])
+bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
+                       num_length through[3])
 {
-    struct veils veils = {.from = 0};
+    struct filters filters = {.from = 0};
 
-    if (*blocker != TIA_NO_OBJECT && !passes_object(view, ray, *blocker, limit, &veils))
+    if (*blocker != TIA_NO_OBJECT && !object_transmits(view, ray, *blocker, limit, &filters))
         return false;
-    through[0] = through[1] = through[2] = NUM_X_ONE;
+    through[0] = through[1] = through[2] = NUM_LENGTH_ONE;
     do {
-        veils.count = 0;
-        veils.more = false;
-        if (!passes_all(view, ray, limit, &veils)) {
-            *blocker = veils.blocker;
+        filters.count = 0;
+        filters.more = false;
+        if (!all_transmit(view, ray, limit, &filters)) {
+            *blocker = filters.blocker;
             return false;
         }
-        multiply(view, &veils, through);
-        veils.from = veils.count ? veils.object[veils.count - 1] + 1 : 0;
-    } while (veils.more);
+        multiply(view, &filters, through);
+        filters.from = filters.count ? filters.object[filters.count - 1] + 1 : 0;
+    } while (filters.more);
     return through[0] > 0 || through[1] > 0 || through[2] > 0;
 }

@@ -11,14 +11,14 @@ void ray_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
             struct hit hit;
 
             ray_camera_ray(&view->rays->camera, x, y, 0, &ray);
-            ray_nearest(view->rays, &ray, &hit);
+            ray_intersect(view->rays, &ray, &hit);
             hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] = hit.object;
         }
     }
 }
 
 /* The mean of a pixel's samples, each clamped. `object` is what the first one meets. */
-static void pixel(struct path *path, int x, int y, uint32_t object, num_x mean[3])
+static void pixel(struct path *path, int x, int y, uint32_t object, num_length mean[3])
 {
     const struct ray_camera *camera = &path->view->camera;
     int samples = camera->side * camera->side;
@@ -27,22 +27,22 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_x mean[3
     for (int i = 0; i < samples; i++) {
         struct ray ray;
         struct hit hit;
-        num_x colour[3];
+        num_length colour[3];
 
         ray_camera_ray(camera, x, y, i, &ray);
         if (i == 0)
-            ray_meet(path->view, &ray, object, &hit);
+            ray_intersect_object(path->view, &ray, object, &hit);
         else
-            ray_nearest(path->view, &ray, &hit);
-        ray_see_lights(path->view, &ray, &hit);
+            ray_intersect(path->view, &ray, &hit);
+        ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
         for (int c = 0; c < 3; c++)
-            mean[c] += num_x_clamp(colour[c], 0, NUM_X_ONE) / (num_x)samples;
+            mean[c] += num_length_clamp(colour[c], 0, NUM_LENGTH_ONE) / (num_length)samples;
     }
 }
 
 /* Straight from 45 bits behind the point: what falls between two levels is not rounded twice. */
-static tia_rgb565 pack(const num_x mean[3], num_u threshold)
+static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 {
     unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),
              b = num_levels(mean[2], 31, threshold);
@@ -53,9 +53,9 @@ static tia_rgb565 pack(const num_x mean[3], num_u threshold)
 static void row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
                 ptrdiff_t step, const struct tia_options *options)
 {
-    uint32_t *reached = options->reached ? options->reached + (size_t)(y - tile.y) * tile.width : NULL;
+    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - tile.y) * tile.width : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->rays, .hashed = reached != NULL};
+    struct path path = {.view = view->rays, .hashed = path_hash != NULL};
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)
@@ -63,14 +63,14 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
     dither_thresholds(options->dither, y, threshold);
     for (int i = 0; i < tile.width; i++) {
         int x = tile.x + i;
-        num_x mean[3];
+        num_length mean[3];
 
         path.class = ray_pixel_class(x, y);
         path.hash = PATH_HASH;
         pixel(&path, x, y, objects[i], mean);
         *(tia_rgb565 *)(void *)(out + i * step) = pack(mean, threshold[x & 7]);
-        if (reached)
-            reached[i] = path.hash;
+        if (path_hash)
+            path_hash[i] = path.hash;
     }
 }
 

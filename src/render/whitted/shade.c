@@ -3,7 +3,7 @@
 #include "render/trace/texture.h"
 #include "scene/colour.h"
 
-void path_note(struct path *path, uint32_t word)
+void path_hash_word(struct path *path, uint32_t word)
 {
     for (int i = 0; path->hashed && i < 4; i++)
         path->hash = (path->hash ^ (word >> (8 * i) & 0xff)) * UINT32_C(16777619);
@@ -12,7 +12,7 @@ void path_note(struct path *path, uint32_t word)
 static void colour_of(struct path *path, const struct hit *hit, struct shading *s)
 {
     const struct tia_material *m = s->material;
-    num_x uv[2], texel[3];
+    num_length uv[2], texel[3];
 
     ray_rgb(&m->colour, s->colour);
     if (!m->texture || colour_is_black(&m->colour))
@@ -21,7 +21,7 @@ static void colour_of(struct path *path, const struct hit *hit, struct shading *
     ray_uv(path->view, hit, s->point, uv);
     uint32_t number = ray_texture(texture, uv, texel);
     if (texture->kind == TIA_CHECKER || !texture->bilinear)
-        path_note(path, number);
+        path_hash_word(path, number);
     for (int c = 0; c < 3; c++)
         s->colour[c] = num_product(s->colour[c], texel[c]);
 }
@@ -31,35 +31,35 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     const struct ray_view *view = path->view;
     struct surface surface;
 
-    path_note(path, hit->object);
-    path_note(path, hit->element);
+    path_hash_word(path, hit->object);
+    path_hash_word(path, hit->element);
     s->material = &view->scene->materials[ray_material(view, hit->object, hit->element)];
     s->point = num_point_at(ray->origin, ray->direction, hit->t);
-    s->viewer = num_dir_turned(ray->direction);
+    s->viewer = num_dir_negated(ray->direction);
     ray_surface(view, hit, s->point, &surface);
-    s->back = num_dot_d(surface.normal, s->viewer) < 0;
-    s->geometric = s->back ? num_dir_turned(surface.normal) : surface.normal;
-    s->outside = num_point_at(s->point, s->geometric, NUM_X_BIAS);
-    s->normal = s->back ? num_dir_turned(surface.smooth) : surface.smooth;
-    s->facing = num_dot_d(s->normal, s->viewer);
+    s->back = num_dir_dot(surface.normal, s->viewer) < 0;
+    s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
+    s->outside = num_point_at(s->point, s->geometric, NUM_LENGTH_BIAS);
+    s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
+    s->facing = num_dir_dot(s->normal, s->viewer);
     colour_of(path, hit, s);
 }
 
 /* max(0, R.L)^exponent with R = 2 (N.V) N - V. */
-static num_x highlight(const struct shading *s, struct num_dir to, num_d lambert)
+static num_length highlight(const struct shading *s, struct num_dir to, num_unit lambert)
 {
-    num_d half = num_times(s->facing, lambert) - num_dot_d(s->viewer, to) / 2;
+    num_unit half = num_times(s->facing, lambert) - num_dir_dot(s->viewer, to) / 2;
 
     if (half <= 0)
         return 0;
-    return num_x_of_d(num_power(half < NUM_D_ONE / 2 ? 2 * half : NUM_D_ONE, s->material->exponent));
+    return num_length_of_unit(num_power(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent));
 }
 
 /* What the material sends back of light from `to`. */
-static void reflectance(const struct shading *s, struct num_dir to, num_d lambert, num_x rgb[3])
+static void reflectance(const struct shading *s, struct num_dir to, num_unit lambert, num_length rgb[3])
 {
     const struct tia_rgb *specular = &s->material->specular;
-    num_x glossy[3], shine;
+    num_length glossy[3], shine;
 
     for (int c = 0; c < 3; c++)
         rgb[c] = num_times(s->colour[c], lambert);
@@ -74,18 +74,18 @@ static void reflectance(const struct shading *s, struct num_dir to, num_d lamber
 /* Sample i of a light: adds what arrives, without the light's emission, to the mean of the samples. Whether it
  * arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i,
-                       uint32_t *blocker, num_x mean[3])
+                       uint32_t *blocker, num_length mean[3])
 {
     struct ray_sample sample;
-    num_x through[3], rgb[3];
+    num_length through[3], rgb[3];
 
     if (!ray_light_sample(aim, i, &sample))
         return false;
-    num_d lambert = num_dot_d(s->normal, sample.to);
-    if (lambert <= 0 || num_dot_d(s->geometric, sample.to) <= 0)
+    num_unit lambert = num_dir_dot(s->normal, sample.to);
+    if (lambert <= 0 || num_dir_dot(s->geometric, sample.to) <= 0)
         return false;
     struct ray shadow = {s->outside, sample.to};
-    if (!ray_passes(path->view, &shadow, sample.distance, blocker, through))
+    if (!ray_transmittance(path->view, &shadow, sample.distance, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
@@ -93,11 +93,11 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     return true;
 }
 
-static void add_light(struct path *path, const struct shading *s, uint32_t n, num_x own[3])
+static void add_light(struct path *path, const struct shading *s, uint32_t n, num_length own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
     uint32_t *blocker = &path->blocker[n % PATH_BLOCKERS];
-    num_x mean[3] = {0, 0, 0};
+    num_length mean[3] = {0, 0, 0};
     struct ray_aim aim;
 
     if (light->kind == TIA_AMBIENT_LIGHT) {
@@ -107,14 +107,14 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     }
     ray_light_aim(&aim, light, s->point, path->class);
     for (unsigned i = 0; i < light->samples; i++)
-        path_note(path, add_sample(path, s, &aim, i, blocker, mean));
+        path_hash_word(path, add_sample(path, s, &aim, i, blocker, mean));
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }
 
-void shade_light(struct path *path, const struct shading *s, const num_x weight[3], num_x colour[3])
+void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3])
 {
-    num_x own[3], facing[3];
+    num_length own[3], facing[3];
 
     ray_rgb(&s->material->emission, own);
     ray_rgb(&s->material->facing, facing);
@@ -123,7 +123,7 @@ void shade_light(struct path *path, const struct shading *s, const num_x weight[
     for (uint32_t n = 0; n < path->view->light_count; n++)
         add_light(path, s, n, own);
     for (int c = 0; c < 3; c++)
-        colour[c] = num_sum_within(colour[c], num_product_within(own[c], weight[c]));
+        colour[c] = num_sum_within(colour[c], num_product_within(own[c], throughput[c]));
 }
 
 /* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
@@ -137,24 +137,24 @@ void shade_light(struct path *path, const struct shading *s, const num_x weight[
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
  *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4). */
-static num_d refract(const struct shading *s, struct num_dir *refracted)
+static num_unit refract(const struct shading *s, struct num_dir *refracted)
 {
-    num_x index = num_x_of(s->material->index);
-    num_d q = s->back ? num_fraction(NUM_X_ONE / 4, index) : num_fraction(index, 4 * NUM_X_ONE);
-    num_d c = s->facing, square = num_times(q, q);
-    num_d inside = square - (NUM_D_ONE - num_times(c, c)) / 16;
+    num_length index = num_length_of(s->material->index);
+    num_unit q = s->back ? num_fraction(NUM_LENGTH_ONE / 4, index) : num_fraction(index, 4 * NUM_LENGTH_ONE);
+    num_unit c = s->facing, square = num_times(q, q);
+    num_unit inside = square - (NUM_UNIT_ONE - num_times(c, c)) / 16;
 
     if (inside <= 0 || c <= 0)
-        return NUM_D_ONE;
-    num_d root = num_sqrt_d(inside), bend = c / 4 - root, q2c = num_times(square, c);
+        return NUM_UNIT_ONE;
+    num_unit root = num_unit_sqrt(inside), bend = c / 4 - root, q2c = num_times(square, c);
     struct num_dir quarter = {-s->viewer.x / 4, -s->viewer.y / 4, -s->viewer.z / 4};
-    num_d rs = num_fraction(c / 4 - root, c / 4 + root), rp = num_fraction(q2c - root / 4, q2c + root / 4);
+    num_unit rs = num_fraction(c / 4 - root, c / 4 + root), rp = num_fraction(q2c - root / 4, q2c + root / 4);
 
-    *refracted = num_dir_unit(num_dir_add(quarter, num_dir_scaled(s->normal, bend)));
+    *refracted = num_dir_normalised(num_dir_add(quarter, num_dir_scaled(s->normal, bend)));
     return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
 }
 
-static bool is_zero(const num_x rgb[3])
+static bool is_zero(const num_length rgb[3])
 {
     return rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0;
 }
@@ -166,12 +166,12 @@ void shade_bounce(const struct shading *s, struct bounces *b)
     ray_rgb(&m->mirror, b->reflects);
     ray_rgb(&m->refraction, b->refracts);
     if (!colour_is_black(&m->refraction)) {
-        num_d fresnel = refract(s, &b->refracted.direction);
-        b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_X_BIAS);
-        if (!m->fresnel && fresnel < NUM_D_ONE)
+        num_unit fresnel = refract(s, &b->refracted.direction);
+        b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_LENGTH_BIAS);
+        if (!m->fresnel && fresnel < NUM_UNIT_ONE)
             fresnel = 0;
         for (int c = 0; c < 3; c++) {
-            num_x back = num_times(b->refracts[c], fresnel);
+            num_length back = num_times(b->refracts[c], fresnel);
             b->reflects[c] += back;
             b->refracts[c] -= back;
         }
@@ -180,5 +180,5 @@ void shade_bounce(const struct shading *s, struct bounces *b)
         return;
     b->reflected.origin = s->outside;
     struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
-    b->reflected.direction = num_dir_unit(num_dir_add(num_dir_scaled(s->normal, s->facing), half)); /* R/2 */
+    b->reflected.direction = num_dir_normalised(num_dir_add(num_dir_scaled(s->normal, s->facing), half)); /* R/2 */
 }

@@ -10,25 +10,25 @@ struct shading {
     struct num_point outside;         /* P + 2^-13 G: where reflected and shadow rays start */
     struct num_dir geometric, normal; /* G and N, turned to the viewer */
     struct num_dir viewer;            /* V */
-    num_d facing;                     /* N.V */
+    num_unit facing;                  /* N.V */
     bool back;                        /* the ray meets the surface's back: it leaves the object */
-    num_x colour[3];                  /* the diffuse one, with the texture */
+    num_length colour[3];             /* the diffuse one, with the texture */
 };
 
 /* What one ray meets, prepared. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
 
-/* Adds weight times what the surface sends along V by itself: emission, facing ratio and lights. */
-void shade_light(struct path *path, const struct shading *s, const num_x weight[3], num_x colour[3]);
+/* Adds throughput times what the surface sends along V by itself: emission, facing ratio and lights. */
+void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3]);
 
-/* The reflected and the refracted ray and their kr and kt; a ray whose weight is black is not set. */
+/* The reflected and the refracted ray and their kr and kt; a ray whose throughput is black is not set. */
 struct bounces {
     struct ray reflected, refracted;
-    num_x reflects[3], refracts[3];
+    num_length reflects[3], refracts[3];
 };
 
 void shade_bounce(const struct shading *s, struct bounces *bounces);
 
-void path_note(struct path *path, uint32_t word);
+void path_hash_word(struct path *path, uint32_t word);
 
 #endif

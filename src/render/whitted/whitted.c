@@ -3,7 +3,7 @@
 /* A ray on its way: what its colour will be multiplied by, and how often it was bent. */
 struct bounce {
     struct ray ray;
-    num_x weight[3];
+    num_length throughput[3];
     uint32_t depth;
 };
 
@@ -13,67 +13,67 @@ struct stack {
     int count;
 };
 
-#define LEAST_WEIGHT (NUM_X_ONE / 65536)
+#define THROUGHPUT_MIN (NUM_LENGTH_ONE / 65536)
 
-static void push(struct stack *stack, const struct ray *ray, const num_x weight[3], const num_x factor[3],
+static void push(struct stack *stack, const struct ray *ray, const num_length throughput[3], const num_length factor[3],
                  uint32_t depth)
 {
     struct bounce *b = &stack->bounces[stack->count];
     bool counts = false;
 
     for (int c = 0; c < 3; c++) {
-        b->weight[c] = num_product(weight[c], factor[c]);
-        counts = counts || b->weight[c] >= LEAST_WEIGHT;
+        b->throughput[c] = num_product(throughput[c], factor[c]);
+        counts = counts || b->throughput[c] >= THROUGHPUT_MIN;
     }
     b->ray = *ray;
     b->depth = depth;
     stack->count += counts;
 }
 
-static void add_flat(const struct tia_rgb *rgb, const num_x weight[3], num_x colour[3])
+static void add_flat(const struct tia_rgb *rgb, const num_length throughput[3], num_length colour[3])
 {
-    num_x flat[3];
+    num_length flat[3];
 
     ray_rgb(rgb, flat);
     for (int c = 0; c < 3; c++)
-        colour[c] = num_sum_within(colour[c], num_product(flat[c], weight[c]));
+        colour[c] = num_sum_within(colour[c], num_product(flat[c], throughput[c]));
 }
 
-static void add_seen_light(const struct ray_light *light, const num_x weight[3], num_x colour[3])
+static void add_seen_light(const struct ray_light *light, const num_length throughput[3], num_length colour[3])
 {
     for (int c = 0; c < 3; c++)
-        colour[c] = num_sum_within(colour[c], num_product(light->emission[c], weight[c]));
+        colour[c] = num_sum_within(colour[c], num_product(light->emission[c], throughput[c]));
 }
 
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,
-                   num_x colour[3])
+                   num_length colour[3])
 {
     const struct ray_view *view = path->view;
     struct shading s;
     struct bounces next;
 
     if (hit->light != TIA_NO_OBJECT) {
-        path_note(path, TIA_NO_OBJECT - 1 - hit->light);
-        add_seen_light(&view->lights[hit->light], b->weight, colour);
+        path_hash_word(path, TIA_NO_OBJECT - 1 - hit->light);
+        add_seen_light(&view->lights[hit->light], b->throughput, colour);
         return;
     }
     if (hit->object == TIA_NO_OBJECT) {
-        path_note(path, TIA_NO_OBJECT);
-        add_flat(&view->scene->background, b->weight, colour);
+        path_hash_word(path, TIA_NO_OBJECT);
+        add_flat(&view->scene->background, b->throughput, colour);
         return;
     }
     shade_prepare(path, &b->ray, hit, &s);
-    shade_light(path, &s, b->weight, colour);
+    shade_light(path, &s, b->throughput, colour);
     if (b->depth >= view->depth)
         return;
     shade_bounce(&s, &next);
-    push(stack, &next.refracted, b->weight, next.refracts, b->depth + 1);
-    push(stack, &next.reflected, b->weight, next.reflects, b->depth + 1);
+    push(stack, &next.refracted, b->throughput, next.refracts, b->depth + 1);
+    push(stack, &next.reflected, b->throughput, next.reflects, b->depth + 1);
 }
 
-void path_colour(struct path *path, const struct ray *ray, const struct hit *first, num_x colour[3])
+void path_colour(struct path *path, const struct ray *ray, const struct hit *first, num_length colour[3])
 {
-    struct bounce b = {*ray, {NUM_X_ONE, NUM_X_ONE, NUM_X_ONE}, 0};
+    struct bounce b = {*ray, {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}, 0};
     struct hit hit = *first;
     struct stack stack;
 
@@ -82,8 +82,8 @@ void path_colour(struct path *path, const struct ray *ray, const struct hit *fir
     follow(path, &b, &hit, &stack, colour);
     while (stack.count > 0) {
         b = stack.bounces[--stack.count];
-        ray_nearest(path->view, &b.ray, &hit);
-        ray_see_lights(path->view, &b.ray, &hit);
+        ray_intersect(path->view, &b.ray, &hit);
+        ray_intersect_lights(path->view, &b.ray, &hit);
         follow(path, &b, &hit, &stack, colour);
     }
 }

@@ -59,7 +59,7 @@ static void *take(struct room *room, uint64_t size)
 static struct tia_bvh_tree plant(struct room *room, uint32_t *items, uint32_t count)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)room->front;
-    struct tia_bvh_tree tree = tree_build(nodes, items, count, room->boxes);
+    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, room->boxes);
 
     take(room, tree.node_count * sizeof *nodes);
     return tree;
@@ -70,9 +70,9 @@ static struct tia_bvh_tree plant_mesh(struct room *room, const struct tia_mesh *
     uint32_t *items = take(room, mesh->face_count * (uint64_t)sizeof *items);
 
     for (uint32_t i = 0; i < mesh->face_count; i++) {
-        struct tia_bounds box = bounds_of_face(mesh, i);
+        struct tia_bounds box = tia_bounds_of_face(mesh, i);
         struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
-        (void)bounds_with_margin(&wide, &room->boxes[i]);
+        (void)tia_bounds_with_margin(&wide, &room->boxes[i]);
         items[i] = i;
     }
     return plant(room, items, mesh->face_count);
@@ -104,7 +104,7 @@ static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint
         }
         own = without_margin(&meshes[shape->mesh].nodes[0].bounds);
     }
-    return bounds_in_world(scene, object, &own, &wide) && bounds_with_margin(&wide, box);
+    return tia_bounds_in_world(scene, object, &own, &wide) && tia_bounds_with_margin(&wide, box);
 }
 
 /* Those that have no box come to the end of the objects' items, from behind: so both rise. */

@@ -20,7 +20,7 @@ struct bin {
 };
 
 /* A slice of an axis: bin = ((centre - first) >> shift) * scale >> 28. */
-struct slices {
+struct cone_rows {
     int axis;
     int64_t first;
     unsigned shift;
@@ -29,17 +29,17 @@ struct slices {
 
 struct choice {
     uint64_t cost; /* areas times items */
-    struct slices slices;
+    struct cone_rows slices;
     uint32_t bin; /* the first of the second child's */
     uint32_t count;
 };
 
-struct tia_bounds split_bounds(const struct split_items *items)
+struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
     for (uint32_t i = 0; i < items->count; i++)
-        bounds_add(&bounds, &items->boxes[items->items[i]]);
+        tia_bounds_add(&bounds, &items->boxes[items->items[i]]);
     return bounds;
 }
 
@@ -74,7 +74,7 @@ static uint64_t area(const struct tia_bounds *b, unsigned coarseness)
 }
 
 /* False when all centres are the same there. */
-static bool slice(struct slices *slices, const struct split_items *items, int axis)
+static bool slice(struct cone_rows *slices, const struct tia_bvh_split_items *items, int axis)
 {
     int64_t least = INT64_MAX, most = INT64_MIN;
 
@@ -89,30 +89,30 @@ static bool slice(struct slices *slices, const struct split_items *items, int ax
     unsigned bits = 64 - tia_clz64((uint64_t)(most - least));
     unsigned shift = bits > 28 ? bits - 28 : 0;
     uint64_t range = (uint64_t)(most - least) >> shift;
-    *slices = (struct slices){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1))};
+    *slices = (struct cone_rows){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1))};
     return true;
 }
 
-static uint32_t bin_of(const struct slices *slices, const struct tia_bounds *b)
+static uint32_t bin_of(const struct cone_rows *slices, const struct tia_bounds *b)
 {
     uint32_t place = (uint32_t)((uint64_t)(centre(b, slices->axis) - slices->first) >> slices->shift);
     return (uint32_t)(tia_mul_u32(place, slices->scale) >> 28);
 }
 
-static void fill(struct bin bins[BINS], const struct split_items *items, const struct slices *slices)
+static void fill(struct bin bins[BINS], const struct tia_bvh_split_items *items, const struct cone_rows *slices)
 {
     for (int i = 0; i < BINS; i++)
         bins[i] = (struct bin){BOUNDS_NOTHING, 0};
     for (uint32_t i = 0; i < items->count; i++) {
         const struct tia_bounds *box = &items->boxes[items->items[i]];
         struct bin *bin = &bins[bin_of(slices, box)];
-        bounds_add(&bin->bounds, box);
+        tia_bounds_add(&bin->bounds, box);
         bin->count++;
     }
 }
 
 /* The best plane of one axis, if it is better than what *best has. */
-static void choose(struct choice *best, const struct split_items *items, const struct slices *slices,
+static void choose(struct choice *best, const struct tia_bvh_split_items *items, const struct cone_rows *slices,
                    unsigned coarseness)
 {
     struct bin bins[BINS];
@@ -122,14 +122,14 @@ static void choose(struct choice *best, const struct split_items *items, const s
 
     fill(bins, items, slices);
     for (int i = BINS - 1; i > 0; i--) {
-        bounds_add(&bounds, &bins[i].bounds);
+        tia_bounds_add(&bounds, &bins[i].bounds);
         count += bins[i].count;
         right[i] = area(&bounds, coarseness) * count;
     }
     bounds = BOUNDS_NOTHING;
     count = 0;
     for (uint32_t i = 1; i < BINS; i++) {
-        bounds_add(&bounds, &bins[i - 1].bounds);
+        tia_bounds_add(&bounds, &bins[i - 1].bounds);
         count += bins[i - 1].count;
         uint64_t cost = area(&bounds, coarseness) * count + right[i];
         if (count && count < items->count && cost < best->cost)
@@ -137,7 +137,7 @@ static void choose(struct choice *best, const struct split_items *items, const s
     }
 }
 
-static void divide(const struct split_items *items, const struct choice *choice)
+static void divide(const struct tia_bvh_split_items *items, const struct choice *choice)
 {
     uint32_t low = 0, high = items->count;
 
@@ -152,7 +152,7 @@ static void divide(const struct split_items *items, const struct choice *choice)
     }
 }
 
-uint32_t split_items(const struct split_items *items, const struct tia_bounds *bounds, uint32_t most)
+uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds, uint32_t most)
 {
     struct choice best = {.cost = UINT64_MAX};
     unsigned coarse = coarseness(bounds);
@@ -161,7 +161,7 @@ uint32_t split_items(const struct split_items *items, const struct tia_bounds *b
     if (items->count < 2)
         return 0;
     for (int axis = 0; axis < 3; axis++) {
-        struct slices slices;
+        struct cone_rows slices;
         if (slice(&slices, items, axis))
             choose(&best, items, &slices, coarse);
     }

@@ -28,22 +28,22 @@ static uint32_t room(uint32_t depth)
     return left < 24 ? UINT32_C(1) << left : TIA_OBJECTS_MAX;
 }
 
-struct tia_bvh_tree tree_build(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
-                               const struct tia_bounds *boxes)
+struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
+                                       const struct tia_bounds *boxes)
 {
     struct task tasks[TIA_BVH_DEPTH_MAX + 1] = {{0, count, 0, 0}};
     uint32_t node_count = 0, waiting = count ? 1 : 0;
 
     while (waiting) {
         struct task task = tasks[--waiting];
-        const struct split_items part = {boxes, items + task.first, task.count};
+        const struct tia_bvh_split_items part = {boxes, items + task.first, task.count};
         uint32_t here = node_count++;
         struct tia_bvh_node *node = &nodes[here];
 
         if (task.parent != here)
             nodes[task.parent].index = here;
-        *node = (struct tia_bvh_node){split_bounds(&part), task.first, task.count};
-        uint32_t left = split_items(&part, &node->bounds, room(task.depth + 1));
+        *node = (struct tia_bvh_node){tia_bvh_split_bounds(&part), task.first, task.count};
+        uint32_t left = tia_bvh_split_items(&part, &node->bounds, room(task.depth + 1));
         if (!left) {
             sort(part.items, task.count);
             continue;

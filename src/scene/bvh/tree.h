@@ -9,7 +9,7 @@
 
 /* Makes `nodes`, with room for TREE_NODES(count), and orders `items`, whose boxes are boxes[item]; in each leaf they
  * rise. */
-struct tia_bvh_tree tree_build(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
-                               const struct tia_bounds *boxes);
+struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
+                                       const struct tia_bounds *boxes);
 
 #endif

@@ -16,7 +16,7 @@ static int check_look(const struct check *check, const struct tia_camera *c)
 
     if (!(c->up.x | c->up.y | c->up.z))
         return TIA_OK;
-    REQUIRE(check_is_near(check, *r, 0), "reference", CHECK_FAR);
+    REQUIRE(tia_check_is_near(check, *r, 0), "reference", CHECK_FAR);
     struct tia_vec3 n = {e->x - r->x, e->y - r->y, e->z - r->z};
     REQUIRE(n.x | n.y | n.z, "reference", "must not be the eye");
     REQUIRE(is_off(c->up, n), "up", "must be at least 0.056 degrees off the line of sight");
@@ -42,14 +42,14 @@ static int check_window(const struct check *check, const struct tia_camera *c)
     return TIA_OK;
 }
 
-int check_camera(const struct check *check)
+int tia_check_camera(const struct check *check)
 {
     const struct tia_camera *c = &check->scene->camera;
     uint32_t n = c->samples;
     int status;
 
     if (c->projection == TIA_PERSPECTIVE)
-        REQUIRE(check_is_between(c->fov, TIA_FOV_MIN, TIA_FOV_MAX), "fov", "must be in 1..170 degrees");
+        REQUIRE(tia_check_is_between(c->fov, TIA_FOV_MIN, TIA_FOV_MAX), "fov", "must be in 1..170 degrees");
     else
         REQUIRE(c->projection == TIA_FRUSTUM || c->projection == TIA_ORTHOGRAPHIC, "projection",
                 "must be perspective, frustum or orthographic");

@@ -21,43 +21,43 @@ struct check {
 #define REQUIRE(condition, field, rule)                                                                                \
     do {                                                                                                               \
         if (!(condition))                                                                                              \
-            return check_refuse(check, field, rule);                                                                   \
+            return tia_check_refuse(check, field, rule);                                                               \
     } while (0)
 
-int check_refuse(const struct check *check, const char *field, const char *rule);
+int tia_check_refuse(const struct check *check, const char *field, const char *rule);
 
 /* Numbers. */
-bool check_is_unit(const struct tia_rgb *colour);
-bool check_is_direction(const struct tia_dir3 *direction);
-bool check_is_between(int32_t x, int32_t least, int32_t most);
-bool check_is_scale(struct tia_vec3 scale);
+bool tia_check_is_unit(const struct tia_rgb *colour);
+bool tia_check_is_direction(const struct tia_dir3 *direction);
+bool tia_check_is_between(int32_t x, int32_t least, int32_t most);
+bool tia_check_is_scale(struct tia_vec3 scale);
 /* Whether a and b, components of at most 33 bits, are on one line through 0, as 0 itself is with everything. */
-bool check_is_on_line(const int64_t a[3], const int64_t b[3]);
+bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 
 /* Distances to the farthest place of the eye, from all of a box or ball. */
-bool check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
-bool check_is_box_near(const struct check *check, const struct bounds_wide *box);
+bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
+bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
-int check_camera(const struct check *check);
+int tia_check_camera(const struct check *check);
 
 /* Number check->index of each. */
-int check_material(const struct check *check);
-int check_texture(const struct check *check);
-int check_sphere(const struct check *check);
-int check_transform(const struct check *check);
-int check_mesh(const struct check *check);
-int check_grid(const struct check *check);
-int check_shape(const struct check *check);
-int check_track(const struct check *check);
+int tia_check_material(const struct check *check);
+int tia_check_texture(const struct check *check);
+int tia_check_sphere(const struct check *check);
+int tia_check_transform(const struct check *check);
+int tia_check_mesh(const struct check *check);
+int tia_check_grid(const struct check *check);
+int tia_check_shape(const struct check *check);
+int tia_check_track(const struct check *check);
 
-int check_light(const struct check *check, const struct tia_light *light);
+int tia_check_light(const struct check *check, const struct tia_light *light);
 /* Where its points are. */
-bool check_is_light_near(const struct check *check, const struct tia_light *light);
+bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
 /* A placed object's box: near, and not too flat. */
-int check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
+int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
 /* What the shapes that are meshes and grids make of them. */
-int check_uses(struct check *check);
+int tia_check_uses(struct check *check);
 
 #endif

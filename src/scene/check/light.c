@@ -11,18 +11,18 @@ static bool is_one_of(enum tia_light_kind kind, unsigned kinds)
 #define WITH_DIRECTION (KIND(DIRECTIONAL) | KIND(SPOT) | KIND(DISC))
 #define WITH_SAMPLES (KIND(RECTANGLE) | KIND(DISC) | KIND(SPHERE))
 
-bool check_is_light_near(const struct check *check, const struct tia_light *l)
+bool tia_check_is_light_near(const struct check *check, const struct tia_light *l)
 {
     const struct tia_vec3 *c = &l->centre, *s = &l->side[0], *t = &l->side[1];
 
     if (is_one_of(l->kind, EVERYWHERE))
         return true;
     if (l->kind != TIA_RECTANGLE_LIGHT)
-        return check_is_near(check, *c, is_one_of(l->kind, WITH_RADIUS) ? l->radius : 0);
+        return tia_check_is_near(check, *c, is_one_of(l->kind, WITH_RADIUS) ? l->radius : 0);
     for (int i = 0; i < 4; i++) {
         int64_t a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1;
         const int64_t p[3] = {c->x + a * s->x + b * t->x, c->y + a * s->y + b * t->y, c->z + a * s->z + b * t->z};
-        if (!check_is_box_near(check, &(struct bounds_wide){{p[0], p[1], p[2]}, {p[0], p[1], p[2]}}))
+        if (!tia_check_is_box_near(check, &(struct bounds_wide){{p[0], p[1], p[2]}, {p[0], p[1], p[2]}}))
             return false;
     }
     return true;
@@ -33,16 +33,16 @@ static bool are_sides(const struct tia_vec3 side[2])
 {
     const int64_t s[3] = {side[0].x, side[0].y, side[0].z}, t[3] = {side[1].x, side[1].y, side[1].z};
     bool both = !(s[0] | s[1] | s[2] | t[0] | t[1] | t[2]);
-    return both || !check_is_on_line(s, t);
+    return both || !tia_check_is_on_line(s, t);
 }
 
 static int check_shape_of(const struct check *check, const struct tia_light *l)
 {
     if (is_one_of(l->kind, WITH_DIRECTION))
-        REQUIRE(check_is_direction(&l->direction), "direction", CHECK_LENGTH);
+        REQUIRE(tia_check_is_direction(&l->direction), "direction", CHECK_LENGTH);
     if (l->kind == TIA_SPOT_LIGHT) {
-        REQUIRE(check_is_between(l->outer, TIA_Q16_ONE, 90 * TIA_Q16_ONE), "outer", "must be in 1..90 degrees");
-        REQUIRE(check_is_between(l->inner, 0, l->outer), "inner", "must be in 0..outer degrees");
+        REQUIRE(tia_check_is_between(l->outer, TIA_Q16_ONE, 90 * TIA_Q16_ONE), "outer", "must be in 1..90 degrees");
+        REQUIRE(tia_check_is_between(l->inner, 0, l->outer), "inner", "must be in 0..outer degrees");
     }
     if (l->kind == TIA_RECTANGLE_LIGHT)
         REQUIRE(are_sides(l->side), "side", "the sides must not be on one line, unless both are 0");
@@ -53,15 +53,15 @@ static int check_shape_of(const struct check *check, const struct tia_light *l)
 
 static bool is_attenuation(tia_q16 x)
 {
-    return check_is_between(x, 0, 32767 * TIA_Q16_ONE);
+    return tia_check_is_between(x, 0, 32767 * TIA_Q16_ONE);
 }
 
-int check_light(const struct check *check, const struct tia_light *l)
+int tia_check_light(const struct check *check, const struct tia_light *l)
 {
     REQUIRE((unsigned)l->kind <= TIA_SPHERE_LIGHT, "kind", "must be a kind of light");
     if (is_one_of(l->kind, WITH_RADIUS))
         REQUIRE(l->radius == 0 || l->radius >= TIA_RADIUS_MIN, "radius", "must be 0 or at least 2^-10");
-    REQUIRE(check_is_light_near(check, l), "centre", CHECK_FAR);
+    REQUIRE(tia_check_is_light_near(check, l), "centre", CHECK_FAR);
     REQUIRE(l->emission.r >= 0 && l->emission.g >= 0 && l->emission.b >= 0, "emission", "each channel must be in 0..2");
     if (!is_one_of(l->kind, EVERYWHERE))
         REQUIRE(is_attenuation(l->constant) && is_attenuation(l->linear) && is_attenuation(l->quadratic), "attenuation",

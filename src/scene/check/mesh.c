@@ -19,7 +19,7 @@ static int check_face(const struct check *check, const struct tia_mesh *mesh, co
     return TIA_OK;
 }
 
-int check_mesh(const struct check *check)
+int tia_check_mesh(const struct check *check)
 {
     const struct tia_mesh *m = &check->scene->meshes[check->index];
     int status = TIA_OK;
@@ -29,7 +29,7 @@ int check_mesh(const struct check *check)
             "arrays", "an array with a count must not be NULL");
     REQUIRE(m->face_count <= TIA_OBJECTS_MAX, "faces", "must be at most 2^24");
     for (uint32_t i = 0; i < m->normal_count; i++)
-        REQUIRE(check_is_direction(&m->normals[i]), "normal", CHECK_LENGTH);
+        REQUIRE(tia_check_is_direction(&m->normals[i]), "normal", CHECK_LENGTH);
     for (uint32_t i = 0; !status && i < m->face_count; i++)
         status = check_face(check, m, m->faces[i].corner);
     return status;
@@ -40,13 +40,13 @@ static bool is_grid_end(tia_q16 corner, uint16_t size, tia_q16 cell)
     return corner + (int64_t)size * cell <= INT32_MAX;
 }
 
-int check_grid(const struct check *check)
+int tia_check_grid(const struct check *check)
 {
     const struct tia_grid *g = &check->scene->grids[check->index];
     const uint16_t *n = g->size;
 
     for (int k = 0; k < 3; k++)
-        REQUIRE(check_is_between(n[k], 1, TIA_GRID_MAX), "size", "must be in 1..1024");
+        REQUIRE(tia_check_is_between(n[k], 1, TIA_GRID_MAX), "size", "must be in 1..1024");
     REQUIRE((uint64_t)n[0] * n[1] * n[2] <= TIA_GRID_CELLS_MAX, "size", "must be at most 2^28 cells in all");
     REQUIRE(g->cell >= TIA_RADIUS_MIN, "cell", "must be at least 2^-10");
     REQUIRE(is_grid_end(g->corner.x, n[0], g->cell) && is_grid_end(g->corner.y, n[1], g->cell) &&
@@ -68,7 +68,7 @@ struct part {
 
 static struct part mesh_part(const struct tia_scene *scene, uint32_t i)
 {
-    return (struct part){bounds_of_mesh(&scene->meshes[i]), 1};
+    return (struct part){tia_bounds_of_mesh(&scene->meshes[i]), 1};
 }
 
 static struct part grid_part(const struct tia_scene *scene, uint32_t i)
@@ -90,9 +90,9 @@ static int check_use(const struct check *check, const struct part *part)
 
     REQUIRE((uint64_t)s->material + part->materials <= scene->material_count, "material",
             "there must be one for every cell");
-    if (!bounds_in_world(scene, scene->sphere_count + check->index, &part->box, &box))
+    if (!tia_bounds_in_world(scene, scene->sphere_count + check->index, &part->box, &box))
         return TIA_OK;
-    return check_placed(check, s, &box);
+    return tia_check_placed(check, s, &box);
 }
 
 /* The shapes that are one of `count` parts from `first` on. */
@@ -131,7 +131,7 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
     return status;
 }
 
-int check_uses(struct check *check)
+int tia_check_uses(struct check *check)
 {
     int status = check_parts(check, TIA_MESH, check->scene->mesh_count);
     return status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);

@@ -2,27 +2,28 @@
 #include "check.h"
 #include "math/integer.h"
 
-int check_refuse(const struct check *check, const char *field, const char *rule)
+int tia_check_refuse(const struct check *check, const char *field, const char *rule)
 {
     if (check->fault)
         *check->fault = (struct tia_fault){check->thing, check->index, field, rule};
     return TIA_ERR_RANGE;
 }
 
-bool check_is_unit(const struct tia_rgb *c)
+bool tia_check_is_unit(const struct tia_rgb *c)
 {
     return c->r >= 0 && c->r <= TIA_Q30_ONE && c->g >= 0 && c->g <= TIA_Q30_ONE && c->b >= 0 && c->b <= TIA_Q30_ONE;
 }
 
-bool check_is_between(int32_t x, int32_t least, int32_t most)
+bool tia_check_is_between(int32_t x, int32_t least, int32_t most)
 {
     return x >= least && x <= most;
 }
 
-bool check_is_scale(struct tia_vec3 s)
+bool tia_check_is_scale(struct tia_vec3 s)
 {
-    return check_is_between(s.x, TIA_SCALE_MIN, TIA_SCALE_MAX) && check_is_between(s.y, TIA_SCALE_MIN, TIA_SCALE_MAX) &&
-           check_is_between(s.z, TIA_SCALE_MIN, TIA_SCALE_MAX);
+    return tia_check_is_between(s.x, TIA_SCALE_MIN, TIA_SCALE_MAX) &&
+           tia_check_is_between(s.y, TIA_SCALE_MIN, TIA_SCALE_MAX) &&
+           tia_check_is_between(s.z, TIA_SCALE_MIN, TIA_SCALE_MAX);
 }
 
 static uint64_t square(int64_t x)
@@ -31,7 +32,7 @@ static uint64_t square(int64_t x)
 }
 
 /* Q2.30 squared, from 2^-2 to 9/4. */
-bool check_is_direction(const struct tia_dir3 *d)
+bool tia_check_is_direction(const struct tia_dir3 *d)
 {
     uint64_t length2 = square(d->x) + square(d->y) + square(d->z);
     return length2 >= UINT64_C(1) << 58 && length2 <= UINT64_C(9) << 58;
@@ -49,7 +50,7 @@ static bool are_same(int64_t a, int64_t b, int64_t c, int64_t d)
     return !tia_cmp_products(size_of(a), size_of(b), size_of(c), size_of(d)) && (zero || minus == other);
 }
 
-bool check_is_on_line(const int64_t a[3], const int64_t b[3])
+bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3])
 {
     return are_same(a[0], b[1], a[1], b[0]) && are_same(a[1], b[2], a[2], b[1]) && are_same(a[2], b[0], a[0], b[2]);
 }
@@ -71,12 +72,12 @@ static bool is_nearer(const struct check *check, const struct bounds_wide *box, 
     return reach > 0 && d2 < square(reach);
 }
 
-bool check_is_box_near(const struct check *check, const struct bounds_wide *box)
+bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box)
 {
     return is_nearer(check, box, INT64_C(1) << 31);
 }
 
-bool check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 radius)
+bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 radius)
 {
     const struct bounds_wide point = {{c.x, c.y, c.z}, {c.x, c.y, c.z}};
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);

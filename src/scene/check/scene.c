@@ -35,11 +35,11 @@ static int check_whole(struct check *check)
     REQUIRE((uint64_t)scene->sphere_count + scene->shape_count <= TIA_OBJECTS_MAX, "counts",
             "spheres and shapes must be at most 2^24");
     check->thing = "camera";
-    status = check_camera(check);
+    status = tia_check_camera(check);
     if (status)
         return status;
     check->thing = "scene";
-    REQUIRE(check_is_unit(&scene->background), "background", CHECK_UNIT);
+    REQUIRE(tia_check_is_unit(&scene->background), "background", CHECK_UNIT);
     REQUIRE(scene->depth <= TIA_DEPTH_MAX, "depth", "must be in 1..16");
     REQUIRE(is_bvh(scene), "bvh", "must be of this scene");
     return TIA_OK;
@@ -51,26 +51,26 @@ static int check_one(const struct check *check, enum part part)
 {
     switch (part) {
     case MATERIALS:
-        return check_material(check);
+        return tia_check_material(check);
     case SPHERES:
-        return check_sphere(check);
+        return tia_check_sphere(check);
     case LIGHTS:
-        return check_light(check, &check->scene->lights[check->index]);
+        return tia_check_light(check, &check->scene->lights[check->index]);
     case KEYS:
-        return check_light(check, &check->scene->bindings[check->index].state);
+        return tia_check_light(check, &check->scene->bindings[check->index].state);
     case TEXTURES:
-        return check_texture(check);
+        return tia_check_texture(check);
     case TRANSFORMS:
-        return check_transform(check);
+        return tia_check_transform(check);
     case MESHES:
-        return check_mesh(check);
+        return tia_check_mesh(check);
     case GRIDS:
-        return check_grid(check);
+        return tia_check_grid(check);
     case SHAPES:
-        return check_shape(check);
+        return tia_check_shape(check);
     case TRACKS:
     default:
-        return check_track(check);
+        return tia_check_track(check);
     }
 }
 
@@ -110,7 +110,7 @@ static struct tia_bounds find_eyes(const struct tia_scene *scene)
     for (uint32_t i = 0; i < scene->track_count; i++) {
         const struct tia_track *t = &scene->tracks[i];
         for (uint32_t k = 0; t->target == TIA_MOVES_EYE && t->keys && k < t->key_count; k++)
-            bounds_add(&eyes, &(struct tia_bounds){t->keys[k].value, t->keys[k].value});
+            tia_bounds_add(&eyes, &(struct tia_bounds){t->keys[k].value, t->keys[k].value});
     }
     return eyes;
 }
@@ -121,11 +121,11 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
     int status;
 
     if (!scene->tracks && scene->track_count)
-        return check_refuse(&check, "arrays", "an array with a count must not be NULL");
+        return tia_check_refuse(&check, "arrays", "an array with a count must not be NULL");
     check.eyes = find_eyes(scene);
     status = check_whole(&check);
     if (!status)
         status = check_parts(&check);
     check.thing = "shape";
-    return status ? status : check_uses(&check);
+    return status ? status : tia_check_uses(&check);
 }

@@ -1,11 +1,11 @@
 #include "check.h"
 
-int check_transform(const struct check *check)
+int tia_check_transform(const struct check *check)
 {
     const struct tia_transform *t = &check->scene->transforms[check->index];
 
-    REQUIRE(check_is_near(check, t->position, 0), "position", CHECK_FAR);
-    REQUIRE(check_is_scale(t->scale), "scale", "must be in 2^-10..1024");
+    REQUIRE(tia_check_is_near(check, t->position, 0), "position", CHECK_FAR);
+    REQUIRE(tia_check_is_scale(t->scale), "scale", "must be in 2^-10..1024");
     return TIA_OK;
 }
 
@@ -35,7 +35,7 @@ static bool is_on_line(const struct tia_vec3 p[3])
 {
     const int64_t a[3] = {(int64_t)p[1].x - p[0].x, (int64_t)p[1].y - p[0].y, (int64_t)p[1].z - p[0].z};
     const int64_t b[3] = {(int64_t)p[2].x - p[0].x, (int64_t)p[2].y - p[0].y, (int64_t)p[2].z - p[0].z};
-    return check_is_on_line(a, b);
+    return tia_check_is_on_line(a, b);
 }
 
 /* What is a rule of one kind alone. */
@@ -49,11 +49,11 @@ static int check_kind(const struct check *check, const struct tia_shape *s)
         return TIA_OK;
     case TIA_PLANE:
         REQUIRE(!s->transform, "transform", "must be 0 for a plane");
-        REQUIRE(check_is_direction(&s->plane.normal), "normal", CHECK_LENGTH);
-        REQUIRE(check_is_near(check, s->plane.point, 0), "point", CHECK_FAR);
+        REQUIRE(tia_check_is_direction(&s->plane.normal), "normal", CHECK_LENGTH);
+        REQUIRE(tia_check_is_near(check, s->plane.point, 0), "point", CHECK_FAR);
         return TIA_OK;
     case TIA_DISC:
-        REQUIRE(check_is_direction(&s->disc.normal), "normal", CHECK_LENGTH);
+        REQUIRE(tia_check_is_direction(&s->disc.normal), "normal", CHECK_LENGTH);
         REQUIRE(s->disc.radius >= TIA_RADIUS_MIN, "radius", CHECK_RADIUS);
         return TIA_OK;
     case TIA_CYLINDER:
@@ -75,7 +75,7 @@ static int check_kind(const struct check *check, const struct tia_shape *s)
         REQUIRE(s->grid < check->scene->grid_count, "grid", "must be the index of a grid");
         return TIA_OK;
     }
-    return check_refuse(check, "kind", "must be a kind of shape");
+    return tia_check_refuse(check, "kind", "must be a kind of shape");
 }
 
 static int64_t least_scale(const struct tia_transform *t)
@@ -97,16 +97,16 @@ static bool is_round_enough(const struct tia_transform *t, const struct bounds_w
     return scale >= TIA_Q16_ONE || square < limit * limit;
 }
 
-int check_placed(const struct check *check, const struct tia_shape *s, const struct bounds_wide *box)
+int tia_check_placed(const struct check *check, const struct tia_shape *s, const struct bounds_wide *box)
 {
-    REQUIRE(check_is_box_near(check, box), "place", CHECK_FAR);
+    REQUIRE(tia_check_is_box_near(check, box), "place", CHECK_FAR);
     if (s->transform)
         REQUIRE(is_round_enough(&check->scene->transforms[s->transform - 1], box), "transform",
                 "too flat for its size: the radius around it, over the least scale, must be below 32768");
     return TIA_OK;
 }
 
-int check_shape(const struct check *check)
+int tia_check_shape(const struct check *check)
 {
     const struct tia_scene *scene = check->scene;
     const struct tia_shape *s = &scene->shapes[check->index];
@@ -119,9 +119,9 @@ int check_shape(const struct check *check)
     if (status || s->kind == TIA_PLANE || s->kind == TIA_MESH || s->kind == TIA_GRID)
         return status;
     if (s->kind == TIA_SPHERE && !s->transform) {
-        REQUIRE(check_is_near(check, s->sphere.centre, s->sphere.radius), "centre", CHECK_FAR);
+        REQUIRE(tia_check_is_near(check, s->sphere.centre, s->sphere.radius), "centre", CHECK_FAR);
         return TIA_OK;
     }
-    (void)bounds_in_world(scene, scene->sphere_count + check->index, NULL, &box);
-    return check_placed(check, s, &box);
+    (void)tia_bounds_in_world(scene, scene->sphere_count + check->index, NULL, &box);
+    return tia_check_placed(check, s, &box);
 }

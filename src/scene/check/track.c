@@ -13,17 +13,17 @@ static int check_value(const struct check *check, const struct tia_track *track,
     case TIA_MOVES_LIGHT:
         moved = check->scene->lights[track->index];
         moved.centre = value;
-        VALUE(check_is_light_near(check, &moved), CHECK_FAR);
+        VALUE(tia_check_is_light_near(check, &moved), CHECK_FAR);
         break;
     case TIA_MOVES_REFERENCE:
     case TIA_MOVES_TRANSFORM:
-        VALUE(check_is_near(check, value, 0), CHECK_FAR);
+        VALUE(tia_check_is_near(check, value, 0), CHECK_FAR);
         break;
     case TIA_TURNS_LIGHT:
         VALUE(value.x | value.y | value.z, "must not be 0");
         break;
     case TIA_SCALES_TRANSFORM:
-        VALUE(check_is_scale(value), "must be in 2^-10..1024");
+        VALUE(tia_check_is_scale(value), "must be in 2^-10..1024");
         break;
     case TIA_MOVES_EYE:
     case TIA_ROTATES_TRANSFORM:
@@ -39,7 +39,7 @@ static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
     return light ? scene->light_count : target >= TIA_MOVES_TRANSFORM ? scene->transform_count : UINT32_MAX;
 }
 
-int check_track(const struct check *check)
+int tia_check_track(const struct check *check)
 {
     const struct tia_track *track = &check->scene->tracks[check->index];
     int64_t before = -1;

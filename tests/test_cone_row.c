@@ -1,4 +1,4 @@
-/* slice_run against brute force: the cone's inequality at every pixel, in 128 bits. */
+/* cone_row_span against brute force: the cone's inequality at every pixel, in 128 bits. */
 #include "check.h"
 #include "render/span/cone_row.h"
 
@@ -27,7 +27,7 @@ static int64_t any(int64_t most)
 }
 
 /* L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
-static bool is_inside(const struct slice *s, int i)
+static bool is_inside(const struct cone_row *s, int i)
 {
     wide128 x = (wide128)(2 * i + 1 - s->count) * ((wide128)1 << s->exponent);
     wide128 b = s->slope * x + s->base, square = x * x + s->square;
@@ -37,9 +37,9 @@ static bool is_inside(const struct slice *s, int i)
 
 static int widths, empties, partials; /* what the cases were like */
 
-static void check_slice(const struct slice *s)
+static void check_slice(const struct cone_row *s)
 {
-    struct run want = {0, 0}, run;
+    struct span want = {0, 0}, span;
     int pixels = 0;
 
     for (int i = 0; i < s->count; i++)
@@ -53,27 +53,27 @@ static void check_slice(const struct slice *s)
     partials += pixels && pixels < s->count;
     for (int k = 0; k < 12; k++) {
         int near = (int)(next() % 5) - 2, first = (int)(next() % (unsigned)s->count);
-        struct run guess = {0, 0}; /* none; good; nearly good; bad; everything */
+        struct span guess = {0, 0}; /* none; good; nearly good; bad; everything */
         if (k > 0)
             guess = k < 3   ? want
-                    : k < 6 ? (struct run){want.first + near, want.end + near}
-                            : (struct run){first, first + 1};
+                    : k < 6 ? (struct span){want.first + near, want.end + near}
+                            : (struct span){first, first + 1};
         if (k > 8)
-            guess = k == 9 ? (struct run){0, s->count} : (struct run){first, s->count};
-        guess = run_within(guess, 0, s->count);
-        run = slice_run(s, guess);
-        CHECK_MSG(run.end - run.first == pixels && (!pixels || run.first == want.first),
-                  "%d..%d, not %d..%d of %d pixels, guess %d..%d", run.first, run.end, want.first, want.end, s->count,
+            guess = k == 9 ? (struct span){0, s->count} : (struct span){first, s->count};
+        guess = span_within(guess, 0, s->count);
+        span = cone_row_span(s, guess);
+        CHECK_MSG(span.end - span.first == pixels && (!pixels || span.first == want.first),
+                  "%d..%d, not %d..%d of %d pixels, guess %d..%d", span.first, span.end, want.first, want.end, s->count,
                   guess.first, guess.end);
     }
 }
 
 /* A sphere at L with radius r, seen along the row Y of a picture of `count` pixels that is `depth`
  * away; |v| < 2^30 as in the renderer. */
-static void check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int64_t r, int64_t row, int64_t depth)
+static void tia_check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int64_t r, int64_t row, int64_t depth)
 {
     int bits = 64 - __builtin_clzll((uint64_t)(count * (int64_t)count + row * row + depth * depth));
-    struct slice s = {.count = count, .exponent = 30 - (bits + 1) / 2};
+    struct cone_row s = {.count = count, .exponent = 30 - (bits + 1) / 2};
     int64_t unit = INT64_C(1) << s.exponent, y = row * unit, z = depth * unit;
 
     s.slope = lx;
@@ -90,7 +90,7 @@ static void check_random(int count, int cases)
     for (int i = 0; i < cases; i++) {
         int64_t lx = any(FAR), ly = any(FAR), lz = -any(FAR), r = 64 + (int64_t)(next() % FAR >> next() % 24);
         int64_t row = (int64_t)(next() % 8192) - 4096, depth = 1 + (int64_t)(next() % 60000 >> next() % 16);
-        check_sphere(count, lx, ly, lz, r, row, depth);
+        tia_check_sphere(count, lx, ly, lz, r, row, depth);
     }
 }
 
@@ -103,7 +103,7 @@ static void check_aimed(int count, int cases)
         int64_t lz = 10 + (int64_t)(next() % (FAR / 8)), r = 64 + (int64_t)((uint64_t)lz >> next() % 14);
         int64_t lx = lz * at / depth, ly = lz * row / depth + any(r);
         if (lx < FAR && lx > -FAR && ly < FAR && ly > -FAR)
-            check_sphere(count, lx, ly, -lz, r, row, depth);
+            tia_check_sphere(count, lx, ly, -lz, r, row, depth);
     }
 }
 
@@ -136,36 +136,36 @@ TEST(the_longest_line)
  * with v = (X, 0, -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3 of the odd ones. */
 TEST(tangents)
 {
-    struct slice s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10};
-    struct run run = slice_run(&s, (struct run){0, 0});
+    struct cone_row s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10};
+    struct span span = cone_row_span(&s, (struct span){0, 0});
 
-    CHECK(run.first == 3 && run.end == 7);
+    CHECK(span.first == 3 && span.end == 7);
     check_slice(&s);
     s.c = 17; /* 400/17 - 16 = 7.5: X = -1..1 */
-    run = slice_run(&s, (struct run){3, 7});
-    CHECK(run.first == 4 && run.end == 6);
+    span = cone_row_span(&s, (struct span){3, 7});
+    CHECK(span.first == 4 && span.end == 6);
     s.c = 400 / 16; /* the tangent in the middle lies between two pixels */
-    run = slice_run(&s, (struct run){0, 10});
-    CHECK_EQ(run.end, run.first);
+    span = cone_row_span(&s, (struct span){0, 10});
+    CHECK_EQ(span.end, span.first);
     s.count = 9; /* and here on one: X = 0 */
-    run = slice_run(&s, (struct run){0, 0});
-    CHECK(run.first == 4 && run.end == 5);
+    span = cone_row_span(&s, (struct span){0, 0});
+    CHECK(span.first == 4 && span.end == 5);
 }
 
 /* c < 0: from inside a sphere the half space L.v >= 0 is seen. */
 TEST(from_inside)
 {
-    struct slice s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10};
+    struct cone_row s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10};
 
     check_slice(&s); /* X >= -2 */
-    CHECK_EQ(slice_run(&s, (struct run){0, 0}).first, 4);
-    CHECK_EQ(slice_run(&s, (struct run){0, 0}).end, 10);
+    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).first, 4);
+    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).end, 10);
     s.slope = -1;
-    CHECK_EQ(slice_run(&s, (struct run){0, 0}).end, 6);
+    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).end, 6);
     for (int i = 0; i < 20000; i++) {
         int64_t r = 64 + (int64_t)(next() % FAR);
-        check_sphere(1 + (int)(next() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
-                     1 + (int64_t)(next() % 999));
+        tia_check_sphere(1 + (int)(next() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
+                         1 + (int64_t)(next() % 999));
     }
 }
 
@@ -183,7 +183,7 @@ int main(void)
 
 int main(void)
 {
-    printf("skip slice: no 128-bit integers on this machine\n");
+    printf("skip cone_row: no 128-bit integers on this machine\n");
     return 0;
 }
 

@@ -1,4 +1,4 @@
-/* placement_cases.h - src/render/geometry/instance.c and sphere.c against matrices and quadratics in long double, in
+/* instance_cases.h - src/render/geometry/instance.c and sphere.c against matrices and quadratics in long double, in
  * whatever arithmetic they are compiled for. */
 #include "ray_cases.h"
 #include "render/geometry/instance.h"
@@ -18,7 +18,7 @@ struct matrix {
     real3 axes[3], position;
     long double scale[3];
     struct bounds_wide box;
-    struct placement placement;
+    struct instance instance;
 };
 
 static real3 turned(real3 v, tia_q16 degrees, int about)
@@ -48,7 +48,7 @@ static void make(struct matrix *m, const tia_q16 scale[3], long double reach)
         m->box.min[i] = a < b ? a : b;
         m->box.max[i] = (a < b ? b : a) + 1;
     }
-    placement_prepare(&m->placement, &m->transform, &m->box);
+    instance_prepare(&m->instance, &m->transform, &m->box);
 }
 
 /* Scales of all sizes, often the extremes. */
@@ -122,15 +122,15 @@ static bool is_near(const struct matrix *m, real3 a, real3 b, long double error)
 }
 
 /* A ray that meets the point q of the box. */
-static void check_placed(const struct matrix *m, const struct ray *ray, real3 q)
+static void tia_check_placed(const struct matrix *m, const struct ray *ray, real3 q)
 {
-    struct placed_ray placed;
+    struct instance_ray placed;
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), along = to_shape(m, d);
     long double t = dot(minus(to_world(m, q), o), d), k = length(along), least = fminl(m->scale[0], m->scale[1]);
     long double error = ERROR(65536);
 
     least = fminl(least, m->scale[2]);
-    placement_ray(&m->placement, ray, &placed);
+    instance_transform_ray(&m->instance, ray, &placed);
     long double start = real_of(placed.start);
     CHECK_MSG(start <= t + 1e-9L, "starts at %Lg, beyond %Lg", start, t);
     if (start > t + 1e-9L)
@@ -140,10 +140,10 @@ static void check_placed(const struct matrix *m, const struct ray *ray, real3 q)
               local.z - moved.z);
     long double off = length(minus(real3_dir(placed.ray.direction), unit(along)));
     CHECK_MSG(off < ANGLE * (1 + 1 / least / k), "direction off by %Lg", off);
-    long double there = real_of(placement_distance(&placed, num_of(t))), wanted = (t - start) * k;
+    long double there = real_of(instance_distance(&placed, num_of(t))), wanted = (t - start) * k;
     if (t > start)
         CHECK_MSG(fabsl(there - wanted) < k * error + 1e-12L * (1 + wanted), "%Lg there, not %Lg", there, wanted);
-    long double back = real_of(placement_distance_back(&placed, num_of(wanted)));
+    long double back = real_of(instance_distance_back(&placed, num_of(wanted)));
     CHECK_MSG(t <= start || fabsl(back - t) < error + 4 * 0x1p-45L / k, "%Lg back, not %Lg", back, t);
     /* The ray comes from the box's side, unless it begins behind it: so numbers stay as large as the shape. */
     for (int i = 0; i < 3; i++) {
@@ -165,7 +165,7 @@ TEST(rays_are_placed_as_matrices_say)
         for (int k = 0; k < 5; k++) {
             real3 q = in_box(&m, 0);
             struct ray ray = ray_at(to_world(&m, q));
-            check_placed(&m, &ray, q);
+            tia_check_placed(&m, &ray, q);
         }
     }
 }
@@ -192,14 +192,14 @@ TEST(rays_beside_the_box_miss)
 
     for (int i = 0; i < 20000; i++) {
         struct matrix m;
-        struct placed_ray placed;
+        struct instance_ray placed;
         make_random(&m);
         real3 target = to_world(&m, in_box(&m, 1));
         if (!is_seen(target))
             continue;
         struct ray ray = ray_at(target);
-        placement_ray(&m.placement, &ray, &placed);
-        bool misses = placement_distance(&placed, NUM_X_MOST) < 0;
+        instance_transform_ray(&m.instance, &ray, &placed);
+        bool misses = instance_distance(&placed, NUM_LENGTH_MAX) < 0;
         if (passes(&m, &ray, 0.01L) > 1e-3L) {
             CHECK(misses);
             missed++;
@@ -217,7 +217,7 @@ TEST(points_are_placed_as_matrices_say)
 
     for (int i = 0; i < 20000; i++) {
         make_random(&m);
-        real3 q = in_box(&m, 0), got = real3_of(placement_point(&m.placement, point_of(to_world(&m, q))));
+        real3 q = in_box(&m, 0), got = real3_of(instance_point(&m.instance, point_of(to_world(&m, q))));
         CHECK_MSG(is_near(&m, got, q, ERROR(65536) + 0x1p-45L * 1024), "%Lg %Lg %Lg", got.x - q.x, got.y - q.y,
                   got.z - q.z);
     }
@@ -231,9 +231,10 @@ TEST(normals_are_placed_by_the_inverse_transpose)
     for (int i = 0; i < 20000; i++) {
         make_random(&m);
         real3 n = unit(random_real3(1)), wanted = {0, 0, 0};
-        struct num_dir given = {(num_d)(n.x * (long double)NUM_D_ONE), (num_d)(n.y * (long double)NUM_D_ONE),
-                                (num_d)(n.z * (long double)NUM_D_ONE)};
-        real3 got = real3_dir(placement_normal(&m.placement, given));
+        struct num_dir given = {(num_unit)(n.x * (long double)NUM_UNIT_ONE),
+                                (num_unit)(n.y * (long double)NUM_UNIT_ONE),
+                                (num_unit)(n.z * (long double)NUM_UNIT_ONE)};
+        real3 got = real3_dir(instance_normal(&m.instance, given));
         n = real3_dir(given);
         const long double along[3] = {n.x, n.y, n.z};
         for (int k = 0; k < 3; k++)
@@ -252,18 +253,18 @@ TEST(ellipsoids_are_met_where_they_are)
 
     for (int i = 0; i < 20000; i++) {
         struct matrix m;
-        struct placed_ray placed;
+        struct instance_ray placed;
         struct shape shape;
-        struct crossing crossing;
+        struct intersection intersection;
         make_random(&m);
-        bounds_in_own_axes(&scene, &sphere, &m.box);
+        tia_bounds_in_own_axes(&scene, &sphere, &m.box);
         CHECK(m.box.min[1] == -1 && m.box.max[2] == TIA_Q16(5) + 1);
-        placement_prepare(&m.placement, &m.transform, &m.box);
+        instance_prepare(&m.instance, &m.transform, &m.box);
         shape_sphere(&shape, centre, TIA_Q16(2));
         struct ray ray = ray_at(to_world(&m, in_box(&m, 0)));
-        placement_ray(&m.placement, &ray, &placed);
-        num_x limit = placement_distance(&placed, NUM_X_MOST);
-        bool met = limit >= 0 && shape.kind->intersect(&shape, &placed.ray, limit, &crossing);
+        instance_transform_ray(&m.instance, &ray, &placed);
+        num_length limit = instance_distance(&placed, NUM_LENGTH_MAX);
+        bool met = limit >= 0 && shape.kind->intersect(&shape, &placed.ray, limit, &intersection);
 
         /* a t^2 - 2 b t + c = 0 in the shape's axes */
         real3 o = minus(to_shape(&m, minus(real3_of(ray.origin), m.position)), real3_vec(centre));
@@ -276,7 +277,7 @@ TEST(ellipsoids_are_met_where_they_are)
         hits[met]++;
         if (!met || aside > 2)
             continue;
-        long double t = real_of(placement_distance_back(&placed, crossing.t));
+        long double t = real_of(instance_distance_back(&placed, intersection.t));
         real3 at = plus(o, d, t);
         CHECK_MSG(fabsl(length(at) - 2) < error, "off by %Lg", length(at) - 2);
         CHECK_MSG((dot(at, d) < 0) == (tca > thc), "the farther side");

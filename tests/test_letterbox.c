@@ -1,4 +1,4 @@
-/* The command's stage around the strict memory display: place, border, turn, tiles, checksum;
+/* The command's letterbox around the strict memory display: place, border, turn, tiles, checksum;
  * and its statistics.
  * The command is a program: its files are in no library, and are included here. */
 
@@ -15,7 +15,7 @@ enum { WIDTH = 23, HEIGHT = 17, EDGE = 1 };
 /* The screen with a frame of pixels around it that nobody may touch. */
 static tia_rgb565 pixels[HEIGHT + 2 * EDGE][WIDTH + 2 * EDGE];
 static struct port_memory screen;
-static struct stage stage;
+static struct letterbox letterbox;
 static struct tia_mode mode;
 static char why[PORT_WHY];
 
@@ -40,15 +40,15 @@ static int open_stage(uint16_t width, uint16_t height, unsigned degrees, bool ch
                                   .tile_width = screen.tile_width,
                                   .tile_height = screen.tile_height,
                                   .concurrent = true};
-    stage = (struct stage){.screen = &port_memory_display,
-                           .screen_ctx = &screen,
-                           .name = "memory",
-                           .width = width,
-                           .height = height,
-                           .degrees = degrees,
-                           .checksum = checksum,
-                           .why = why};
-    return stage_display.open(&stage, &mode);
+    letterbox = (struct letterbox){.screen = &port_memory_display,
+                                   .screen_ctx = &screen,
+                                   .name = "memory",
+                                   .width = width,
+                                   .height = height,
+                                   .degrees = degrees,
+                                   .checksum = checksum,
+                                   .why = why};
+    return letterbox_display.open(&letterbox, &mode);
 }
 
 /* A pixel that tells where on the picture it belongs; never black. */
@@ -60,20 +60,20 @@ static tia_rgb565 pixel_at(unsigned x, unsigned y)
 static int draw_tile(struct tia_tile tile)
 {
     struct tia_surface surface;
-    int status = stage_display.acquire(&stage, tile, &surface);
+    int status = letterbox_display.acquire(&letterbox, tile, &surface);
     for (unsigned y = 0; y < tile.height && status == TIA_OK; y++) {
         for (unsigned x = 0; x < tile.width; x++) {
             char *at = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step;
             *(tia_rgb565 *)(void *)at = pixel_at(tile.x + x, tile.y + y);
         }
     }
-    return status == TIA_OK ? stage_display.submit(&stage, tile) : status;
+    return status == TIA_OK ? letterbox_display.submit(&letterbox, tile) : status;
 }
 
 /* A frame in the largest tiles that the mode allows. */
 static int draw_picture(void)
 {
-    int status = stage_display.mode(&stage, &mode);
+    int status = letterbox_display.mode(&letterbox, &mode);
     uint16_t width = mode.tile_width != 0 ? mode.tile_width : mode.width;
     uint16_t height = mode.tile_height != 0 ? mode.tile_height : mode.height;
     for (unsigned y = 0; y < mode.height; y += height) {
@@ -84,7 +84,7 @@ static int draw_picture(void)
             status = draw_tile(tile);
         }
     }
-    return status == TIA_OK ? stage_display.present(&stage) : status;
+    return status == TIA_OK ? letterbox_display.present(&letterbox) : status;
 }
 
 /* What the screen must show at (x, y), from the definition: the picture, turned clockwise, in the
@@ -160,8 +160,8 @@ static void every_turn(uint16_t width, uint16_t height)
                 check_screen(width, height, degrees);
                 CHECK_EQ(screen.frames, frame + 1);
             }
-            CHECK(checksum == 0 || stage.crc == crc_of_picture(width, height, degrees));
-            stage_display.close(&stage);
+            CHECK(checksum == 0 || letterbox.crc == crc_of_picture(width, height, degrees));
+            letterbox_display.close(&letterbox);
         }
     }
 }
@@ -182,7 +182,7 @@ TEST(tiles_keep_the_screens_limits)
     CHECK_EQ(open_stage(8, 6, 90, false), TIA_OK);
     CHECK_EQ(mode.tile_width, 3);
     CHECK_EQ(mode.tile_height, 5);
-    stage_display.close(&stage);
+    letterbox_display.close(&letterbox);
     screen.tile_width = screen.tile_height = 0;
 }
 
@@ -196,7 +196,7 @@ TEST(the_default_is_the_whole_screen)
         CHECK(mode.concurrent);
         CHECK_EQ(draw_picture(), TIA_OK);
         check_screen(mode.width, mode.height, degrees);
-        stage_display.close(&stage);
+        letterbox_display.close(&letterbox);
         CHECK(!screen.is_open);
     }
 }
@@ -205,22 +205,22 @@ TEST(a_larger_picture_is_refused)
 {
     CHECK_EQ(open_stage(WIDTH + 1, HEIGHT, 0, false), TIA_ERR_UNSUPPORTED);
     CHECK_MSG(strstr(why, "24x17") != NULL && strstr(why, "23x17") != NULL, "said '%s'", why);
-    CHECK(!screen.is_open && stage.opened);
-    stage_display.close(&stage);
+    CHECK(!screen.is_open && letterbox.opened);
+    letterbox_display.close(&letterbox);
     CHECK_EQ(open_stage(WIDTH, HEIGHT, 90, false), TIA_ERR_UNSUPPORTED);
-    stage_display.close(&stage);
+    letterbox_display.close(&letterbox);
 }
 
 TEST(a_failed_open_is_passed_on)
 {
     CHECK_EQ(open_stage(0, 0, 0, true), TIA_OK);
-    stage_display.close(&stage);
+    letterbox_display.close(&letterbox);
     screen.fail_open = TIA_ERR_DEVICE;
-    stage = (struct stage){.screen = &port_memory_display, .screen_ctx = &screen, .name = "memory", .why = why};
-    CHECK_EQ(stage_display.open(&stage, &mode), TIA_ERR_DEVICE);
-    CHECK(!stage.opened);
-    stage_display.close(&stage);
-    stage_display.close(&stage);
+    letterbox = (struct letterbox){.screen = &port_memory_display, .screen_ctx = &screen, .name = "memory", .why = why};
+    CHECK_EQ(letterbox_display.open(&letterbox, &mode), TIA_ERR_DEVICE);
+    CHECK(!letterbox.opened);
+    letterbox_display.close(&letterbox);
+    letterbox_display.close(&letterbox);
     screen.fail_open = 0;
 }
 
@@ -228,23 +228,23 @@ TEST(a_screen_may_change_its_size)
 {
     CHECK_EQ(open_stage(8, 6, 0, true), TIA_OK);
     screen.width = 7;
-    CHECK_EQ(stage_display.mode(&stage, &mode), TIA_HIDDEN);
-    CHECK_EQ(stage_display.mode(&stage, &mode), TIA_HIDDEN);
+    CHECK_EQ(letterbox_display.mode(&letterbox, &mode), TIA_HIDDEN);
+    CHECK_EQ(letterbox_display.mode(&letterbox, &mode), TIA_HIDDEN);
     screen.width = WIDTH;
     CHECK_EQ(draw_picture(), TIA_OK);
     check_screen(8, 6, 0);
     screen.hidden = true;
-    CHECK_EQ(stage_display.mode(&stage, &mode), TIA_HIDDEN);
-    stage_display.close(&stage);
+    CHECK_EQ(letterbox_display.mode(&letterbox, &mode), TIA_HIDDEN);
+    letterbox_display.close(&letterbox);
 
     CHECK_EQ(open_stage(0, 0, 90, true), TIA_OK);
     screen.width = 9;
     screen.height = 5;
-    CHECK_EQ(stage_display.mode(&stage, &mode), TIA_OK);
+    CHECK_EQ(letterbox_display.mode(&letterbox, &mode), TIA_OK);
     CHECK_EQ(mode.width, 5);
     CHECK_EQ(mode.height, 9);
     CHECK_EQ(draw_picture(), TIA_OK);
-    stage_display.close(&stage);
+    letterbox_display.close(&letterbox);
 }
 
 TEST(checksums_join)

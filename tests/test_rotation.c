@@ -93,7 +93,7 @@ TEST(axes)
         const tia_q16 angle[3] = {any_angle(), any_angle(), any_angle()};
         int64_t axes[3][3];
 
-        turn_axes((struct tia_vec3){angle[0], angle[1], angle[2]}, axes);
+        tia_rotation_axes((struct tia_vec3){angle[0], angle[1], angle[2]}, axes);
         for (int i = 0; i < 3; i++) {
             long double v[3] = {i == 0, i == 1, i == 2};
             turn(v, angle);
@@ -109,9 +109,9 @@ TEST(axes_by_hand)
     const int64_t want[3][3] = {{0, ONE, 0}, {0, 0, ONE}, {ONE, 0, 0}};
     int64_t axes[3][3];
 
-    turn_axes((struct tia_vec3){RIGHT, 0, RIGHT}, axes);
+    tia_rotation_axes((struct tia_vec3){RIGHT, 0, RIGHT}, axes);
     CHECK(!memcmp(axes, want, sizeof want));
-    turn_axes((struct tia_vec3){0, 0, 0}, axes);
+    tia_rotation_axes((struct tia_vec3){0, 0, 0}, axes);
     for (int i = 0; i < 9; i++)
         CHECK_EQ(axes[i / 3][i % 3], i % 4 ? 0 : ONE);
 }

@@ -1,7 +1,7 @@
 /* Placements in double precision. */
 #ifdef TIA_HAVE_F64
 #define TIA_NUM_F64
-#include "placement_cases.h"
+#include "instance_cases.h"
 #else
 #include "without_f64.h"
 #endif

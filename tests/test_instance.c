@@ -1,2 +1,2 @@
 /* Placements in integers. */
-#include "placement_cases.h"
+#include "instance_cases.h"
