@@ -30,7 +30,7 @@ static void must(int status)
 /* One frame, from the scene on; ms. */
 static double draw(const struct tia_core *core, const struct tia_scene *scene)
 {
-    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(area);
+    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, area);
     void *memory[2] = {malloc(view_size), malloc(hits_size)};
     tia_rgb565 *pixels = malloc(sizeof *pixels * WIDTH * HEIGHT);
     struct tia_surface surface = {pixels, sizeof *pixels, sizeof *pixels * WIDTH};
@@ -40,7 +40,7 @@ static double draw(const struct tia_core *core, const struct tia_scene *scene)
 
     must(memory[0] && memory[1] && pixels ? TIA_OK : TIA_ERR_MEMORY);
     must(core->view_init(&view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT));
-    must(core->hits_init(&hits, memory[1], hits_size, area));
+    must(core->hits_init(&hits, memory[1], hits_size, view, area));
     must(core->trace(view, hits, area));
     must(core->light(view, hits, area, &surface, NULL));
     double end = milliseconds();

@@ -23,7 +23,7 @@ struct against_note {
 struct against {
     struct tally tally;
     uint64_t undecided; /* those of the flips that lie within AGAINST_REACH of a boundary */
-    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors path_hash */
+    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors reached */
     unsigned note_count;
     struct against_note notes[AGAINST_NOTES];
 };

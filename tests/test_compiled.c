@@ -18,14 +18,14 @@ static uint32_t picture(const struct tia_scene *given)
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
     struct tia_scene plain = *given, *scene = &plain;
     const struct tia_surface surface = {pixels, 2, 2 * WIDTH};
-    size_t view_size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(all);
+    size_t view_size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(scene, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
     plain.camera.samples = 1; /* so many are enough to see a difference */
     CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, all), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     memset(pixels, 0, sizeof pixels);
     if (check_failed == 0)
         CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);

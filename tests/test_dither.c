@@ -65,7 +65,7 @@ static void draw_flat(struct tia_rgb colour, bool dither)
     struct tia_hits *hits = NULL;
 
     CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &scene, 0, W, H), TIA_OK);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, tile), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile), TIA_OK);
     CHECK_EQ(tia_render(view, hits, tile, &surface, &options), TIA_OK);
 }
 

@@ -194,7 +194,7 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
     struct tia_surface surface = {image, 2, 2 * (ptrdiff_t)all.width};
     struct tia_view *view;
     struct tia_hits *hits;
-    size_t view_size, hits_size = core->hits_size(all);
+    size_t view_size, hits_size = core->hits_size(&scene, all);
     void *view_memory, *hits_memory = malloc(hits_size);
     bool drawn;
 
@@ -208,7 +208,7 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
     view_memory = malloc(view_size);
     drawn =
         core->view_init(&view, view_memory, view_size, &scene, scene.light_count, all.width, all.height) == TIA_OK &&
-        core->hits_init(&hits, hits_memory, hits_size, all) == TIA_OK && core->trace(view, hits, all) == TIA_OK &&
+        core->hits_init(&hits, hits_memory, hits_size, view, all) == TIA_OK && core->trace(view, hits, all) == TIA_OK &&
         core->light(view, hits, all, &surface, NULL) == TIA_OK;
     free(view_memory);
     free(hits_memory);

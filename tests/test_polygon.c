@@ -218,7 +218,7 @@ static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint
     return count;
 }
 
-/* A frame with holes in a row, each path_hash by a bridge from the one before, there and back through the
+/* A frame with holes in a row, each reached by a bridge from the one before, there and back through the
  * same points. */
 static uint32_t make_holes(uint32_t holes, struct placing how)
 {
@@ -229,7 +229,7 @@ static uint32_t make_holes(uint32_t holes, struct placing how)
     for (uint32_t i = 0; i < sizeof frame / sizeof *frame; i++)
         put(count++, (frame[i][0] > 0 ? holes * 10.0 : -8.0) * 65536.0, frame[i][1] * 65536.0, how);
     for (uint32_t n = 0; n < holes; n++) {
-        exit[n] = n + 1 < holes ? HOLE / 2 : HOLE - 1; /* the last one is left as it was path_hash */
+        exit[n] = n + 1 < holes ? HOLE / 2 : HOLE - 1; /* the last one is left as it was reached */
         double height = 65.536 * random_below(1500);
         for (uint32_t i = 0; i < HOLE; i++) {
             double distance = 65.536 * (2000 + random_below(1000)),

@@ -53,11 +53,11 @@ static struct tia_view *view_of(const struct tia_scene *s)
     return view;
 }
 
-static struct tia_hits *hits_of(struct tia_tile area)
+static struct tia_hits *hits_of(const struct tia_view *view, struct tia_tile area)
 {
     struct tia_hits *hits = NULL;
 
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, area), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, area), TIA_OK);
     return hits;
 }
 
@@ -66,7 +66,7 @@ static void render_frame(const struct tia_view *view, tia_rgb565 out[H][W], bool
     struct tia_surface surface = {out[0], 2, 2 * W};
     struct tia_options options = {dither, path_hash};
 
-    CHECK_EQ(tia_render(view, hits_of(frame), frame, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_render(view, hits_of(view, frame), frame, &surface, &options), TIA_OK);
 }
 
 static void render_wanted(void)
@@ -81,7 +81,7 @@ static void render_wanted(void)
 TEST(the_picture_has_everything)
 {
     const struct tia_view *view = view_of(&scene);
-    struct tia_hits *hits = hits_of(frame);
+    struct tia_hits *hits = hits_of(view, frame);
     unsigned seen[5] = {0}, background = 0, light = 0, tinted = 0, shadow = 0;
 
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
@@ -122,7 +122,7 @@ static void render_tile(const struct tia_view *view, struct tia_tile tile, enum 
     struct tia_surface surface = {&got[tile.y][tile.x], 2, 2 * W};
     struct tia_options options = {dither, path_hash};
 
-    CHECK_EQ(tia_render(view, hits_of(area_around(tile, area)), tile, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_render(view, hits_of(view, area_around(tile, area)), tile, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < (unsigned)tile.width * tile.height; i++)
         CHECK_EQ(path_hash[i], want_reached[tile.y + i / tile.width][tile.x + i % tile.width]);
 }
@@ -183,7 +183,7 @@ static void check_surface(ptrdiff_t first, ptrdiff_t step, ptrdiff_t pitch)
             expected[first + (x * step + y * pitch) / 2] = want[0][y][x];
     for (int i = 0; i < 2; i++) {
         struct tia_surface surface = {block + first + tiles[i].x * step / 2, step, pitch};
-        CHECK_EQ(tia_render(view, hits_of(tiles[i]), tiles[i], &surface, NULL), TIA_OK);
+        CHECK_EQ(tia_render(view, hits_of(view, tiles[i]), tiles[i], &surface, NULL), TIA_OK);
     }
     CHECK_MSG(!memcmp(block, expected, sizeof block), "step %td, pitch %td", step, pitch);
 }
@@ -223,7 +223,8 @@ static void draw_job(void *arg, unsigned index)
 TEST(several_threads)
 {
     struct threads *pool = threads_create(4);
-    struct job job = {view_of(&scene), hits_of(frame)};
+    const struct tia_view *view = view_of(&scene);
+    struct job job = {view, hits_of(view, frame)};
 
     for (int i = 0; i < 20; i++) {
         memset(got, GUARD, sizeof got);
@@ -269,7 +270,7 @@ static void check_relighting(const struct tia_scene *s)
     memset(kept_view, GUARD, sizeof kept_view);
     memset(kept_hits, GUARD, sizeof kept_hits);
     CHECK_EQ(tia_view_init(&view, kept_view, sizeof kept_view, s, LIGHTS, W, H), TIA_OK);
-    CHECK_EQ(tia_hits_init(&hits, kept_hits, sizeof kept_hits, frame), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, kept_hits, sizeof kept_hits, view, frame), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
     moved.lights = now;
     for (int i = 0; i < 250; i++) {

@@ -27,11 +27,11 @@ static struct tia_view *thesis_view(uint32_t lights)
     return view;
 }
 
-static struct tia_hits *hits_of(struct tia_tile area)
+static struct tia_hits *hits_of(const struct tia_view *view, struct tia_tile area)
 {
     struct tia_hits *hits = NULL;
 
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, area), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, area), TIA_OK);
     return hits;
 }
 
@@ -92,18 +92,19 @@ TEST(memory_of_a_view)
 TEST(memory_of_hits)
 {
     const struct tia_tile area = {5, 7, 7, 8}, none = {5, 7, 0, 8}, flat = {5, 7, 7, 0};
-    size_t size = tia_hits_size(area);
+    size_t size = tia_hits_size(&tia_thesis_scene, area);
     const unsigned char *bytes = (const unsigned char *)hits_memory;
     struct tia_view *view = thesis_view(0);
     struct tia_hits *hits = NULL;
 
     memset(hits_memory, 0xa5, sizeof hits_memory);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, size - 1, area), TIA_ERR_MEMORY);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, none), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, flat), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, size - 1, view, area), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, none), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, flat), TIA_ERR_ARGUMENT);
     CHECK(hits == NULL && bytes[0] == 0xa5);
-    CHECK(tia_hits_size((struct tia_tile){0, 0, 65535, 65535}) >= UINT32_MAX); /* more than 32 bits can say */
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, size, area), TIA_OK);
+    CHECK(tia_hits_size(&tia_thesis_scene, (struct tia_tile){0, 0, 65535, 65535}) >=
+          UINT32_MAX); /* more than 32 bits can say */
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, size, view, area), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
     for (size_t i = size; i < sizeof hits_memory; i++)
         CHECK_EQ(bytes[i], 0xa5);
@@ -132,7 +133,7 @@ TEST(lights_that_are_refused)
 {
     struct tia_light bad[3] = {light, light, light};
     struct tia_view *view = thesis_view(2);
-    struct tia_hits *hits = hits_of(frame);
+    struct tia_hits *hits = hits_of(view, frame);
 
     CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_OK);
     render(view, hits, before);
@@ -162,11 +163,11 @@ TEST(tiles_that_are_refused)
     const struct tia_tile area = {5, 5, 30, 20}, beyond = {30, 20, 20, 20}, corner = {39, 29, 1, 1};
     struct tia_surface surface = {after, 2, 2 * W};
     struct tia_view *view = thesis_view(0);
-    struct tia_hits *hits = hits_of(frame);
+    struct tia_hits *hits = hits_of(view, frame);
 
     render(view, hits, before);
     memcpy(after, before, sizeof after);
-    hits = hits_of(area);
+    hits = hits_of(view, area);
     CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         CHECK_EQ(tia_trace(view, hits, bad[i]), TIA_ERR_ARGUMENT);
@@ -176,7 +177,7 @@ TEST(tiles_that_are_refused)
     surface.pixels = NULL;
     CHECK_EQ(tia_light_tile(view, hits, area, &surface, NULL), TIA_ERR_ARGUMENT);
     surface.pixels = after;
-    hits = hits_of(beyond); /* hits may be of more than the image has */
+    hits = hits_of(view, beyond); /* hits may be of more than the image has */
     CHECK_EQ(tia_trace(view, hits, beyond), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_light_tile(view, hits, beyond, &surface, NULL), TIA_ERR_ARGUMENT);
     CHECK(!memcmp(before, after, sizeof before));
@@ -194,9 +195,9 @@ TEST(the_largest_picture)
 
     for (int i = 0; i < 5; i++) {
         struct tia_tile tile = {pixels[i].x, pixels[i].y, 1, 1};
-        struct tia_hits *hits = hits_of(tile);
         struct tia_view *view = NULL;
         CHECK_EQ(init(&view, &tia_thesis_scene, 0, 8192, 8192), TIA_OK);
+        struct tia_hits *hits = hits_of(view, tile);
         CHECK_EQ(tia_trace(view, hits, tile), TIA_OK);
         CHECK_EQ(tia_hits_object(hits, tile.x, tile.y), pixels[i].object);
     }
@@ -239,7 +240,7 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
     struct tia_options options = {.path_hash = &path_hash};
 
     CHECK_EQ(init(&view, &scene, light_count, 1, 1), TIA_OK);
-    CHECK_EQ(tia_render(view, hits_of(pixel), pixel, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);
     return path_hash;
 }
 

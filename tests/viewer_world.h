@@ -135,7 +135,7 @@ static inline void world_compare(const struct world *w)
         lights++;
     CHECK_EQ(tia_view_init(&view, world_reference, half, scene, WORLD_LIGHTS, all.width, all.height), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, w->lights, lights), TIA_OK);
-    CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, all), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, view, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
     for (unsigned y = 0; y < all.height; y++)
         CHECK_MSG(!memcmp(w->pixels + y * WORLD_WIDTH, want + y * WORLD_WIDTH, 2u * all.width), "frame %u, row %u",

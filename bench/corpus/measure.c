@@ -102,10 +102,10 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
     const struct tia_core *core = frame->cores[n];
     struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
     struct tia_options options = {.dither = frame->what->dither, .path_hash = layer->path_hash};
-    size_t size = core->hits_size(tile), i = 0;
+    size_t size = core->hits_size(frame->what->scene, tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
-    int status = memory == NULL ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, tile);
+    int status = memory == NULL ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, frame->views[n], tile);
 
     if (status == TIA_OK)
         status = core->trace(frame->views[n], hits, tile);

@@ -66,9 +66,12 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
  * tia_scene_check refuses one: then the old ones stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-/* Bytes for the hits of `area`, and a hit buffer of it in `memory`, aligned for uint64_t. */
-size_t tia_hits_size(struct tia_tile area);
-int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area);
+/* Bytes for the hits of `area` of a picture of `scene`, SIZE_MAX when there are too many. */
+size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
+
+/* A hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t. TIA_ERR_ARGUMENT when the
+ * area is empty, TIA_ERR_MEMORY when `size` is too small. */
+int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area);
 
 /* The object that pixel (x, y) of the image sees: an object's index, or TIA_NO_OBJECT; of several
  * samples the first. Lights are not in the hits: tia_light adds them. */
@@ -93,8 +96,8 @@ struct tia_core {
     size_t (*view_size)(const struct tia_scene *, uint32_t);
     int (*view_init)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned);
     int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
-    size_t (*hits_size)(struct tia_tile);
-    int (*hits_init)(struct tia_hits **, void *, size_t, struct tia_tile);
+    size_t (*hits_size)(const struct tia_scene *, struct tia_tile);
+    int (*hits_init)(struct tia_hits **, void *, size_t, const struct tia_view *, struct tia_tile);
     uint32_t (*hits_object)(const struct tia_hits *, unsigned, unsigned);
     int (*trace)(const struct tia_view *, struct tia_hits *, struct tia_tile);
     int (*light)(const struct tia_view *, const struct tia_hits *, struct tia_tile, const struct tia_surface *,

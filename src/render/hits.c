@@ -1,27 +1,32 @@
-#include "hits.h"
-
 #include "math/align.h"
+#include "renderer.h"
 
 #define HEADER ALIGN(sizeof(struct tia_hits))
 
-size_t tia_hits_size(struct tia_tile area)
+static uint64_t objects_size(uint32_t pixels)
 {
-    uint64_t size = HEADER + (uint64_t)((uint32_t)area.width * area.height) * (sizeof(num_u) + sizeof(uint32_t));
+    return ALIGN((uint64_t)pixels * sizeof(uint32_t));
+}
+
+size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
+{
+    uint32_t pixels = (uint32_t)area.width * area.height;
+    uint64_t size = HEADER + objects_size(pixels) + renderer_for(scene)->buffer_size(scene, pixels);
 
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
 
-int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area)
+int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area)
 {
     struct tia_hits *h = memory;
 
     if (!area.width || !area.height)
         return TIA_ERR_ARGUMENT;
-    if (size < tia_hits_size(area))
+    if (size < tia_hits_size(view->scene, area))
         return TIA_ERR_MEMORY;
     h->area = area;
-    h->t = (num_u *)((char *)memory + HEADER);
-    h->object = (uint32_t *)(h->t + (size_t)area.width * area.height);
+    h->object = (uint32_t *)(void *)((char *)memory + HEADER);
+    h->buffer = (char *)h->object + objects_size((uint32_t)area.width * area.height);
     *hits = h;
     return TIA_OK;
 }

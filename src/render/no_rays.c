@@ -1,38 +1,31 @@
 /* no_rays.c - stands in for general rays in programs that have no room for them. */
-#include "render/whitted/rays.h"
+#include "renderer.h"
 
-size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
+static bool draws(const struct tia_scene *scene)
+{
+    (void)scene;
+    return true;
+}
+
+static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     (void)scene;
     (void)light_capacity;
     return 0;
 }
 
-int ray_prepare(struct tia_view *view, void *memory)
+static int prepare(struct tia_view *view)
 {
     (void)view;
-    (void)memory;
     return TIA_ERR_UNSUPPORTED;
 }
 
-void ray_set_lights(struct tia_view *view)
+static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
-    (void)view;
+    (void)scene;
+    (void)pixels;
+    return 0;
 }
 
-void ray_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
-{
-    (void)view;
-    (void)hits;
-    (void)tile;
-}
-
-void ray_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options)
-{
-    (void)view;
-    (void)hits;
-    (void)tile;
-    (void)surface;
-    (void)options;
-}
+/* A view that could not be prepared is not drawn: the rest is never called. */
+const struct renderer whitted_renderer = {draws, prepared_size, prepare, NULL, buffer_size, NULL, NULL};

@@ -1,6 +1,5 @@
-/* render.c - a tile, by spans or by general rays. */
-#include "render/span/span.h"
-#include "render/whitted/rays.h"
+/* render.c - a tile, by the view's renderer. */
+#include "renderer.h"
 
 static bool is_inside(struct tia_tile tile, struct tia_tile area)
 {
@@ -19,10 +18,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 {
     if (!has_tile(view, hits, tile))
         return TIA_ERR_ARGUMENT;
-    if (view->rays)
-        ray_trace(view, hits, tile);
-    else
-        span_trace(view, hits, tile);
+    view->renderer->trace(view, hits, tile);
     return TIA_OK;
 }
 
@@ -34,10 +30,7 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
     if (!has_tile(view, hits, tile) || !surface->pixels)
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
-    if (view->rays)
-        ray_light(view, hits, tile, surface, options);
-    else
-        span_light(view, hits, tile, surface, options);
+    view->renderer->light(view, hits, tile, surface, options);
     return TIA_OK;
 }
 

@@ -18,7 +18,8 @@ static void lay_tiles(struct loop *loop, unsigned height)
 static bool take_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
-    size_t sizes[] = {loop->moment_size, loop->boxes_size, loop->view_size, loop->tiles, loop->core->hits_size(hits)};
+    size_t sizes[] = {loop->moment_size, loop->boxes_size, loop->view_size, loop->tiles,
+                      loop->core->hits_size(v->scene, hits)};
     size_t sum = 0;
     char *parts[5] = {NULL}, *memory;
 
@@ -78,7 +79,7 @@ int tia_viewer_prepare_view(struct loop *loop)
                                        loop->viewer->light_capacity, loop->mode.width, loop->mode.height);
 
     if (!status && loop->whole)
-        status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, frame);
+        status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
     loop->view_ready = !status;
     loop->traced = false;
     loop->changed = true;
@@ -103,7 +104,7 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     int status = TIA_OK;
 
     if (!loop->whole)
-        status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, tile);
+        status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
     if (!status && !loop->traced)
         status = loop->core->trace(loop->view, hits, tile);
     if (!status)

@@ -44,13 +44,13 @@ static inline int frames_open(struct frames_canvas *c, const struct tia_scene *s
     size_t view = core->view_size(scene, lights), hits;
 
     c->area = (struct tia_tile){0, 0, (uint16_t)width, (uint16_t)height};
-    hits = core->hits_size(c->area);
+    hits = core->hits_size(scene, c->area);
     c->memory[0] = malloc(view);
     c->memory[1] = malloc(hits);
     c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
     return c->memory[0] && c->memory[1] && c->pixels &&
            core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) == TIA_OK &&
-           core->hits_init(&c->hits, c->memory[1], hits, c->area) == TIA_OK;
+           core->hits_init(&c->hits, c->memory[1], hits, c->view, c->area) == TIA_OK;
 }
 
 /* Draws in tiles of the given size, from the last to the first. */

@@ -40,7 +40,7 @@ static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, 
         const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};
         count_begin();
         if (!WHOLE)
-            status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, tile);
+            status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         if (trace && status == TIA_OK)
             status = CORE.trace(view, hits, tile);
         if (status == TIA_OK)
@@ -79,7 +79,7 @@ int main(void)
     if (status == TIA_OK)
         status = CORE.set_lights(view, light_of('a'), 1);
     if (status == TIA_OK && WHOLE)
-        status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, all);
+        status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, all);
     if (status == TIA_OK)
         status = draw_and_tell("full ", view, hits, true);
     if (status == TIA_OK && WHOLE)

@@ -13,7 +13,7 @@ int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))
         status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1); /* key a's light */
     for (uint16_t y = 0; y < 240 && status == TIA_OK; y++) {
         const struct tia_tile tile = {0, y, 320, 1};
-        tia_hits_init(&hits, hits_memory, sizeof hits_memory, tile);
+        tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         status = tia_render(view, hits, tile, &surface, NULL);
         send_row(y, row);
     }

@@ -29,7 +29,7 @@ struct picture {
 static inline void open_picture(struct picture *p, const struct tia_core *core, const struct tia_scene *scene,
                                 unsigned width, unsigned height, struct tia_tile tile)
 {
-    size_t view = core->view_size(scene, scene->light_count), hits = core->hits_size(tile);
+    size_t view = core->view_size(scene, scene->light_count), hits = core->hits_size(scene, tile);
     size_t count = (size_t)tile.width * tile.height;
 
     p->core = core;
@@ -40,7 +40,7 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     p->path_hash = malloc(count * sizeof *p->path_hash);
     MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
     MUST(core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height) == TIA_OK);
-    MUST(core->hits_init(&p->hits, p->memory[1], hits, tile) == TIA_OK);
+    MUST(core->hits_init(&p->hits, p->memory[1], hits, p->view, tile) == TIA_OK);
     MUST(core->trace(p->view, p->hits, tile) == TIA_OK);
 }
 

@@ -37,14 +37,16 @@ static int set_lights(struct tia_view *view, const struct tia_light *lights, uin
     return TIA_ERR_UNSUPPORTED;
 }
 
-static size_t hits_size(struct tia_tile area)
+static size_t hits_size(const struct tia_scene *scene, struct tia_tile area)
 {
+    (void)scene;
     return sizeof(struct tia_hits) + (size_t)area.width * area.height * sizeof(struct oracle_pixel);
 }
 
-static int hits_init(struct tia_hits **hits, void *memory, size_t size, struct tia_tile area)
+static int hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
+                     struct tia_tile area)
 {
-    if (size < hits_size(area))
+    if (size < hits_size(view->scene, area))
         return TIA_ERR_MEMORY;
     *hits = memory;
     (*hits)->area = area;

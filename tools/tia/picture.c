@@ -76,7 +76,8 @@ static int draw_band(struct picture *picture)
     if (band->rows > 0) {
         picture->tile = tile_of(picture, band);
         jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
-        int status = picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->tile);
+        int status = picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view,
+                                              picture->tile);
         if (status != TIA_OK) {
             return status;
         }
@@ -127,7 +128,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     struct picture_band whole = {0, picture->band_rows, NULL};
     struct tia_tile tile = tile_of(picture, &whole);
     picture->job_rows = tile.width < JOB_PIXELS ? (unsigned)JOB_PIXELS / tile.width : 1;
-    picture->hits_bytes = core->hits_size(tile);
+    picture->hits_bytes = core->hits_size(&options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
     for (unsigned i = 0; i < 2; i++) {
         picture->band[i].pixels = malloc((size_t)picture->band_rows * film->width * sizeof(tia_rgb565));

@@ -37,7 +37,7 @@ void instance_transform_ray(const struct instance *instance, const struct ray *r
 num_length instance_distance(const struct instance_ray *placed, num_length t);
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
-/* What instance_distance gives for t, and a little more than it is off by: a intersection that is not beyond t in the
+/* What instance_distance gives for t, and a little more than it is off by: an intersection that is not beyond t in the
  * world is not beyond that. */
 num_length instance_limit(const struct instance_ray *placed, num_length t);
 

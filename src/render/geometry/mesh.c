@@ -1,4 +1,4 @@
-/* mesh.c - faces over shared vertices; the element of a intersection is its face. */
+/* mesh.c - faces over shared vertices; the element of an intersection is its face. */
 #include "triangle.h"
 #include "walk.h"
 

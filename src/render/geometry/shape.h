@@ -22,7 +22,7 @@ struct intersection {
     uint32_t element;
 };
 
-/* What shading asks of a intersection. */
+/* What shading asks of an intersection. */
 struct surface {
     struct num_dir normal; /* of the surface, length 1, outwards as tia/shape.h has it */
     struct num_dir smooth; /* the one that shading takes: a smooth mesh's is interpolated, others' the same */

@@ -1,6 +1,6 @@
 #include "kernels.h"
 
-void kernel_sphere(const struct sphere_line *line, num_u *t)
+static void sphere(const struct sphere_line *line, num_u *t)
 {
     num_wide b = line->b;
     struct row_square v = line->square;
@@ -16,7 +16,7 @@ void kernel_sphere(const struct sphere_line *line, num_u *t)
     }
 }
 
-void kernel_sphere_inside(const struct sphere_line *line, num_u *t)
+static void sphere_inside(const struct sphere_line *line, num_u *t)
 {
     num_wide b = line->b;
     struct row_square v = line->square;
@@ -43,7 +43,7 @@ static void light_pixel(const struct light_line *line, num_wide facing, num_wide
     lit->half[i] = (uint8_t)n.half;
 }
 
-bool kernel_light(const struct light_line *line, const num_u *distance, struct lit *lit)
+static bool light(const struct light_line *line, const num_u *distance, struct lit *lit)
 {
     num_wide g = line->g, q = line->q;
     struct row_square v = line->square;
@@ -70,7 +70,7 @@ bool kernel_light(const struct light_line *line, const num_u *distance, struct l
     return any;
 }
 
-void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert)
+static void lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert)
 {
     for (int i = 0; i < count; i++)
         lambert[i] = lit->facing[i] > 0 ? num_lambert(num_mul_top(lit->facing[i], lit->inverse[i]), inverse) : 0;
@@ -92,7 +92,7 @@ static bool meets(const struct shadow_line *line, num_wide product, num_wide tur
     return num_covers(a, lit->near[i], lit->half[i], k, line->swell, line->exponent);
 }
 
-void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *lit)
+static void shadow(const struct shadow_line *line, const num_u *t, struct lit *lit)
 {
     num_wide a = line->a, c = line->c;
 
@@ -105,13 +105,13 @@ void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *l
     }
 }
 
-void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count)
+static void add(num_u *sum, const num_u *lambert, num_u colour, int count)
 {
     for (int i = 0; i < count; i++)
         sum[i] = num_clamp(sum[i] + num_colour_product(lambert[i], colour));
 }
 
-void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
+static void pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
                  tia_rgb565 *out)
 {
     for (int i = 0; i < count; i++) {
@@ -121,3 +121,5 @@ void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const 
         out[i] = (tia_rgb565)(r << 11 | g << 5 | b);
     }
 }
+
+const struct span_kernels span_kernels_plain = {sphere, sphere_inside, light, shadow, lambert, add, pack};

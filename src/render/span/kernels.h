@@ -1,7 +1,7 @@
 /* kernels.h - the hot loops: passes over a span of pixels in one row, at most CHUNK of them.
  *
  * Each takes its constants, prepared once a span, and arrays with one entry a pixel. They are
- * all that a vector version has to replace; it must give the same bits.
+ * called through a table: a version for vector units is another table, which must give the same bits.
  */
 #ifndef TIA_KERNELS_H
 #define TIA_KERNELS_H
@@ -17,12 +17,6 @@ struct sphere_line {
     num_u c_disc, c_top;
     int t_shift, count;
 };
-
-/* t = c / (b + sqrt(b^2 - c v.v)). */
-void kernel_sphere(const struct sphere_line *line, num_u *t);
-
-/* t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
-void kernel_sphere_inside(const struct sphere_line *line, num_u *t);
 
 /* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v:
  *
@@ -53,12 +47,6 @@ struct lit {
     uint8_t half[CHUNK];
 };
 
-/* Fills `lit`; false when no pixel faces the light. */
-bool kernel_light(const struct light_line *line, const num_u *t, struct lit *lit);
-
-/* lambert = max(0, N.Ldir), NUM_ONE is 1; inverse as in the light_line. */
-void kernel_lambert(const struct lit *lit, num_u inverse, int count, num_u *lambert);
-
 /* A sphere, centre C and radius R, that may stand between a light Q and the points P of a span of
  * the sphere L, r. With w = Q - P and A = C - P, seen from P as the eye sees a sphere:
  *
@@ -88,14 +76,28 @@ struct shadow_line {
     int count;
 };
 
-/* Sets facing to 0 where the sphere stands before the light. */
-void kernel_shadow(const struct shadow_line *line, const num_u *t, struct lit *lit);
+struct span_kernels {
+    /* From outside t = c / (b + sqrt(b^2 - c v.v)), from inside t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
+    void (*sphere)(const struct sphere_line *line, num_u *t);
+    void (*sphere_inside)(const struct sphere_line *line, num_u *t);
 
-/* sum = min(1, sum + lambert * colour). */
-void kernel_add(num_u *sum, const num_u *lambert, num_u colour, int count);
+    /* Fills `lit`; false when no pixel faces the light. */
+    bool (*light)(const struct light_line *line, const num_u *t, struct lit *lit);
 
-/* Clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
-void kernel_pack(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
+    /* Sets facing to 0 where the sphere stands before the light. */
+    void (*shadow)(const struct shadow_line *line, const num_u *t, struct lit *lit);
+
+    /* lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
+    void (*lambert)(const struct lit *lit, num_u inverse, int count, num_u *lambert);
+
+    /* sum = min(1, sum + lambert * colour). */
+    void (*add)(num_u *sum, const num_u *lambert, num_u colour, int count);
+
+    /* Clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
+    void (*pack)(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
                  tia_rgb565 *out);
+};
+
+extern const struct span_kernels span_kernels_plain;
 
 #endif

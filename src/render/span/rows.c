@@ -1,5 +1,4 @@
 /* rows.c - from hits to pixels: a row is taken in chunks, and a chunk in spans of one object. */
-#include "kernels.h"
 #include "render/dither.h"
 #include "shade.h"
 #include "span.h"
@@ -7,6 +6,7 @@
 /* Up to CHUNK pixels of a row on their way to the display. */
 struct chunk {
     const struct tia_view *view;
+    const struct span_view *spans;
     int x, y, count;
     const num_u *t;
     const uint32_t *object;
@@ -14,40 +14,36 @@ struct chunk {
     tia_rgb565 *pixels;  /* side by side */
 };
 
-/* A span that sees the background or a light: one colour, but for the dithering. */
+/* A span that sees the background or a light: one colour, but for the dithering, which repeats after 8 pixels. */
 static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
+    int period = threshold[0] == threshold[1] ? 1 : 8;
     num_u rgb[3][8];
     tia_rgb565 pixels[8];
 
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < period; i++) {
         rgb[0][i] = num_clamp(num_colour(colour->r));
         rgb[1][i] = num_clamp(num_colour(colour->g));
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
-    kernel_pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, 8, pixels);
-    if (threshold[0] == threshold[1]) { /* not dithered: all eight are the same */
-        for (int i = 0; i < count; i++)
-            chunk->pixels[first + i] = pixels[0];
-        return;
-    }
+    chunk->spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, period, pixels);
     for (int i = 0; i < count; i++)
-        chunk->pixels[first + i] = pixels[i & 7];
+        chunk->pixels[first + i] = pixels[i & (period - 1)];
 }
 
 /* Marks the pixels of a chunk where light `n` is nearer than what they see. */
 static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uint32_t *object)
 {
-    const struct tia_view *view = chunk->view;
-    const struct span_sphere *sphere = &view->span.spheres[n];
+    const struct span_view *spans = chunk->spans;
     struct span span = {chunk->x, chunk->x + chunk->count};
     num_u t[CHUNK];
 
-    span = span_within(span_sphere_row(&view->span.primary, sphere, chunk->y, span), chunk->x, chunk->x + chunk->count);
+    span = span_within(span_sphere_row(&spans->primary, &spans->spheres[n], chunk->y, span), chunk->x,
+                       chunk->x + chunk->count);
     if (span.first >= span.end)
         return;
-    span_sphere_distances(&view->span.primary, sphere, chunk->y, span.first, span.end - span.first, t);
-    span_keep_nearer(view, n, t, span.end - span.first, nearest + (span.first - chunk->x),
+    span_distances(spans, n, chunk->y, span.first, span.end - span.first, t);
+    span_keep_nearer(spans, n, t, span.end - span.first, nearest + (span.first - chunk->x),
                      object + (span.first - chunk->x));
 }
 
@@ -64,7 +60,7 @@ see_lights(struct chunk *chunk, uint32_t object[CHUNK])
     bool copied = false;
 
     for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
-        if (chunk->y < view->span.spheres[n].rows.first || chunk->y >= view->span.spheres[n].rows.end)
+        if (chunk->y < chunk->spans->spheres[n].rows.first || chunk->y >= chunk->spans->spheres[n].rows.end)
             continue;
         for (int i = 0; !copied && i < chunk->count; i++) {
             object[i] = chunk->object[i];
@@ -85,7 +81,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-static void shaded_span(const struct chunk *chunk, int first, int count, const num_u threshold[8])
+static void shade_sphere(const struct chunk *chunk, int first, int count, const num_u threshold[8])
 {
     struct shaded_span span = {chunk->object[first],
                                chunk->x + first,
@@ -113,7 +109,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
         else if (object >= view->scene->sphere_count)
             light_span(chunk, first, end - first, object - view->scene->sphere_count, threshold);
         else
-            shaded_span(chunk, first, end - first, threshold);
+            shade_sphere(chunk, first, end - first, threshold);
     }
 }
 
@@ -134,7 +130,7 @@ static void light_columns(struct chunk *chunk, const struct tia_hits *hits, stru
 
     chunk->x = tile.x + (int)x;
     chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
-    chunk->t = hits->t + at;
+    chunk->t = span_distances_of(hits) + at;
     chunk->object = hits->object + at;
     chunk->pixels = direct ? (tia_rgb565 *)(void *)out : pixels;
     light_chunk(chunk, threshold);
@@ -163,6 +159,7 @@ void span_light(const struct tia_view *view, const struct tia_hits *hits, struct
     struct chunk chunk;
 
     chunk.view = view;
+    chunk.spans = view->prepared;
     for (int y = tile.y; y < tile.y + tile.height; y++) {
         chunk.y = y;
         light_row(&chunk, hits, tile, surface, options);

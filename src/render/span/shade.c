@@ -7,6 +7,7 @@
 struct shading {
     const struct shaded_span *span;
     const struct tia_view *view;
+    const struct span_view *spans;
     const struct tia_material *material;
     bool grey; /* red stands for all three */
     num_u sum[3][CHUNK];
@@ -57,12 +58,12 @@ static void cast_shadows(const struct shading *s, const struct light_source *sou
         num_u before[CHUNK];
 
         if (j == span->object ||
-            !shadow_line_prepare(&s->view->span.primary, source, &s->view->span.spheres[j], span->x, span->y, &line))
+            !shadow_line_prepare(&s->spans->primary, source, &s->spans->spheres[j], span->x, span->y, &line))
             continue;
         line.count = span->count;
         for (int i = 0; !colour_is_black(through) && i < span->count; i++)
             before[i] = lit->facing[i];
-        kernel_shadow(&line, span->t, lit);
+        s->spans->kernels->shadow(&line, span->t, lit);
         if (!colour_is_black(through))
             tint_light(through, j, before, lit, span->count, tint);
     }
@@ -79,7 +80,7 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
         num_u tinted[CHUNK];
         for (int i = 0; tint && i < s->span->count; i++)
             tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
-        kernel_add(s->sum[c], tint ? tinted : lambert, product[c], s->span->count);
+        s->spans->kernels->add(s->sum[c], tint ? tinted : lambert, product[c], s->span->count);
     }
 }
 
@@ -88,20 +89,20 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_view *view = s->view;
-    struct light_source source = {.sphere = &view->span.spheres[span->object],
+    struct light_source source = {.sphere = &s->spans->spheres[span->object],
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
     num_u *lambert = lit.facing; /* takes its place: stack is scarce */
 
-    light_line_prepare(&view->span.primary, &source, span->x, span->y, &line);
+    light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
-    if (!kernel_light(&line, span->t, &lit))
+    if (!s->spans->kernels->light(&line, span->t, &lit))
         return;
     cast_shadows(s, &source, &lit, tint);
     if (span->path_hash && l < 16)
         note_reached(&lit, tint, l, span->count, span->path_hash);
-    kernel_lambert(&lit, source.sphere->inverse, span->count, lambert);
+    s->spans->kernels->lambert(&lit, source.sphere->inverse, span->count, lambert);
     add_light(s, &view->lights[l], lambert, tint);
 }
 
@@ -124,18 +125,20 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
 
     s.span = span;
     s.view = view;
+    s.spans = view->prepared;
     s.material = &scene->materials[scene->spheres[span->object].material];
-    s.grey = view->span.grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
+    s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     for (int i = 0; i < span->count; i++) {
         s.sum[0][i] = num_colour(s.material->emission.r);
         s.sum[1][i] = num_colour(s.material->emission.g);
         s.sum[2][i] = num_colour(s.material->emission.b);
     }
     for (uint32_t l = 0; l < view->light_count; l++) {
-        if (view->span.tinted)
+        if (s.spans->tinted)
             shade_tinted_light(&s, l);
         else
             shade_light(&s, l, NULL);
     }
-    kernel_pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, span->x, span->count, pixels);
+    s.spans->kernels->pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, span->x, span->count,
+                           pixels);
 }

@@ -2,8 +2,7 @@
 #ifndef TIA_SPAN_SHADE_H
 #define TIA_SPAN_SHADE_H
 
-#include "kernels.h"
-#include "render/view.h"
+#include "span.h"
 
 struct shaded_span {
     uint32_t object; /* the sphere */

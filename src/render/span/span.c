@@ -1,51 +1,107 @@
 #include "span.h"
 
+#include "math/align.h"
 #include "scene/colour.h"
 
-size_t span_size(const struct tia_scene *scene, uint32_t light_capacity)
+static bool is_matt(const struct tia_material *m)
+{
+    return !m->texture && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
+           colour_is_black(&m->refraction) && colour_is_black(&m->facing);
+}
+
+static bool is_plain_light(const struct tia_light *l)
+{
+    return l->kind == TIA_POINT_LIGHT && !l->constant && !l->linear && !l->quadratic;
+}
+
+static bool is_plain_camera(const struct tia_camera *c)
+{
+    return c->projection == TIA_PERSPECTIVE && !c->up.x && !c->up.y && !c->up.z && c->samples <= 1;
+}
+
+static bool draws(const struct tia_scene *scene)
+{
+    bool plain = !scene->shape_count && scene->sphere_count <= TIA_SPAN_SPHERES && is_plain_camera(&scene->camera);
+
+    for (uint32_t i = 0; plain && i < scene->material_count; i++)
+        plain = is_matt(&scene->materials[i]);
+    for (uint32_t i = 0; plain && i < scene->light_count; i++)
+        plain = is_plain_light(&scene->lights[i]);
+    for (uint32_t i = 0; plain && i < scene->binding_count; i++)
+        plain = is_plain_light(&scene->bindings[i].state);
+    return plain;
+}
+
+static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
+    uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere);
 
-    return spheres > SIZE_MAX / 2 / sizeof(struct span_sphere) ? SIZE_MAX
-                                                               : (size_t)spheres * sizeof(struct span_sphere);
+    return spheres > SIZE_MAX / 4 / sizeof(struct span_sphere) ? SIZE_MAX : (size_t)size;
 }
 
-static void prepare_body(const struct tia_view *view, uint32_t n, struct tia_vec3 centre, tia_q16 radius)
+static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_vec3 centre, tia_q16 radius)
 {
-    span_sphere_prepare(&view->span.primary, &view->span.spheres[n], num_vec_between(view->scene->camera.eye, centre),
-                        radius);
+    const struct span_view *spans = view->prepared;
+
+    span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
 }
 
-void span_prepare(struct tia_view *view, void *memory)
+static int prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
+    struct span_view *spans = view->prepared;
 
-    view->span.spheres = memory;
-    view->span.tinted = false;
-    view->span.grey_shadows = true;
-    primary_prepare(&view->span.primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
+    spans->kernels = &span_kernels_plain;
+    spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
+    spans->tinted = false;
+    spans->grey_shadows = true;
+    primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
         const struct tia_rgb *through = &scene->materials[s->material].transmission;
-        prepare_body(view, i, s->centre, s->radius);
-        view->span.tinted = view->span.tinted || !colour_is_black(through);
-        view->span.grey_shadows = view->span.grey_shadows && colour_is_grey(through);
+        prepare_sphere(view, i, s->centre, s->radius);
+        spans->tinted = spans->tinted || !colour_is_black(through);
+        spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
+    return TIA_OK;
 }
 
-void span_set_lights(struct tia_view *view)
+static void set_lights(struct tia_view *view)
 {
-    view->span.grey = view->span.grey_shadows;
+    struct span_view *spans = view->prepared;
+
+    spans->grey = spans->grey_shadows;
     for (uint32_t i = 0; i < view->light_count; i++) {
         const struct tia_light *light = &view->lights[i];
-        view->span.grey = view->span.grey && colour_is_grey(&light->emission);
-        prepare_body(view, view->scene->sphere_count + i, light->centre, light->radius);
+        spans->grey = spans->grey && colour_is_grey(&light->emission);
+        prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
     }
 }
 
-void span_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best, uint32_t *object)
+static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
-    const struct span_sphere *spheres = view->span.spheres;
+    (void)scene;
+    return (uint64_t)pixels * sizeof(num_u);
+}
+
+void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t)
+{
+    const struct span_sphere *sphere = &spans->spheres[n];
+    struct sphere_line line;
+
+    span_sphere_line(&spans->primary, sphere, y, x, &line);
+    line.count = count;
+    if (sphere->c < 0)
+        spans->kernels->sphere_inside(&line, t);
+    else
+        spans->kernels->sphere(&line, t);
+}
+
+void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
+                      uint32_t *object)
+{
+    const struct span_sphere *spheres = spans->spheres;
 
     for (int i = 0; i < count; i++) {
         if (object[i] == TIA_NO_OBJECT ||
@@ -55,3 +111,5 @@ void span_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, i
         }
     }
 }
+
+const struct renderer span_renderer = {draws, prepared_size, prepare, set_lights, buffer_size, span_trace, span_light};

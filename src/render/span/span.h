@@ -1,21 +1,41 @@
-/* span.h - spheres seen from one eye, a row at a time: for scenes that ask for no more. */
+/* span.h - spheres seen from one eye, a row at a time: what the parts of span_renderer share. */
 #ifndef TIA_SPAN_H
 #define TIA_SPAN_H
 
-#include "render/hits.h"
-#include "render/view.h"
+#include "kernels.h"
+#include "render/renderer.h"
+#include "sphere.h"
 
-/* Bytes for the spheres; they are prepared in `memory`. */
-size_t span_size(const struct tia_scene *scene, uint32_t light_capacity);
-void span_prepare(struct tia_view *view, void *memory);
+/* What the view prepares. Everything is relative to the eye: a point seen by a pixel is P = t v. */
+struct span_view {
+    const struct span_kernels *kernels;
+    struct span_sphere *spheres; /* the scene's, then the lights */
+    struct primary_rays primary;
+    bool tinted;       /* some material lets shadow rays through */
+    bool grey_shadows; /* what they keep is grey */
+    bool grey;         /* and so are all lights */
+};
 
-/* The view's lights have changed. */
-void span_set_lights(struct tia_view *view);
+static inline const struct span_view *span_view_of(const struct tia_view *view)
+{
+    return view->prepared;
+}
+
+/* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; of pixels that see no
+ * object it is not defined. */
+static inline num_u *span_distances_of(const struct tia_hits *hits)
+{
+    return hits->buffer;
+}
+
+/* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see sphere `n`. */
+void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
 /* Keeps those of `count` distances to sphere `n` that are nearer than the best so far; a tie stays. */
-void span_keep_nearer(const struct tia_view *view, uint32_t n, const num_u *t, int count, num_u *best,
+void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 
+/* See struct renderer. */
 void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options);

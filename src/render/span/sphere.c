@@ -1,7 +1,5 @@
 #include "sphere.h"
 
-#include "kernels.h"
-
 /* The exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
  * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32.
  * For b^2 - c v.v both products need the same exponent, so c is taken with
@@ -87,15 +85,15 @@ struct span span_sphere_row(const struct primary_rays *primary, const struct spa
     return cone_row_span(&s, guess);
 }
 
-void span_sphere_distances(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
-                           int count, num_u *t)
+void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
+                      struct sphere_line *line)
 {
     struct row_form b = primary_form(primary, sphere->centre, x, y, sphere->b_shift);
-    struct sphere_line line = {b.start,         b.step, primary_square(primary, x, y), sphere->c_disc, sphere->c_top,
-                               sphere->t_shift, count};
 
-    if (sphere->c < 0)
-        kernel_sphere_inside(&line, t);
-    else
-        kernel_sphere(&line, t);
+    line->b = b.start;
+    line->b_step = b.step;
+    line->square = primary_square(primary, x, y);
+    line->c_disc = sphere->c_disc;
+    line->c_top = sphere->c_top;
+    line->t_shift = sphere->t_shift;
 }

@@ -11,6 +11,7 @@
 #define TIA_BODY_H
 
 #include "cone_row.h"
+#include "kernels.h"
 #include "primary.h"
 
 /* A sphere of the scene, or the sphere that a light is seen as. */
@@ -37,8 +38,8 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
                             struct span guess);
 
-/* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see the sphere. */
-void span_sphere_distances(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
-                           int count, num_u *t);
+/* The constants of the kernel that computes t, but for count, from pixel (x, y) on. */
+void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
+                      struct sphere_line *line);
 
 #endif

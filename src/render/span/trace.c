@@ -1,6 +1,5 @@
 /* trace.c - what the pixels of a tile see: each sphere's pixels are one span a row, found exactly;
  * where spans overlap, the nearer wins, and a tie goes to the lower index. */
-#include "kernels.h"
 #include "span.h"
 
 static void clear(struct tia_hits *hits, struct tia_tile tile)
@@ -12,7 +11,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct span span)
+static void trace_span(const struct span_view *spans, struct tia_hits *hits, uint32_t n, int y, struct span span)
 {
     num_u t[CHUNK];
 
@@ -20,19 +19,19 @@ static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint3
         int count = span.end - x < CHUNK ? span.end - x : CHUNK;
         size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
 
-        span_sphere_distances(&view->span.primary, &view->span.spheres[n], y, x, count, t);
-        span_keep_nearer(view, n, t, count, hits->t + at, hits->object + at);
+        span_distances(spans, n, y, x, count, t);
+        span_keep_nearer(spans, n, t, count, span_distances_of(hits) + at, hits->object + at);
     }
 }
 
-static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
+static void trace_sphere(const struct span_view *spans, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
-    const struct span_sphere *sphere = &view->span.spheres[n];
+    const struct span_sphere *sphere = &spans->spheres[n];
     struct span rows = span_within(sphere->rows, tile.y, tile.y + tile.height), span = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        span = span_sphere_row(&view->span.primary, sphere, y, span);
-        trace_span(view, hits, n, y, span_within(span, tile.x, tile.x + tile.width));
+        span = span_sphere_row(&spans->primary, sphere, y, span);
+        trace_span(spans, hits, n, y, span_within(span, tile.x, tile.x + tile.width));
     }
 }
 
@@ -40,5 +39,5 @@ void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_t
 {
     clear(hits, tile);
     for (uint32_t n = 0; n < view->scene->sphere_count; n++)
-        trace_sphere(view, hits, n, tile);
+        trace_sphere(view->prepared, hits, n, tile);
 }

@@ -1,10 +1,9 @@
 /* prepare.c - a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
-#include "render/whitted/rays.h"
 #include "scene/bounds.h"
 #include "trace.h"
 
-size_t ray_size(const struct tia_scene *scene, uint32_t light_capacity)
+size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
                     (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance));
@@ -79,26 +78,25 @@ static void prepare_shapes(struct ray_view *view)
     }
 }
 
-int ray_prepare(struct tia_view *view, void *memory)
+int ray_prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
-    struct ray_view *rays = memory;
+    struct ray_view *rays = view->prepared;
 
     rays->scene = scene;
-    rays->lights = (struct ray_light *)(void *)((char *)memory + ALIGN(sizeof *rays));
+    rays->lights = (struct ray_light *)(void *)((char *)view->prepared + ALIGN(sizeof *rays));
     rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
     rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
     ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
     prepare_shapes(rays);
-    view->rays = rays;
     return TIA_OK;
 }
 
 void ray_set_lights(struct tia_view *view)
 {
-    struct ray_view *rays = view->rays;
+    struct ray_view *rays = view->prepared;
 
     rays->light_count = view->light_count;
     for (uint32_t i = 0; i < view->light_count; i++)

@@ -1,10 +1,11 @@
-/* trace.h - a scene as general rays see it: what ray_prepare leaves in the view's memory. */
+/* trace.h - a scene as general rays see it: what ray_prepare leaves behind view->prepared. */
 #ifndef TIA_RAY_SCENE_H
 #define TIA_RAY_SCENE_H
 
 #include "camera.h"
 #include "light.h"
 #include "render/geometry/instance.h"
+#include "render/renderer.h"
 #include "rgb.h"
 
 struct ray_view {
@@ -15,6 +16,11 @@ struct ray_view {
     struct ray_light *lights;
     uint32_t light_count, depth;
 };
+
+/* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
+size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
+int ray_prepare(struct tia_view *view);
+void ray_set_lights(struct tia_view *view);
 
 /* What a ray meets first. */
 struct hit {

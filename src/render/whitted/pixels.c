@@ -1,17 +1,18 @@
-/* pixels.c - a tile's pixels, ray by ray. */
-#include "rays.h"
+/* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
 #include "render/dither.h"
 #include "whitted.h"
 
-void ray_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
+    const struct ray_view *rays = view->prepared;
+
     for (int y = tile.y; y < tile.y + tile.height; y++) {
         for (int x = tile.x; x < tile.x + tile.width; x++) {
             struct ray ray;
             struct hit hit;
 
-            ray_camera_ray(&view->rays->camera, x, y, 0, &ray);
-            ray_intersect(view->rays, &ray, &hit);
+            ray_camera_ray(&rays->camera, x, y, 0, &ray);
+            ray_intersect(rays, &ray, &hit);
             hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] = hit.object;
         }
     }
@@ -55,7 +56,7 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
 {
     uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - tile.y) * tile.width : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->rays, .hashed = path_hash != NULL};
+    struct path path = {.view = view->prepared, .hashed = path_hash != NULL};
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)
@@ -74,11 +75,27 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
     }
 }
 
-void ray_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options)
+static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
 {
     for (int y = tile.y; y < tile.y + tile.height; y++) {
         char *out = (char *)surface->pixels + (y - tile.y) * surface->pitch;
         row(view, hits, tile, y, out, surface->step, options);
     }
 }
+
+static bool draws(const struct tia_scene *scene)
+{
+    (void)scene;
+    return true;
+}
+
+static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
+{
+    (void)scene;
+    (void)pixels;
+    return 0;
+}
+
+const struct renderer whitted_renderer = {draws,       ray_prepared_size, ray_prepare, ray_set_lights,
+                                          buffer_size, trace_tile,        light_tile};

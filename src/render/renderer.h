@@ -1,0 +1,62 @@
+/* renderer.h - a way from a scene to pixels, as a row of functions.
+ *
+ * A view takes the first renderer of choose.c that can draw its scene and keeps it. What a renderer prepares lies in
+ * the view's memory, behind view->prepared, and what it keeps of each pixel in the hit buffer, behind hits->buffer;
+ * both are its own to lay out. Nothing outside a renderer asks which one it is.
+ */
+#ifndef TIA_RENDERER_H
+#define TIA_RENDERER_H
+
+#include "num/num.h"
+
+struct renderer {
+    /* Whether it can draw the scene; later lights are asked about alone, in a scene without anything else. */
+    bool (*draws)(const struct tia_scene *scene);
+
+    /* Bytes behind view->prepared, SIZE_MAX when there are too many; then fills them in for the view's scene and
+     * size. The lights are set afterwards, whenever they change. */
+    size_t (*prepared_size)(const struct tia_scene *scene, uint32_t light_capacity);
+    int (*prepare)(struct tia_view *view);
+    void (*set_lights)(struct tia_view *view);
+
+    /* Bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. */
+    uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
+
+    /* A tile of the view and of the hits, see tia_trace and tia_light_tile. */
+    void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+    void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options);
+};
+
+/* A scene prepared for one image size. */
+struct tia_view {
+    const struct tia_scene *scene;
+    const struct renderer *renderer;
+    void *prepared;           /* the renderer's */
+    struct tia_light *lights; /* our copy */
+    uint32_t light_count, light_capacity;
+    int width, height;
+};
+
+/* What each pixel of an area sees, row by row. */
+struct tia_hits {
+    struct tia_tile area;
+    uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
+    void *buffer;     /* the renderer's */
+};
+
+static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigned y)
+{
+    return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);
+}
+
+/* Spheres seen from one eye, a row at a time: for scenes that ask for no more. */
+extern const struct renderer span_renderer;
+
+/* Rays, after Whitted: any scene. no_rays.c has one that prepares nothing, for boards without the room. */
+extern const struct renderer whitted_renderer;
+
+/* The renderer that draws the scene: the scene alone decides. */
+const struct renderer *renderer_for(const struct tia_scene *scene);
+
+#endif
