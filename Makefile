@@ -347,11 +347,13 @@ size-boards: boards
 count: $(COUNTED) $(BUILD)/boards/insn.so
 	@$(call python,tests/boards/count.py $(BUILD))
 
-# The pictures that README.md shows, which a test holds against what is drawn.
+# The pictures of README.md and docs/scenes.md, which a test compares with what is drawn.
 .PHONY: gallery
 gallery: all
 	for n in glass flake chess castle vase orrery; do \
 	    $(BUILD)/tia scenes/$$n.tia -s 400x300 -o docs/gallery/$$n.png || exit; done
+	$(BUILD)/tia scenes/glass.tia -s 640x360 -o docs/glass.png
+	$(BUILD)/tia -k a -s 640x360 -o docs/thesis.png
 
 clean:
 	rm -rf $(BUILD)
@@ -365,7 +367,7 @@ help:
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "boards             programs for boards without an operating system"
-	@echo "gallery            draws docs/gallery again"
+	@echo "gallery            draws the pictures of docs again"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
 	@echo "lint clean help"
 	@echo "The top of the Makefile tells of CC, CROSS, CFLAGS, BUILD and of leaving parts out."

@@ -1,4 +1,4 @@
-/* example_main.c - runs the example of README.md, word for word, on the host or on a board, and
+/* example_main.c - runs the example of docs/boards.md, word for word, on the host or on a board, and
  * prints the checksum of the picture that it sends. */
 #include <tia/tia.h>
 
