@@ -260,7 +260,7 @@ TEST(ellipsoids_are_met_where_they_are)
         tia_bounds_in_own_axes(&scene, &sphere, &m.box);
         CHECK(m.box.min[1] == -1 && m.box.max[2] == TIA_Q16(5) + 1);
         instance_prepare(&m.instance, &m.transform, &m.box);
-        shape_sphere(&shape, centre, TIA_Q16(2));
+        PREPARE(&shape, TIA_SPHERE, sphere, {centre, TIA_Q16(2)});
         struct ray ray = ray_at(to_world(&m, in_box(&m, 0)));
         instance_transform_ray(&m.instance, &ray, &placed);
         num_length limit = instance_distance(&placed, NUM_LENGTH_MAX);

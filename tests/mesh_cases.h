@@ -7,7 +7,7 @@ static struct shape shape_of(const struct made *m)
 {
     struct shape shape;
 
-    shape_mesh(&shape, &m->mesh, m->tree.node_count ? &m->tree : NULL);
+    prepare_mesh_alone(&shape, &m->mesh, m->tree.node_count ? &m->tree : NULL);
     return shape;
 }
 
@@ -291,9 +291,9 @@ TEST(an_empty_mesh_is_never_met)
     struct shape shape;
     struct intersection intersection;
 
-    shape_mesh(&shape, &empty, NULL);
+    prepare_mesh_alone(&shape, &empty, NULL);
     CHECK(!meets(&shape, &ray, &intersection));
-    shape_mesh(&shape, &empty, &no_tree);
+    prepare_mesh_alone(&shape, &empty, &no_tree);
     CHECK(!meets(&shape, &ray, &intersection));
 }
 

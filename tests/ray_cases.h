@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "render/geometry/shape.h"
+#include "prepared.h"
 
 static uint64_t ray_seed = 88172645463325252u;
 

@@ -124,7 +124,7 @@ static void check_box(double far, double smallest, double largest)
         box.max[i] = part(position(max), i);
     }
     s.extent = length(position(min)) + length(position(max));
-    shape_box(&s.shape, &(struct tia_box){min, max});
+    PREPARE(&s.shape, TIA_BOX, box, {min, max});
     for (uint32_t i = 0; i < 18; i++)
         check_rays_through(&s, any_of_face(&box, i % 6, i > 8), axis_of(i % 6), scale);
 }
@@ -228,7 +228,7 @@ static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3],
                           .uv = grid_coordinates,
                           .curvature = grid_curvature};
     s->extent = length(position(g->grid.corner)) + (n[0] + n[1] + n[2]) * edge;
-    shape_grid(&s->shape, &g->grid);
+    prepare_grid_alone(&s->shape, &g->grid);
     s->shape.material = 7;
 }
 
@@ -287,7 +287,7 @@ static void check_block(const unsigned n[3], double far, double edge)
     max.x += (tia_q16)n[0] * g.grid.cell;
     max.y += (tia_q16)n[1] * g.grid.cell;
     max.z += (tia_q16)n[2] * g.grid.cell;
-    shape_box(&box, &(struct tia_box){min, max});
+    PREPARE(&box, TIA_BOX, box, {min, max});
     for (int i = 0; i < 3000; i++) {
         tia_q16 at[3], d[3], back = (tia_q16)between(0, 9);
         for (int k = 0; k < 3; k++) {

@@ -99,9 +99,9 @@ static void check_flat(double radius, double far)
     axes_of(f.normal, &f.a, &f.b);
     s.extent = length(f.point) + f.radius;
     if (radius > 0)
-        shape_disc(&s.shape, &disc);
+        PREPARE(&s.shape, TIA_DISC, disc, disc);
     else
-        shape_plane(&s.shape, &plane);
+        PREPARE(&s.shape, TIA_PLANE, plane, plane);
     double inside = radius > 0 ? radius : 60000 - far;
     for (int i = 0; i < 6; i++) {
         struct vec across = any_across(f.normal);
@@ -247,9 +247,9 @@ static void prepare_cone(struct subject *s, struct cone *c, const struct tia_con
                           .curvature = cone_curvature};
     s->extent = length(c->base) + c->length + most(c->base_radius, c->top_radius);
     if (cone->base_radius == cone->top_radius)
-        shape_cylinder(&s->shape, &cylinder);
+        PREPARE(&s->shape, TIA_CYLINDER, cylinder, cylinder);
     else
-        shape_cone(&s->shape, cone);
+        PREPARE(&s->shape, TIA_CONE, cone, *cone);
 }
 
 static void check_cone(struct tia_cone cone)

@@ -12,7 +12,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "render/geometry/shape.h"
+#include "prepared.h"
 
 #ifdef __SIZEOF_FLOAT128__
 __extension__ typedef __float128 real;

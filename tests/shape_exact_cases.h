@@ -36,7 +36,7 @@ TEST(cylinders_along_the_axes)
     struct tia_cylinder cylinder = {{0, 0, 0}, TIA_VEC3(0, 2, 0), TIA_Q16(1), true};
     struct shape s;
 
-    shape_cylinder(&s, &cylinder);
+    PREPARE(&s, TIA_CYLINDER, cylinder, cylinder);
     for (int k = 0; k < 2; k++) { /* on the axis and beside it */
         double x = k * 0.5;
         CHECK_MEETS(&s, x, 5, 0, 1, -1, 2, 3);
@@ -54,7 +54,7 @@ TEST(cylinders_along_the_axes)
     CHECK_MISSES(&s, -5, 2 + 0x1p-16, 0, 0, 1);
     CHECK_MISSES(&s, -5, 1, 1 + 0x1p-16, 0, 1);
     cylinder.capped = false;
-    shape_cylinder(&s, &cylinder);
+    PREPARE(&s, TIA_CYLINDER, cylinder, cylinder);
     CHECK_MISSES(&s, 0, 5, 0, 1, -1);
     CHECK_MISSES(&s, 0.5, 1, 0, 1, 1);
     CHECK_MEETS(&s, 0, 0, 0, 0, 1, 0, 1);
@@ -72,7 +72,7 @@ TEST(cones_along_the_axes)
                 uint32_t cap = capped ? 1 + k : 0;
                 struct surface surface;
                 struct shape s;
-                shape_cone(&s, &turned[k]);
+                PREPARE(&s, TIA_CONE, cone, turned[k]);
                 CHECK_MEETS(&s, 0, way * 5, 0, 1, -way, 0, 3); /* the apex */
                 CHECK_MEETS(&s, 0, way * -5, 0, 1, way, cap, capped ? 5 : 7);
                 CHECK_MEETS(&s, 0, way * 1, 0, 1, way, 0, 1);
@@ -102,17 +102,17 @@ TEST(surface_coordinates)
 {
     struct shape s;
 
-    shape_cylinder(&s, &(struct tia_cylinder){{0, 0, 0}, TIA_VEC3(0, 4, 0), TIA_Q16(2), true});
+    PREPARE(&s, TIA_CYLINDER, cylinder, {{0, 0, 0}, TIA_VEC3(0, 4, 0), TIA_Q16(2), true});
     check_uv(&s, 2, 1, 0, 0, 0.5, 0.25);
     check_uv(&s, 0, 4, 2, 0, 0.75, 1);
     check_uv(&s, 0, 0, -2, 0, 0.25, 0);
     check_uv(&s, 1, 0, 0.5, 1, 0.25, 0.5);
     check_uv(&s, 1, 4, -0.5, 2, -0.25, 0.5);
-    shape_disc(&s, &(struct tia_disc){TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}, TIA_Q16(4)});
+    PREPARE(&s, TIA_DISC, disc, {TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}, TIA_Q16(4)});
     check_uv(&s, 2, 0, 3, 0, 0.75, 0.25);
-    shape_plane(&s, &(struct tia_plane){TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}});
+    PREPARE(&s, TIA_PLANE, plane, {TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}});
     check_uv(&s, 2, 0, -3, 0, -3, 1);
-    shape_box(&s, &(struct tia_box){{0, 0, 0}, TIA_VEC3(2, 4, 8)});
+    PREPARE(&s, TIA_BOX, box, {{0, 0, 0}, TIA_VEC3(2, 4, 8)});
     check_uv(&s, 0, 1, 2, 0, 0.25, 0.25);
     check_uv(&s, 1, 4, 2, 3, 0.5, 0.25);
     check_uv(&s, 0.5, 1, 8, 5, 0.25, 0.25);
@@ -122,7 +122,7 @@ TEST(boxes_along_the_axes)
 {
     struct shape s;
 
-    shape_box(&s, &(struct tia_box){{0, 0, 0}, TIA_VEC3(2, 4, 8)});
+    PREPARE(&s, TIA_BOX, box, {{0, 0, 0}, TIA_VEC3(2, 4, 8)});
     CHECK_MEETS(&s, -3, 1, 1, 0, 1, 0, 3);
     CHECK_MEETS(&s, 1, 1, 1, 0, 1, 1, 1);
     CHECK_MEETS(&s, 1, 9, 1, 1, -1, 3, 5);
@@ -143,7 +143,7 @@ TEST(grids_along_the_axes)
     const struct tia_grid grid = {{0, 0, 0}, TIA_Q16(1), {4, 1, 1}, cells};
     struct shape s;
 
-    shape_grid(&s, &grid);
+    prepare_grid_alone(&s, &grid);
     CHECK_MEETS(&s, -1, 0.5, 0.5, 0, 1, 0, 1);
     CHECK_MEETS(&s, 0, 0.5, 0.5, 0, 1, 0, 0);
     CHECK_MEETS(&s, 0.5, 0.5, 0.5, 0, 1, 1, 0.5);

@@ -207,7 +207,7 @@ TEST(a_triangle_as_a_shape)
     struct shape shape;
     num_length uv[2];
 
-    shape_triangle(&shape, &triangle);
+    PREPARE(&shape, TIA_TRIANGLE, triangle, triangle);
     CHECK(shape.kind->intersect(&shape, &ray, NUM_LENGTH_MAX, &intersection));
     CHECK(intersection.t == num_of(3) && intersection.element == 0);
     CHECK(shape.kind->intersect(&shape, &ray, num_of(3), &intersection));

@@ -81,8 +81,8 @@ TEST(level_rays_find_their_way_through_a_tree)
 
     made_tree(m);
     struct shape with, without;
-    shape_mesh(&with, &m->mesh, &m->tree);
-    shape_mesh(&without, &m->mesh, NULL);
+    prepare_mesh_alone(&with, &m->mesh, &m->tree);
+    prepare_mesh_alone(&without, &m->mesh, NULL);
     for (int i = 0; i < 20000; i++) {
         num_unit tiny = NUM_UNIT_LEVEL / (1 + (num_unit)(random_bits() % 64)) * (int)(random_bits() % 3 - 1);
         struct intersection a, b;

@@ -43,17 +43,22 @@ struct tia_sphere {
     uint32_t material; /* an index into the scene's materials */
 };
 
-enum tia_shape_kind {
-    TIA_SPHERE,
-    TIA_PLANE, /* infinite */
-    TIA_DISC,
-    TIA_CYLINDER,
-    TIA_CONE,
-    TIA_BOX,
-    TIA_TRIANGLE,
-    TIA_MESH,
-    TIA_GRID
-};
+/* Every kind of shape, and its field in struct tia_shape. The tables of kinds, here and elsewhere, are made of
+ * this list: a new shape goes to its end. */
+#define TIA_SHAPES(SHAPE)                                                                                              \
+    SHAPE(TIA_SPHERE, sphere)                                                                                          \
+    SHAPE(TIA_PLANE, plane) /* infinite */                                                                             \
+    SHAPE(TIA_DISC, disc)                                                                                              \
+    SHAPE(TIA_CYLINDER, cylinder)                                                                                      \
+    SHAPE(TIA_CONE, cone)                                                                                              \
+    SHAPE(TIA_BOX, box)                                                                                                \
+    SHAPE(TIA_TRIANGLE, triangle)                                                                                      \
+    SHAPE(TIA_MESH, mesh)                                                                                              \
+    SHAPE(TIA_GRID, grid)
+
+#define TIA_SHAPE_KIND(KIND, name) KIND,
+enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
+#undef TIA_SHAPE_KIND
 
 struct tia_plane {
     struct tia_vec3 point;

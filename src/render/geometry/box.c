@@ -119,10 +119,10 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     box_uv(&shape->box, point, element, uv);
 }
 
-void shape_box(struct shape *shape, const struct tia_box *box)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
-
-    shape->kind = &kind;
-    shape->box = (struct prepared_box){num_point_of(box->min), num_point_of(box->max)};
+    (void)scene;
+    shape->box = (struct prepared_box){num_point_of(given->box.min), num_point_of(given->box.max)};
 }
+
+const struct shape_kind SHAPE_KIND(box) = {prepare, intersect, shape_occludes, surface_at, uv_at};

@@ -1,9 +1,13 @@
 /* cone.c - cones, whole and cut off, see round.c. */
 #include "round.h"
 
-void shape_cone(struct shape *shape, const struct tia_cone *cone)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    const struct round_ends ends = {cone->base, cone->top, cone->base_radius, cone->top_radius};
+    const struct tia_cone *c = &given->cone;
+    const struct round_ends ends = {c->base, c->top, c->base_radius, c->top_radius};
 
-    round_prepare(shape, &ends, cone->capped);
+    (void)scene;
+    round_prepare(&shape->cone, &ends, c->capped);
 }
+
+const struct shape_kind SHAPE_KIND(cone) = {prepare, round_intersect, shape_occludes, round_surface, round_uv};

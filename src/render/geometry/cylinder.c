@@ -1,9 +1,13 @@
 /* cylinder.c - cylinders: cones with equal radii, see round.c. */
 #include "round.h"
 
-void shape_cylinder(struct shape *shape, const struct tia_cylinder *cylinder)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    const struct round_ends ends = {cylinder->base, cylinder->top, cylinder->radius, cylinder->radius};
+    const struct tia_cylinder *c = &given->cylinder;
+    const struct round_ends ends = {c->base, c->top, c->radius, c->radius};
 
-    round_prepare(shape, &ends, cylinder->capped);
+    (void)scene;
+    round_prepare(&shape->cone, &ends, c->capped);
 }
+
+const struct shape_kind SHAPE_KIND(cylinder) = {prepare, round_intersect, shape_occludes, round_surface, round_uv};

@@ -20,11 +20,11 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     uv[1] = num_ratio(uv[1], shape->plane.radius);
 }
 
-void shape_disc(struct shape *shape, const struct tia_disc *disc)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, flat_surface, uv_at};
-
-    shape->kind = &kind;
-    flat_prepare(&shape->plane, disc->centre, disc->normal);
-    shape->plane.radius = num_length_of(disc->radius);
+    (void)scene;
+    flat_prepare(&shape->plane, given->disc.centre, given->disc.normal);
+    shape->plane.radius = num_length_of(given->disc.radius);
 }
+
+const struct shape_kind SHAPE_KIND(disc) = {prepare, intersect, shape_occludes, flat_surface, uv_at};

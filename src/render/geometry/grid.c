@@ -149,10 +149,11 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     box_uv(&box, point, element % 6, uv);
 }
 
-const struct shape_kind shape_grid_kind = {intersect, shape_occludes, surface_at, uv_at};
-
-void shape_grid(struct shape *shape, const struct tia_grid *grid)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    shape->kind = &shape_grid_kind;
+    const struct tia_grid *grid = &scene->grids[given->grid];
+
     shape->grid = (struct prepared_grid){grid, num_point_of(grid->corner), num_length_of(grid->cell)};
 }
+
+const struct shape_kind SHAPE_KIND(grid) = {prepare, intersect, shape_occludes, surface_at, uv_at};

@@ -120,10 +120,10 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     uv[1] = num_dot3(num_length_of(a->v), num_length_of(b->v), num_length_of(c->v), parts[0], parts[1], parts[2]);
 }
 
-void shape_mesh(struct shape *shape, const struct tia_mesh *mesh, const struct tia_bvh_tree *tree)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, occluded, surface_at, uv_at};
-
-    shape->kind = &kind;
-    shape->mesh = (struct prepared_mesh){mesh, tree};
+    shape->mesh.mesh = &scene->meshes[given->mesh];
+    shape->mesh.tree = scene->bvh ? &scene->bvh->meshes[given->mesh] : NULL;
 }
+
+const struct shape_kind SHAPE_KIND(mesh) = {prepare, intersect, occluded, surface_at, uv_at};

@@ -22,11 +22,11 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     flat_uv(&shape->plane, point, uv);
 }
 
-void shape_plane(struct shape *shape, const struct tia_plane *plane)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, flat_surface, uv_at};
-
-    shape->kind = &kind;
-    flat_prepare(&shape->plane, plane->point, plane->normal);
+    (void)scene;
+    flat_prepare(&shape->plane, given->plane.point, given->plane.normal);
     shape->plane.radius = 0;
 }
+
+const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at};

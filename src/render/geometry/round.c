@@ -139,8 +139,8 @@ static bool take(const struct prepared_cone *cone, const struct beam *b, num_len
     return intersection->t >= 0 && intersection->t <= limit;
 }
 
-static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
-                      struct intersection *intersection)
+bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                     struct intersection *intersection)
 {
     const struct prepared_cone *cone = &shape->cone;
     struct beam b;
@@ -181,7 +181,7 @@ static struct num_dir side_normal(const struct prepared_cone *cone, struct num_p
     return num_dir_normalised(num_dir_add(num_dir_add(a, b), up));
 }
 
-static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
+void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
 {
     const struct prepared_cone *cone = &shape->cone;
 
@@ -192,7 +192,7 @@ static void surface_at(const struct shape *shape, struct num_point point, uint32
     surface->smooth = surface->normal;
 }
 
-static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
+void round_uv(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     const struct prepared_cone *cone = &shape->cone;
     struct num_point v = num_point_sub(point, cone->base);
@@ -222,15 +222,12 @@ static void set_anchor(struct prepared_cone *cone, struct num_point top)
     cone->reach = (far > here ? far : here) + NUM_LENGTH_BIAS;
 }
 
-void round_prepare(struct shape *shape, const struct round_ends *ends, bool capped)
+void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
-    struct prepared_cone *cone = &shape->cone;
     struct num_point top = num_point_of(ends->top), along;
     struct num_dir axes[2];
     num_unit none;
 
-    shape->kind = &kind;
     cone->capped = capped;
     cone->base = num_point_of(ends->base);
     along = num_point_sub(top, cone->base);

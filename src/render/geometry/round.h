@@ -13,6 +13,12 @@ struct round_ends {
     tia_q16 base_radius, top_radius;
 };
 
-void round_prepare(struct shape *shape, const struct round_ends *ends, bool capped);
+void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
+
+/* shape_kind's. */
+bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
+                     struct intersection *intersection);
+void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
+void round_uv(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 
 #endif

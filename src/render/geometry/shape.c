@@ -1,5 +1,15 @@
 #include "shape.h"
 
+void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
+{
+#define ENTRY(KIND, name) [KIND] = &SHAPE_KIND(name),
+    static const struct shape_kind *const kinds[] = {TIA_SHAPES(ENTRY)};
+#undef ENTRY
+
+    shape->kind = kinds[given->kind];
+    shape->kind->prepare(shape, scene, given);
+}
+
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit)
 {
     struct intersection intersection;
@@ -9,7 +19,7 @@ bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length
 
 uint32_t shape_material(const struct shape *shape, uint32_t element)
 {
-    if (shape->kind != &shape_grid_kind)
+    if (shape->kind != &SHAPE_KIND(grid))
         return shape->material;
     return shape->material + shape->grid.grid->cells[element / 6] - 1;
 }

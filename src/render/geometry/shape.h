@@ -30,9 +30,11 @@ struct surface {
 
 struct shape;
 
-/* The functions of a kind. `ray` and `point` are in the shape's axes. Of intersections that a ray has with a
- * shape only those with 0 <= t <= limit count; `limit` is at most NUM_LENGTH_MAX. */
+/* The functions of a kind. `prepare` sets the shape's constants; `given` is one that tia_scene_check accepts. `ray` and
+ * `point` are in the shape's axes. Of intersections that a ray has with a shape only those with 0 <= t <= limit count;
+ * `limit` is at most NUM_LENGTH_MAX. */
 struct shape_kind {
+    void (*prepare)(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
     /* The nearest intersection, the lowest element of several at the same t; false: there is none. */
     bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection);
@@ -97,22 +99,19 @@ struct shape {
     };
 };
 
-/* Each sets shape->kind and the constants. */
-void shape_sphere(struct shape *shape, struct tia_vec3 centre, tia_q16 radius);
-void shape_plane(struct shape *shape, const struct tia_plane *plane);
-void shape_disc(struct shape *shape, const struct tia_disc *disc);
-void shape_cylinder(struct shape *shape, const struct tia_cylinder *cylinder);
-void shape_cone(struct shape *shape, const struct tia_cone *cone);
-void shape_box(struct shape *shape, const struct tia_box *box);
-void shape_triangle(struct shape *shape, const struct tia_triangle *triangle);
-void shape_mesh(struct shape *shape, const struct tia_mesh *mesh, const struct tia_bvh_tree *tree);
-void shape_grid(struct shape *shape, const struct tia_grid *grid);
+/* The kinds, one in each file: SHAPE_KIND(box) in box.c. */
+#define SHAPE_KIND(name) NAMES(name##_kind)
+#define DECLARE(KIND, name) extern const struct shape_kind SHAPE_KIND(name);
+TIA_SHAPES(DECLARE)
+#undef DECLARE
+
+/* Sets shape->kind and the constants. */
+void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
 /* `occluded` for shapes that have no shorter way. */
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);
 
 /* What the material of an element is: a grid's cells have their own. */
-extern const struct shape_kind shape_grid_kind;
 uint32_t shape_material(const struct shape *shape, uint32_t element);
 
 /* The axes A, B of tia/light.h for a normal. */

@@ -56,10 +56,10 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     sphere_uv(shape->sphere.centre, point, uv);
 }
 
-void shape_sphere(struct shape *shape, struct tia_vec3 centre, tia_q16 radius)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
-
-    shape->kind = &kind;
-    shape->sphere = (struct prepared_sphere){num_point_of(centre), num_length_of(radius)};
+    (void)scene;
+    shape->sphere = (struct prepared_sphere){num_point_of(given->sphere.centre), num_length_of(given->sphere.radius)};
 }
+
+const struct shape_kind SHAPE_KIND(sphere) = {prepare, intersect, shape_occludes, surface_at, uv_at};

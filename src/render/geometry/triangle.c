@@ -187,10 +187,10 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     uv[1] = num_length_of_unit(parts[2]);
 }
 
-void shape_triangle(struct shape *shape, const struct tia_triangle *triangle)
+static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct shape_kind kind = {intersect, shape_occludes, surface_at, uv_at};
-
-    shape->kind = &kind;
-    shape->triangle = *triangle;
+    (void)scene;
+    shape->triangle = given->triangle;
 }
+
+const struct shape_kind SHAPE_KIND(triangle) = {prepare, intersect, shape_occludes, surface_at, uv_at};

@@ -11,44 +11,6 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-static const struct tia_bvh_tree *tree_of(const struct tia_scene *scene, uint32_t mesh)
-{
-    return scene->bvh ? &scene->bvh->meshes[mesh] : NULL;
-}
-
-static void prepare_kind(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
-{
-    switch (given->kind) {
-    case TIA_SPHERE:
-        shape_sphere(shape, given->sphere.centre, given->sphere.radius);
-        break;
-    case TIA_PLANE:
-        shape_plane(shape, &given->plane);
-        break;
-    case TIA_DISC:
-        shape_disc(shape, &given->disc);
-        break;
-    case TIA_CYLINDER:
-        shape_cylinder(shape, &given->cylinder);
-        break;
-    case TIA_CONE:
-        shape_cone(shape, &given->cone);
-        break;
-    case TIA_BOX:
-        shape_box(shape, &given->box);
-        break;
-    case TIA_TRIANGLE:
-        shape_triangle(shape, &given->triangle);
-        break;
-    case TIA_MESH:
-        shape_mesh(shape, &scene->meshes[given->mesh], tree_of(scene, given->mesh));
-        break;
-    case TIA_GRID:
-        shape_grid(shape, &scene->grids[given->grid]);
-        break;
-    }
-}
-
 /* False: the shape is where it is. */
 static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
 {
@@ -72,7 +34,7 @@ static void prepare_shapes(struct ray_view *view)
 
         shape->material = given->material;
         shape->instance = NULL;
-        prepare_kind(shape, scene, given);
+        shape_prepare(shape, scene, given);
         if (place(scene, given, instance))
             shape->instance = instance++;
     }
