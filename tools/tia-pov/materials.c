@@ -128,13 +128,11 @@ void pov_materials(struct pov *pov)
 
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
-    bool flat = shape != NULL && (shape->kind == TIA_PLANE || shape->kind == TIA_DISC);
-
     if (!pov_textured(pov, material)) {
         text_word(&pov->text, "material { Material_%u }", material);
         return;
     }
-    text_word(&pov->text, "texture {%s pigment { Pigment_%u", flat ? "" : " uv_mapping", material);
+    text_word(&pov->text, "texture {%s pigment { Pigment_%u", pov_flat(shape) ? "" : " uv_mapping", material);
     pov_mapping(pov, material, shape);
     text_word(&pov->text, "} finish { Finish_%u } } interior { Interior_%u }", material, material);
 }

@@ -40,9 +40,14 @@ bool pov_has_shadow(const struct pov *pov, uint32_t material);
 void pov_shadow_material(struct pov *pov, uint32_t material, bool closed);
 
 /* Whether a material has a texture. Its pigment, in tia's u, v, which lets `transmit` through: false when it
- * cannot be said. And what takes that to the coordinates at which POV-Ray looks a shape's pigment up. */
+ * cannot be said. */
 bool pov_textured(const struct pov *pov, uint32_t material);
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
+/* Whether it closes around a sphere: it repeats a whole number of times, checkers an even one. */
+bool pov_closes(const struct pov *pov, uint32_t material);
+/* Where POV-Ray looks a shape's pigment up: at the place itself where the shape is flat, else at the coordinates of
+ * its own uv_mapping. And what takes a textured pigment there. */
+bool pov_flat(const struct tia_shape *shape);
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
 /* A mesh2 up to its material: of a mesh, a triangle, or a box with coordinates on its faces. */

@@ -1,3 +1,4 @@
+/* shapes.c - each shape, and how a texture lies on it. */
 #include "pov.h"
 
 #include <stdio.h>
@@ -76,8 +77,11 @@ static void write_geometry(struct pov *pov, const struct tia_shape *s)
     case TIA_TRIANGLE:
         pov_triangle(pov, &s->triangle);
         break;
-    default:
+    case TIA_MESH:
         pov_mesh(pov, &pov->scene->meshes[s->mesh]);
+        break;
+    case TIA_GRID: /* write_grid */
+        break;
     }
 }
 
@@ -85,6 +89,50 @@ static bool is_closed(const struct tia_shape *s)
 {
     return s->kind == TIA_SPHERE || s->kind == TIA_BOX || s->kind == TIA_MESH || s->kind == TIA_GRID ||
            (s->kind == TIA_CYLINDER && s->cylinder.capped) || (s->kind == TIA_CONE && s->cone.capped);
+}
+
+bool pov_flat(const struct tia_shape *s)
+{
+    return s != NULL && (s->kind == TIA_PLANE || s->kind == TIA_DISC);
+}
+
+static void write_frame(struct pov *pov, struct point normal, struct point origin, double scale)
+{
+    struct point a, b;
+
+    pov_axes(normal, &a, &b);
+    text_word(&pov->text, "scale %.10g matrix <%.10g, %.10g, %.10g, %.10g, %.10g, %.10g,", scale, a.x, a.y, a.z, b.x,
+              b.y, b.z);
+    text_word(&pov->text, "%.10g, %.10g, %.10g, %.10g, %.10g, %.10g>", normal.x, normal.y, normal.z, origin.x, origin.y,
+              origin.z);
+}
+
+void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
+{
+    if (s == NULL)
+        return;
+    switch (s->kind) {
+    case TIA_SPHERE:
+        text_word(&pov->text, "scale <1, -1, 1> translate <-0.5, 1, 0>");
+        if (!pov_closes(pov, material))
+            pov_note(pov, "material %u: half of its texture is shifted on spheres here", material);
+        break;
+    case TIA_PLANE:
+        write_frame(pov, pov_dir3(s->plane.normal), pov_vec3(s->plane.point), 1);
+        break;
+    case TIA_DISC:
+        write_frame(pov, pov_dir3(s->disc.normal), pov_vec3(s->disc.centre), pov_q16(s->disc.radius));
+        break;
+    case TIA_CYLINDER:
+    case TIA_CONE:
+        pov_note(pov, "material %u: its texture lies otherwise on cylinders and cones here", material);
+        break;
+    case TIA_BOX:
+    case TIA_TRIANGLE:
+    case TIA_MESH:
+    case TIA_GRID:
+        break; /* meshes with tia's coordinates */
+    }
 }
 
 static void write_object(struct pov *pov, const struct tia_shape *s)

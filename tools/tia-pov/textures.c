@@ -104,44 +104,10 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
     return true;
 }
 
-static void write_frame(struct pov *pov, struct point normal, struct point origin, double scale)
+bool pov_closes(const struct pov *pov, uint32_t material)
 {
-    struct point a, b;
-
-    pov_axes(normal, &a, &b);
-    text_word(&pov->text, "scale %.10g matrix <%.10g, %.10g, %.10g, %.10g, %.10g, %.10g,", scale, a.x, a.y, a.z, b.x,
-              b.y, b.z);
-    text_word(&pov->text, "%.10g, %.10g, %.10g, %.10g, %.10g, %.10g>", normal.x, normal.y, normal.z, origin.x, origin.y,
-              origin.z);
-}
-
-/* Around a sphere a pattern closes when the texture repeats a whole number of times, checkers an even one. */
-static bool closes(const struct tia_texture *t)
-{
+    const struct tia_texture *t = texture_of(pov, material);
     int32_t period = t->kind == TIA_CHECKER ? 2 * TIA_Q16_ONE : TIA_Q16_ONE;
 
     return t->repeat[0] % period == 0;
-}
-
-void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape)
-{
-    switch (shape != NULL ? shape->kind : TIA_MESH) {
-    case TIA_SPHERE:
-        text_word(&pov->text, "scale <1, -1, 1> translate <-0.5, 1, 0>");
-        if (!closes(texture_of(pov, material)))
-            pov_note(pov, "material %u: half of its texture is shifted on spheres here", material);
-        break;
-    case TIA_PLANE:
-        write_frame(pov, pov_dir3(shape->plane.normal), pov_vec3(shape->plane.point), 1);
-        break;
-    case TIA_DISC:
-        write_frame(pov, pov_dir3(shape->disc.normal), pov_vec3(shape->disc.centre), pov_q16(shape->disc.radius));
-        break;
-    case TIA_CYLINDER:
-    case TIA_CONE:
-        pov_note(pov, "material %u: its texture lies otherwise on cylinders and cones here", material);
-        break;
-    default:
-        break;
-    }
 }
