@@ -18,7 +18,7 @@ static void read_bytes(const char *bytes, size_t length)
 
 #define M "material m\n"
 #define STATEMENTS                                                                                                     \
-    "sphere, instance, triangle, box, plane, disc, cylinder, cone, mesh, grid, material, texture, light, key, "        \
+    "sphere, plane, disc, cylinder, cone, box, triangle, instance, mesh, grid, material, texture, light, key, "        \
     "animate, camera, background, samples or depth"
 
 TEST(statements)

@@ -111,6 +111,26 @@ struct tia_shape {
     };
 };
 
+/* What a field of a shape holds. */
+enum tia_shape_value {
+    TIA_SHAPE_Q16,  /* tia_q16 */
+    TIA_SHAPE_VEC3, /* struct tia_vec3 */
+    TIA_SHAPE_DIR3, /* struct tia_dir3 */
+    TIA_SHAPE_FLAG  /* bool */
+};
+
+/* A field of a kind's struct, for what reads and writes shapes of all kinds. */
+struct tia_shape_field {
+    const char *word;   /* in scene files; NULL: the values that follow those of the field before */
+    const char *member; /* in C; NULL ends the list */
+    uint16_t offset;    /* in struct tia_shape */
+    uint8_t value;      /* enum tia_shape_value */
+    bool needed;        /* by scene files; else 0 when it is not there */
+};
+
+/* The fields of a kind. Meshes and grids, which are indices, have none. */
+const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
+
 /* An instance: scaled along the shape's axes, rotated, moved. Not for planes. Not too flat for its size: half
  * the diagonal of the box around what is placed, over the smallest component of scale, is below 32768. */
 struct tia_transform {

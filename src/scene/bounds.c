@@ -11,6 +11,7 @@
 
 #include "math/integer.h"
 #include "math/rotation.h"
+#include "scene/shapes/description.h"
 
 /* The rows of R S and the position. */
 struct frame {
@@ -106,13 +107,13 @@ static int64_t stretch(tia_q16 radius, struct length length)
     return (int64_t)(p.high << (64 - shift) | p.low >> shift) + !exact;
 }
 
-static void include_point(struct hull *hull, struct tia_vec3 p)
+void tia_hull_add_point(struct hull *hull, struct tia_vec3 p)
 {
     for (int k = 0; k < 3; k++)
         include(hull, k, place(hull->frame, k, p), 0);
 }
 
-static void include_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius)
+void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius)
 {
     for (int k = 0; k < 3; k++) {
         struct length length = measure(hull->frame->rows[k], true);
@@ -121,8 +122,10 @@ static void include_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 ra
 }
 
 /* The corner that lies farthest either way. */
-static void include_box(struct hull *hull, const struct tia_bounds *b)
+void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 {
+    if (b->max.x < b->min.x)
+        return;
     for (int k = 0; k < 3; k++) {
         const int64_t *w = hull->frame->rows[k];
         bool x = w[0] < 0, y = w[1] < 0, z = w[2] < 0;
@@ -134,7 +137,7 @@ static void include_box(struct hull *hull, const struct tia_bounds *b)
 }
 
 /* The products w x N, of 62 bits and 33, lose 34: they cancel where the disc lies flat, and keep what counts. */
-static void include_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
+void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
 {
     const struct length whole = measure(normal, false);
 
@@ -152,16 +155,16 @@ static void include_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
 }
 
 /* Discs at both ends of an axis, which is shifted up to 33 bits. */
-static void include_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
-                         tia_q16 top_radius)
+void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
+                       tia_q16 top_radius)
 {
     int64_t axis[3] = {(int64_t)top.x - base.x, (int64_t)top.y - base.y, (int64_t)top.z - base.z};
     unsigned room = tia_clz64(size_of(axis[0]) | size_of(axis[1]) | size_of(axis[2])) - 31;
 
     for (int i = 0; i < 3; i++)
         axis[i] *= INT64_C(1) << room;
-    include_disc(hull, base, base_radius, axis);
-    include_disc(hull, top, top_radius, axis);
+    tia_hull_add_disc(hull, base, base_radius, axis);
+    tia_hull_add_disc(hull, top, top_radius, axis);
 }
 
 void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
@@ -197,62 +200,6 @@ struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh)
     return bounds;
 }
 
-/* The end fits, the size of the whole need not. */
-static tia_q16 grid_end(tia_q16 corner, uint16_t size, tia_q16 cell)
-{
-    return (tia_q16)(corner + (int64_t)size * cell);
-}
-
-static struct tia_bounds bounds_of_grid(const struct tia_grid *g)
-{
-    const uint16_t *n = g->size;
-    struct tia_vec3 c = g->corner;
-    return (struct tia_bounds){
-        c, {grid_end(c.x, n[0], g->cell), grid_end(c.y, n[1], g->cell), grid_end(c.z, n[2], g->cell)}};
-}
-
-/* False: it has no box. */
-static bool include_shape(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *s,
-                          const struct tia_bounds *own)
-{
-    struct tia_bounds box;
-
-    switch (s->kind) {
-    case TIA_SPHERE:
-        include_sphere(hull, s->sphere.centre, s->sphere.radius);
-        return true;
-    case TIA_DISC:
-        include_disc(hull, s->disc.centre, s->disc.radius,
-                     (const int64_t[3]){s->disc.normal.x, s->disc.normal.y, s->disc.normal.z});
-        return true;
-    case TIA_CYLINDER:
-        include_ends(hull, s->cylinder.base, s->cylinder.top, s->cylinder.radius, s->cylinder.radius);
-        return true;
-    case TIA_CONE:
-        include_ends(hull, s->cone.base, s->cone.top, s->cone.base_radius, s->cone.top_radius);
-        return true;
-    case TIA_TRIANGLE:
-        for (int i = 0; i < 3; i++)
-            include_point(hull, s->triangle.corner[i]);
-        return true;
-    case TIA_BOX:
-        box = (struct tia_bounds){s->box.min, s->box.max};
-        break;
-    case TIA_MESH:
-        box = own ? *own : tia_bounds_of_mesh(&scene->meshes[s->mesh]);
-        break;
-    case TIA_GRID:
-        box = bounds_of_grid(&scene->grids[s->grid]);
-        break;
-    case TIA_PLANE:
-    default:
-        return false;
-    }
-    if (box.max.x >= box.min.x)
-        include_box(hull, &box);
-    return box.max.x >= box.min.x;
-}
-
 static void around_sphere(const struct tia_sphere *s, struct bounds_wide *bounds)
 {
     const tia_q16 centre[3] = {s->centre.x, s->centre.y, s->centre.z};
@@ -267,8 +214,15 @@ static bool around_shape(const struct frame *frame, const struct tia_scene *scen
                          const struct tia_bounds *own, struct bounds_wide *bounds)
 {
     struct hull hull = {frame, {INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+    const struct shape_description *description = tia_shape_description(shape->kind);
 
-    if (!include_shape(&hull, scene, shape, own))
+    if (!description || !description->add_bounds)
+        return false;
+    if (own && shape->kind == TIA_MESH)
+        tia_hull_add_box(&hull, own);
+    else
+        description->add_bounds(&hull, scene, shape);
+    if (hull.max[0] < hull.min[0])
         return false;
     for (int k = 0; k < 3; k++) {
         bounds->min[k] = hull.min[k] >> 16;

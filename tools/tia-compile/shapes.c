@@ -1,40 +1,26 @@
 #include "unit.h"
 
-/* The shapes of a round outline. */
-static void write_round(struct unit *unit, const struct tia_shape *s)
+static void write_field(struct unit *unit, const struct tia_shape *s, const struct tia_shape_field *f)
 {
-    struct text *text = &unit->text;
+    const void *value = (const char *)s + f->offset;
 
-    switch (s->kind) {
-    case TIA_SPHERE:
-        text_word(text, ".sphere = {");
-        field_vec3(unit, "centre", s->sphere.centre);
-        field_number(unit, "radius", s->sphere.radius);
+    switch ((enum tia_shape_value)f->value) {
+    case TIA_SHAPE_Q16:
+        field_number(unit, f->member, *(const tia_q16 *)value);
         break;
-    case TIA_DISC:
-        text_word(text, ".disc = {");
-        field_vec3(unit, "centre", s->disc.centre);
-        field_dir3(unit, "normal", s->disc.normal);
-        field_number(unit, "radius", s->disc.radius);
+    case TIA_SHAPE_VEC3:
+        field_vec3(unit, f->member, *(const struct tia_vec3 *)value);
         break;
-    case TIA_CYLINDER:
-        text_word(text, ".cylinder = {");
-        field_vec3(unit, "base", s->cylinder.base);
-        field_vec3(unit, "top", s->cylinder.top);
-        field_number(unit, "radius", s->cylinder.radius);
-        field_number(unit, "capped", s->cylinder.capped);
+    case TIA_SHAPE_DIR3:
+        field_dir3(unit, f->member, *(const struct tia_dir3 *)value);
         break;
-    default:
-        text_word(text, ".cone = {");
-        field_vec3(unit, "base", s->cone.base);
-        field_vec3(unit, "top", s->cone.top);
-        field_number(unit, "base_radius", s->cone.base_radius);
-        field_number(unit, "top_radius", s->cone.top_radius);
-        field_number(unit, "capped", s->cone.capped);
+    case TIA_SHAPE_FLAG:
+        field_number(unit, f->member, *(const bool *)value);
+        break;
     }
-    text_print(text, "}},\n");
 }
 
+/* Scenes have many: the corners by their order, not by their names. */
 static void write_triangle(struct unit *unit, const struct tia_triangle *t)
 {
     const struct tia_vec3 *c = t->corner;
@@ -45,37 +31,24 @@ static void write_triangle(struct unit *unit, const struct tia_triangle *t)
 
 static void write_shape(struct unit *unit, const struct tia_shape *s)
 {
-    static const char *const kinds[] = {"TIA_SPHERE", "TIA_PLANE",    "TIA_DISC", "TIA_CYLINDER", "TIA_CONE",
-                                        "TIA_BOX",    "TIA_TRIANGLE", "TIA_MESH", "TIA_GRID"};
+#define KIND(kind, name) #kind,
+#define NAME(kind, name) #name,
+    static const char *const kinds[] = {TIA_SHAPES(KIND)}, *const names[] = {TIA_SHAPES(NAME)};
+    const struct tia_shape_field *f = tia_shape_fields(s->kind);
     struct text *text = &unit->text;
 
     text_word(text, "{.kind = %s,", kinds[s->kind]);
     field_unsigned(unit, "material", s->material);
     field_unsigned(unit, "transform", s->transform);
-    switch (s->kind) {
-    case TIA_PLANE:
-        text_word(text, ".plane = {");
-        field_vec3(unit, "point", s->plane.point);
-        field_dir3(unit, "normal", s->plane.normal);
-        text_print(text, "}},\n");
-        break;
-    case TIA_BOX:
-        text_word(text, ".box = {");
-        field_vec3(unit, "min", s->box.min);
-        field_vec3(unit, "max", s->box.max);
-        text_print(text, "}},\n");
-        break;
-    case TIA_TRIANGLE:
+    if (s->kind == TIA_TRIANGLE) {
         write_triangle(unit, &s->triangle);
-        break;
-    case TIA_MESH:
-        text_word(text, ".mesh = %uu},\n", s->mesh);
-        break;
-    case TIA_GRID:
-        text_word(text, ".grid = %uu},\n", s->grid);
-        break;
-    default:
-        write_round(unit, s);
+    } else if (f->member == NULL) {
+        text_word(text, ".%s = %uu},\n", names[s->kind], s->kind == TIA_MESH ? s->mesh : s->grid);
+    } else {
+        text_word(text, ".%s = {", names[s->kind]);
+        for (; f->member != NULL; f++)
+            write_field(unit, s, f);
+        text_print(text, "}},\n");
     }
 }
 

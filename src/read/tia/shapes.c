@@ -1,5 +1,6 @@
 /* shapes.c - the shapes, one statement each. */
 #include "read/job.h"
+#include "scene/shapes/description.h"
 
 struct shape_line {
     struct tia_word material, name;
@@ -7,57 +8,62 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-#define MATERIAL                                                                                                       \
-    {                                                                                                                  \
-        .word = "material", .kind = TIA_NAME_FIELD, .offset = offsetof(struct shape_line, material), .needed = true    \
-    }
-#define NUMBERS(field, n, part, need)                                                                                  \
-    {                                                                                                                  \
-        .word = field, .kind = TIA_NUMBERS, .count = n, .offset = offsetof(struct shape_line, part), .needed = need    \
-    }
-#define NORMAL(part)                                                                                                   \
-    {                                                                                                                  \
-        .word = "normal", .kind = TIA_DIRECTION, .offset = offsetof(struct shape_line, part), .needed = true           \
-    }
-
-/* What every shape that can be moved begins with. */
-enum { MATERIAL_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD };
-#define INSTANCE                                                                                                       \
-    MATERIAL, {.word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct shape_line, name)},                   \
-        NUMBERS("at", 3, transform.position, false), NUMBERS("rotate", 3, transform.rotation, false),                  \
-    {                                                                                                                  \
-        .word = "scale", .kind = TIA_SPREAD, .count = 3, .offset = offsetof(struct shape_line, transform.scale)        \
-    }
+/* What every shape that has a place begins with; the others have the material alone. */
+enum { MATERIAL_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
+#define OFFSET(member) .offset = offsetof(struct shape_line, member)
+static const struct tia_field common_fields[COMMON_FIELDS] = {
+    {.word = "material", .kind = TIA_NAME_FIELD, OFFSET(material), .needed = true},
+    {.word = "name", .kind = TIA_NAME_FIELD, OFFSET(name)},
+    {.word = "at", .kind = TIA_NUMBERS, .count = 3, OFFSET(transform.position)},
+    {.word = "rotate", .kind = TIA_NUMBERS, .count = 3, OFFSET(transform.rotation)},
+    {.word = "scale", .kind = TIA_SPREAD, .count = 3, OFFSET(transform.scale)},
+};
 #define PLACED (1u << AT_FIELD | 1u << ROTATE_FIELD | 1u << SCALE_FIELD)
 #define NAMED (1u << NAME_FIELD)
 
-static const struct tia_field sphere_fields[] = {INSTANCE, NUMBERS("centre", 3, shape.sphere.centre, false),
-                                                 NUMBERS("radius", 1, shape.sphere.radius, true)};
-static const struct tia_field plane_fields[] = {MATERIAL, NUMBERS("point", 3, shape.plane.point, false),
-                                                NORMAL(shape.plane.normal)};
-static const struct tia_field disc_fields[] = {INSTANCE, NUMBERS("centre", 3, shape.disc.centre, false),
-                                               NORMAL(shape.disc.normal),
-                                               NUMBERS("radius", 1, shape.disc.radius, true)};
-static const struct tia_field cylinder_fields[] = {
-    INSTANCE,
-    NUMBERS("base", 3, shape.cylinder.base, true),
-    NUMBERS("top", 3, shape.cylinder.top, true),
-    NUMBERS("radius", 1, shape.cylinder.radius, true),
-    {.word = "capped", .kind = TIA_FLAG, .offset = offsetof(struct shape_line, shape.cylinder.capped)}};
-static const struct tia_field cone_fields[] = {
-    INSTANCE,
-    NUMBERS("base", 3, shape.cone.base, true),
-    NUMBERS("top", 3, shape.cone.top, true),
-    NUMBERS("radii", 2, shape.cone.base_radius, true), /* and top_radius */
-    {.word = "capped", .kind = TIA_FLAG, .offset = offsetof(struct shape_line, shape.cone.capped)}};
-static const struct tia_field box_fields[] = {INSTANCE, NUMBERS("min", 3, shape.box.min, true),
-                                              NUMBERS("max", 3, shape.box.max, true)};
-static const struct tia_field triangle_fields[] = {INSTANCE, NUMBERS("a", 3, shape.triangle.corner[0], true),
-                                                   NUMBERS("b", 3, shape.triangle.corner[1], true),
-                                                   NUMBERS("c", 3, shape.triangle.corner[2], true)};
-static const struct tia_field instance_fields[] = {INSTANCE};
-_Static_assert(offsetof(struct tia_cone, top_radius) == offsetof(struct tia_cone, base_radius) + sizeof(tia_q16),
-               "a cone's radii are two numbers");
+static struct tia_field field_of(const struct tia_shape_field *f)
+{
+    struct tia_field field = {
+        .word = f->word, .offset = (uint16_t)(offsetof(struct shape_line, shape) + f->offset), .needed = f->needed};
+
+    switch ((enum tia_shape_value)f->value) {
+    case TIA_SHAPE_Q16:
+        field.kind = TIA_NUMBERS;
+        field.count = 1;
+        break;
+    case TIA_SHAPE_VEC3:
+        field.kind = TIA_NUMBERS;
+        field.count = 3;
+        break;
+    case TIA_SHAPE_DIR3:
+        field.kind = TIA_DIRECTION;
+        break;
+    case TIA_SHAPE_FLAG:
+        field.kind = TIA_FLAG;
+        break;
+    }
+    return field;
+}
+
+/* All fields of a shape's line, and how many they are. */
+static unsigned fields_of(const struct shape_description *description,
+                          struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX])
+{
+    unsigned count = 0;
+
+    while (count < (description->add_bounds ? COMMON_FIELDS : NAME_FIELD)) {
+        fields[count] = common_fields[count];
+        count++;
+    }
+    for (const struct tia_shape_field *f = description->fields; f->member; f++) {
+        struct tia_field field = field_of(f);
+        if (f->word)
+            fields[count++] = field;
+        else
+            fields[count - 1].count = (uint8_t)(fields[count - 1].count + field.count);
+    }
+    return count;
+}
 
 /* The transform of a shape that has one. A shape with a name has one when it moves, and until that is
  * known. */
@@ -96,15 +102,16 @@ static void add_shape(struct tia_job *job, struct shape_line *line, uint32_t giv
         (void)tia_job_add(job, TIA_OF_SHAPES, &line->shape);
 }
 
-/* The fields of a shape, whose kind and, of an instance, mesh or grid are set. */
-static int read_shape(struct tia_job *job, const char *what, const struct tia_field *fields, unsigned count,
-                      struct shape_line *line)
+/* The fields of a shape whose kind and, of an instance, mesh or grid are set. */
+static int read_fields(struct tia_job *job, struct shape_line *line)
 {
+    const struct shape_description *description = tia_shape_description(line->shape.kind);
+    struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX];
     uint32_t given = 0;
-    int status = tia_fields(&job->text, what, fields, count, line, &given);
+    int status = tia_fields(&job->text, description->what, fields, fields_of(description, fields), line, &given);
 
-    if (line->shape.kind == TIA_PLANE)
-        given &= 1u << MATERIAL_FIELD; /* its other fields are not an instance's */
+    if (!description->add_bounds)
+        given &= 1u << MATERIAL_FIELD; /* the bits after it are the shape's own fields */
     if (!status && (given & NAMED) && tia_word_is(&line->name, "camera"))
         status = tia_text_error(&job->text, &line->name, "is the camera's name", "another");
     if (!status)
@@ -121,20 +128,12 @@ static struct shape_line line_of(enum tia_shape_kind kind)
                                .transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}}};
 }
 
-#define SHAPE(name, KIND, what)                                                                                        \
-    int tia_line_##name(struct tia_job *job)                                                                           \
-    {                                                                                                                  \
-        struct shape_line line = line_of(KIND);                                                                        \
-        return read_shape(job, what, name##_fields, TIA_COUNT_OF(name##_fields), &line);                               \
-    }
+int tia_line_shape(struct tia_job *job, enum tia_shape_kind kind)
+{
+    struct shape_line line = line_of(kind);
 
-SHAPE(sphere, TIA_SPHERE, "a sphere")
-SHAPE(plane, TIA_PLANE, "a plane")
-SHAPE(disc, TIA_DISC, "a disc")
-SHAPE(cylinder, TIA_CYLINDER, "a cylinder")
-SHAPE(cone, TIA_CONE, "a cone")
-SHAPE(box, TIA_BOX, "a box")
-SHAPE(triangle, TIA_TRIANGLE, "a triangle")
+    return read_fields(job, &line);
+}
 
 int tia_line_instance(struct tia_job *job)
 {
@@ -153,5 +152,5 @@ int tia_line_instance(struct tia_job *job)
     } else {
         line.shape.mesh = index / 2;
     }
-    return read_shape(job, "an instance", instance_fields, TIA_COUNT_OF(instance_fields), &line);
+    return read_fields(job, &line);
 }

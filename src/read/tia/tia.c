@@ -1,50 +1,60 @@
 /* tia.c - scenes in tia's own format, tia-scene(5): the passes, and which statement is read where. */
 #include "read/job.h"
 #include "read/readers.h"
+#include "scene/shapes/description.h"
 
+/* All statements but those of shapes, whose descriptions have their words. */
 static const struct statement {
     const char *word;
     int (*read)(struct tia_job *job);
     bool once;
 } statements[] = {
-    {"sphere", tia_line_sphere, false},
-    {"instance", tia_line_instance, false},
-    {"triangle", tia_line_triangle, false},
-    {"box", tia_line_box, false},
-    {"plane", tia_line_plane, false},
-    {"disc", tia_line_disc, false},
-    {"cylinder", tia_line_cylinder, false},
-    {"cone", tia_line_cone, false},
-    {"mesh", tia_line_mesh, false},
-    {"grid", tia_line_grid, false},
-    {"material", tia_line_material, false},
-    {"texture", tia_line_texture, false},
-    {"light", tia_line_light, false},
-    {"key", tia_line_key, false},
-    {"animate", tia_line_animate, false},
-    {"camera", tia_line_camera, true},
-    {"background", tia_line_background, true},
-    {"samples", tia_line_samples, true},
-    {"depth", tia_line_depth, true},
+    {"instance", tia_line_instance, false}, {"mesh", tia_line_mesh, false},
+    {"grid", tia_line_grid, false},         {"material", tia_line_material, false},
+    {"texture", tia_line_texture, false},   {"light", tia_line_light, false},
+    {"key", tia_line_key, false},           {"animate", tia_line_animate, false},
+    {"camera", tia_line_camera, true},      {"background", tia_line_background, true},
+    {"samples", tia_line_samples, true},    {"depth", tia_line_depth, true},
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 
 static int refuse(struct tia_job *job, const struct tia_word *word)
 {
     struct tia_read_error *error = job->text.error;
+    const struct shape_description *shape;
 
-    (void)tia_text_error(&job->text, word, "is no statement", statements[0].word);
-    for (unsigned i = 1; i < STATEMENTS; i++) {
-        tia_say(error, i + 1 < STATEMENTS ? ", " : " or ");
+    (void)tia_text_error(&job->text, word, "is no statement", "");
+    for (unsigned kind = 0; (shape = tia_shape_description((enum tia_shape_kind)kind)); kind++) {
+        if (!shape->word)
+            continue;
+        tia_say(error, shape->word);
+        tia_say(error, ", ");
+    }
+    for (unsigned i = 0; i < STATEMENTS; i++) {
+        tia_say(error, i == 0 ? "" : i + 1 < STATEMENTS ? ", " : " or ");
         tia_say(error, statements[i].word);
     }
     return TIA_ERR_RANGE;
 }
 
+/* The kind of shape whose statement begins with the word. */
+static bool find_shape(const struct tia_word *word, enum tia_shape_kind *kind)
+{
+    const struct shape_description *shape;
+
+    for (*kind = TIA_SPHERE; (shape = tia_shape_description(*kind)); (*kind)++)
+        if (shape->word && tia_word_is(word, shape->word))
+            return true;
+    return false;
+}
+
 static int read_statement(struct tia_job *job, const struct tia_word *word)
 {
+    enum tia_shape_kind kind;
     unsigned i = 0;
 
+    if (find_shape(word, &kind))
+        return tia_line_shape(job, kind);
     while (i < STATEMENTS && !tia_word_is(word, statements[i].word))
         i++;
     if (i == STATEMENTS)

@@ -34,6 +34,9 @@ bool tia_check_is_scale(struct tia_vec3 scale);
 /* Whether a and b, components of at most 33 bits, are on one line through 0, as 0 itself is with everything. */
 bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 
+/* Whether two points are at least 2^-10 apart. */
+bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b);
+
 /* Distances to the farthest place of the eye, from all of a box or ball. */
 bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);

@@ -1,0 +1,39 @@
+/* description.h - what scenes know of each kind of shape: its fields, their rules, and the box around them.
+ *
+ * How rays meet it is in src/render/geometry.
+ */
+#ifndef TIA_SHAPES_DESCRIPTION_H
+#define TIA_SHAPES_DESCRIPTION_H
+
+#include "scene/bounds.h"
+#include "scene/check/check.h"
+
+#define SHAPE_FIELDS_MAX 8
+
+struct shape_description {
+    const char *word;                                    /* of its statement in scene files; NULL: it is an instance */
+    const char *what;                                    /* the same for errors: "a box" */
+    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* of the statement; the last one remains empty */
+    /* Its own rules; that the whole of it is near, and not too flat, is asked of all alike. */
+    int (*check)(const struct check *check, const struct tia_shape *shape);
+    /* NULL: it is infinite, and has no place. */
+    void (*add_bounds)(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape);
+};
+
+#define FIELD(spelt, shape, field, type, must)                                                                         \
+    {                                                                                                                  \
+        .word = spelt, .member = #field, .offset = offsetof(struct tia_shape, shape.field), .value = TIA_SHAPE_##type, \
+        .needed = must                                                                                                 \
+    }
+#define NEEDED(shape, field, type) FIELD(#field, shape, field, type, true)
+#define OPTIONAL(shape, field, type) FIELD(#field, shape, field, type, false)
+
+/* The kinds, one in each file: tia_box_description in box.c. */
+#define DECLARE(KIND, name) extern const struct shape_description tia_##name##_description;
+TIA_SHAPES(DECLARE)
+#undef DECLARE
+
+/* NULL: there are no more kinds. */
+const struct shape_description *tia_shape_description(enum tia_shape_kind kind);
+
+#endif
