@@ -44,7 +44,7 @@ struct tia_sphere {
 };
 
 /* Every kind of shape, and its field in struct tia_shape. The tables of kinds, here and elsewhere, are made of
- * this list: a new shape goes to its end. */
+ * this list: a new shape goes to its end, see docs/architecture.md. */
 #define TIA_SHAPES(SHAPE)                                                                                              \
     SHAPE(TIA_SPHERE, sphere)                                                                                          \
     SHAPE(TIA_PLANE, plane) /* infinite */                                                                             \
