@@ -1,24 +1,24 @@
-/* camera.h - where the picture is seen from.
+/* camera.h - the camera: projection, position and samples per pixel.
  *
  * The ray through the centre of pixel (x, y) of a width x height image leaves the eye along
  *
  *     ((2(x + 0.5)/width - 1) a width/height, (1 - 2(y + 0.5)/height) a, -1),   a = tan(fov/2),
  *
- * in the camera's axes u, v, n. Those are x, y and z - the camera looks along -z, +y is up - when
- * `up` is (0, 0, 0). Else the camera looks from the eye E at the reference point R with the up vector V:
+ * in the camera's axes u, v, n. When `up` is (0, 0, 0) those are x, y and z: the camera looks along -z, and
+ * +y is up. Otherwise it looks from the eye E at the reference point R with the up vector V, like gluLookAt:
  *
  *     n = (E - R)/|E - R|,   u = V x n normalised,   v = n x u.
  *
- * An off-axis frustum (TIA_FRUSTUM) maps the window left..right, bottom..top at the distance `near`
- * to the whole image; an orthographic camera's rays (TIA_ORTHOGRAPHIC) start in that window around the
- * eye and all run along -n. A window with left = right = 0 is centred and takes its width from the
- * image's proportions, but is at most 65536 wide.
+ * An off-axis frustum (TIA_FRUSTUM, like glFrustum) maps the window left..right, bottom..top at the distance
+ * `near` to the whole image. The rays of an orthographic camera (TIA_ORTHOGRAPHIC, like glOrtho) start in
+ * that window around the eye and all run along -n. A window with left = right = 0 is centred and takes its
+ * width from the image's aspect ratio, up to 65536.
  *
- * With n x n samples a pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n),
- * so that no two share a row or column; each one's colour is clamped, and the pixel is their mean.
+ * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n):
+ * no two samples share a row or a column. Each sample's colour is clamped; the pixel is the mean.
  *
- * Where nothing else asks for general rays, the direction stays unnormalised, multiplied by height/a:
- * (2x+1-width, height-2y-1, -height/a) is a lattice of integers in x and y.
+ * The span renderer (see scene.h) leaves directions unnormalised and scales them by height/a, so that
+ * (2x+1-width, height-2y-1, -height/a) has integer x and y components and steps by constants.
  */
 #ifndef TIA_CAMERA_H
 #define TIA_CAMERA_H
@@ -32,20 +32,20 @@
 enum tia_projection { TIA_PERSPECTIVE, TIA_FRUSTUM, TIA_ORTHOGRAPHIC };
 
 struct tia_window {
-    tia_q16 left, right, bottom, top; /* bottom < top; left < right, or both 0 */
-    tia_q16 near;                     /* of a frustum, above 0 */
-    /* An orthographic window's corners are nearer to the eye than 32768. */
+    tia_q16 left, right, bottom, top; /* bottom < top; left < right, or both 0. The corners of an
+                                         orthographic window lie within 32768 of the eye. */
+    tia_q16 near;                     /* TIA_FRUSTUM only: above 0 */
 };
 
 struct tia_camera {
     struct tia_vec3 eye;
-    tia_q16 fov; /* vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX; of TIA_PERSPECTIVE only */
+    tia_q16 fov; /* TIA_PERSPECTIVE only: vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX */
     enum tia_projection projection;
-    struct tia_vec3 reference; /* the point looked at; nearer than 32768, and not the eye */
-    struct tia_vec3 up;        /* its angle with the line of sight has a sine of 2^-10 (0.056 degrees) or more;
+    struct tia_vec3 reference; /* the point looked at: within 32768 of the eye, and not the eye itself */
+    struct tia_vec3 up;        /* at least 0.056 degrees (a sine of 2^-10) off the line of sight;
                                   (0, 0, 0): the camera looks along -z */
-    struct tia_window window;  /* of TIA_FRUSTUM and TIA_ORTHOGRAPHIC */
-    uint32_t samples;          /* rays a pixel: 1, 4 or 16; 0: 1 */
+    struct tia_window window;  /* TIA_FRUSTUM and TIA_ORTHOGRAPHIC only */
+    uint32_t samples;          /* per pixel: 1, 4 or 16; 0 means 1 */
 };
 
 #endif

@@ -4,8 +4,8 @@
  *   tia_q30     Q2.30, two's complement:  1.0 is 2^30,  the range is [-2, 2)
  *   tia_rgb565  one pixel: red in bits 15-11, green in 10-5, blue in 4-0, host byte order
  *
- * The conversion macros are for constants: the compiler evaluates them, no floating point
- * reaches the program.
+ * The conversion macros are for constants only: the compiler evaluates them, so no floating point
+ * ends up in the program.
  */
 #ifndef TIA_FIXED_H
 #define TIA_FIXED_H
@@ -21,19 +21,19 @@ typedef uint16_t tia_rgb565;
 #define TIA_Q16_ONE 65536
 #define TIA_Q30_ONE 1073741824
 
-/* A literal as Q16.16 or Q2.30, to nearest, halves away from zero: TIA_Q16(-1.5) is -98304. */
+/* A constant as Q16.16 or Q2.30, rounded to nearest, ties away from zero: TIA_Q16(-1.5) is -98304. */
 #define TIA_Q16(x) ((tia_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TIA_Q30(x) ((tia_q30)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 
-/* What every function of the library that can fail returns: 0 is fine, errors are negative. */
+/* The result of every library function that can fail: 0 is success, errors are negative. */
 enum tia_status {
     TIA_OK = 0,
-    TIA_HIDDEN = 1,          /* not an error: the display is there, but not ours just now */
-    TIA_ERR_ARGUMENT = -1,   /* a size, a tile or a pointer outside what the function states */
+    TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
+    TIA_ERR_ARGUMENT = -1,   /* a size, a tile or a pointer outside the documented range */
     TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */
     TIA_ERR_MEMORY = -3,     /* the caller's memory is too small */
-    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port says why */
-    TIA_ERR_UNSUPPORTED = -5 /* the device cannot do what is asked */
+    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port keeps the reason */
+    TIA_ERR_UNSUPPORTED = -5 /* the device cannot do this */
 };
 
 #endif

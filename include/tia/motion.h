@@ -1,4 +1,4 @@
-/* motion.h - a scene at a time: keyframes for the camera, lights and transforms. */
+/* motion.h - animation: keyframes for the camera, lights and transforms. */
 #ifndef TIA_MOTION_H
 #define TIA_MOTION_H
 
@@ -6,40 +6,40 @@
 
 enum tia_target {
     TIA_MOVES_EYE,       /* the camera's eye */
-    TIA_MOVES_REFERENCE, /* the point that it looks at */
+    TIA_MOVES_REFERENCE, /* the point that the camera looks at */
     TIA_MOVES_LIGHT,     /* a light's centre */
-    TIA_TURNS_LIGHT,     /* its direction, normalised after */
+    TIA_TURNS_LIGHT,     /* a light's direction, normalised after interpolation */
     TIA_MOVES_TRANSFORM, /* a transform's position */
     TIA_ROTATES_TRANSFORM,
     TIA_SCALES_TRANSFORM
 };
 
 struct tia_keyframe {
-    tia_q16 time; /* seconds, 0 or more, rising within a track */
+    tia_q16 time; /* seconds, 0 or more, strictly increasing within a track */
     struct tia_vec3 value;
 };
 
-/* Before its first keyframe a track holds the first value, after its last the last. Between two it runs
- * along the line; when smooth, along the cubic Hermite curve through all of them whose tangent at an inner
- * keyframe is the slope between its neighbours (Catmull-Rom), and 0 at the first and last.
+/* Before its first keyframe a track holds the first value, after its last the last. In between it is linear;
+ * a smooth track is the cubic Hermite curve through the keyframes whose tangent at an inner keyframe is the
+ * slope between its neighbours (Catmull-Rom), and 0 at the first and last.
  *
- * Keyframes keep the ranges of what they set: they bring lights, reference points and transforms no
- * farther than 32768 from any place of the eye, and a direction is not 0; but where a transform takes its
- * shapes, and a smooth curve what it moves, tia_scene_check tells only of the scene at that time. */
+ * Every keyframe must keep the range of the field that it sets: lights, reference points and transforms stay
+ * within 32768 of every eye position, and directions are not 0. tia_scene_check cannot see in advance where a
+ * transform carries its shapes, or how far a smooth curve overshoots: check the scene of each time as well. */
 struct tia_track {
     enum tia_target target;
-    uint32_t index; /* of the light or transform */
+    uint32_t index; /* of the light or transform; unused for the camera */
     bool smooth;
     const struct tia_keyframe *keys;
     uint32_t key_count; /* 1 or more */
 };
 
-/* Bytes of memory, aligned for uint64_t, that tia_scene_at takes. */
+/* Bytes of memory that tia_scene_at needs. The memory must be aligned for uint64_t. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
-/* *out becomes the scene at `time` (seconds), sharing all arrays but those of what moves, which are in
- * `memory`; without tracks and without a bvh, which no longer fits. TIA_ERR_MEMORY when `size` is too
- * small. `out` may be scene only if nothing else uses it. */
+/* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
+ * are shared with `scene`. *out has no tracks and no bvh, since objects moved: build a new one.
+ * TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time);
 
 /* The time of the last keyframe, seconds; 0 when nothing moves. */

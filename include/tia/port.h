@@ -1,14 +1,14 @@
-/* port.h - what tia needs from the world outside: a display, an input, a clock.
+/* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
- * Every slot is mandatory. A port never exits, prints, or starts threads; on failure it returns
- * a negative tia_status and keeps the reason for whoever made its context.
+ * Every function pointer must be set. A port never exits, prints, or starts threads. On failure it returns a
+ * negative tia_status and keeps the reason in its context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
 
 #include <tia/render.h>
 
-/* Keys by position on a US keyboard: letters and digits are their lower-case ASCII codes. */
+/* Keys by their position on a US keyboard. Letters and digits have their lower-case ASCII codes. */
 enum tia_key {
     TIA_KEY_INTERRUPT = 3, /* Ctrl-C */
     TIA_KEY_ESCAPE = 27,
@@ -18,43 +18,45 @@ enum tia_key {
     TIA_KEY_DOWN,
     TIA_KEY_PAGE_UP,
     TIA_KEY_PAGE_DOWN,
-    TIA_KEY_OTHER /* any other typing key; modifiers and locks are no events */
+    TIA_KEY_OTHER /* any other key that types; modifiers and locks cause no events */
 };
 
 enum tia_event_kind {
-    TIA_EVENT_PRESS, /* a key went down; its release will be told */
+    TIA_EVENT_PRESS, /* a key went down; a release event follows */
     TIA_EVENT_RELEASE,
-    TIA_EVENT_TAP /* a key was typed on a device that tells no releases */
+    TIA_EVENT_TAP /* a key was typed on a device that does not report releases, such as a terminal */
 };
 
 struct tia_event {
     enum tia_event_kind kind;
     uint16_t key;     /* enum tia_key or ASCII */
-    uint64_t time_us; /* when, on the clock below; 0 when the device does not say */
+    uint64_t time_us; /* by struct tia_clock; 0 when the device does not report times */
 };
 
-/* A display's size and needs. */
+/* A display's size and limits. */
 struct tia_mode {
-    uint16_t width, height;
-    uint16_t tile_width, tile_height; /* the largest tile it takes; 0: no limit */
+    uint16_t width, height;           /* pixels */
+    uint16_t tile_width, tile_height; /* the largest tile that acquire accepts; 0: no limit */
     bool concurrent;                  /* acquire and submit may run on several threads at once */
-    const char *format;               /* for people: "RGB565", "XRGB8888", ... */
+    const char *format;               /* the device's pixel format, for messages: "RGB565", "XRGB8888", ... */
 };
 
+/* For each frame the caller acquires, fills and submits tiles until they cover the screen, then presents.
+ * Each function but close returns a tia_status. */
 struct tia_display {
-    /* Takes the device. On failure nothing stays taken; close is safe all the same. */
+    /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
-    /* The mode now: it may change while open (a terminal window, a replugged screen). TIA_HIDDEN
-     * while the screen belongs to somebody else: nothing may be drawn then. */
+    /* The current mode; it may change while the display is open (a resized terminal window, another screen
+     * plugged in). TIA_HIDDEN while another program has the screen: do not draw then. */
     int (*mode)(void *ctx, struct tia_mode *mode);
-    /* Memory for the pixels of `tile`, until submit. It may be write-combined: write only, in
-     * rising addresses. What it holds before is not defined. */
+    /* Memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow:
+     * only write, at rising addresses. Its old contents are undefined. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
-    /* These pixels are done. */
+    /* The tile's pixels are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
-    /* All tiles are done: shows the frame, at most waiting for the last one to be on screen. */
+    /* The frame is complete: shows it. May wait until the frame before is on screen, but not longer. */
     int (*present)(void *ctx);
-    /* Puts back what open changed. Safe after a failed open, and twice. */
+    /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);
 };
 
@@ -62,18 +64,18 @@ struct tia_input {
     int (*open)(void *ctx);
     /* 1 and the next event, 0 when there is none, negative on failure. Never blocks. */
     int (*poll)(void *ctx, struct tia_event *event);
-    /* Returns when an event or a signal is there, or after timeout_ms (-1: no limit; 0: only
-     * lets pending signals in). Spurious returns are allowed. */
+    /* Waits for an event or a signal, at most timeout_ms (-1: no limit; 0: only delivers pending signals).
+     * It may return early without reason. */
     int (*wait)(void *ctx, int timeout_ms);
     void (*close)(void *ctx);
 };
 
 struct tia_clock {
-    uint64_t (*now_us)(void *ctx); /* microseconds, never backwards */
+    uint64_t (*now_us)(void *ctx); /* microseconds since any fixed moment; never goes backwards */
 };
 
-/* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all
- * are done. Where a program has none, tia runs them in turn. */
+/* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all are done.
+ * Without workers tia runs the jobs one after the other. */
 struct tia_workers {
     void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
 };

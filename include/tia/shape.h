@@ -1,29 +1,27 @@
-/* shape.h - the shapes besides the scene's spheres, and where they are put.
+/* shape.h - shapes and instancing.
  *
- *     shape      surface coordinates u, v
+ *     shape      surface coordinates u, v, before the transform
  *     sphere     (atan2(z, x)/(2 pi) + 1/2, acos(y/r)/pi) of the point relative to the centre
- *     plane      the coordinates along A and B of light.h's axes for its normal, in units
- *     disc       the same, over its radius, from -1 to 1
- *     cylinder,  u around the axis like a sphere's around y, in the axes B, A of the direction from base
- *     cone       to top; v along the axis from 0 at the base to 1 at the top; both caps like a disc whose
- *                normal is that direction
- *     box        of the face: (z, y) where x is its normal, (x, z) where y is, (x, y) where z is, each
+ *     plane      the coordinates along the axes A and B that light.h defines for its normal, in world units
+ *     disc       the same, divided by the radius: -1..1
+ *     cylinder,  u around the axis like a sphere's around y, from the axes B and A of the direction from base
+ *     cone       to top; v from 0 at the base to 1 at the top; both caps like a disc whose normal is that
+ *                direction
+ *     box        on each face: (z, y) where x is the normal, (x, z) where y is, (x, y) where z is, each
  *                from 0 at the box's minimum to 1 at its maximum
  *     triangle   the barycentric coordinates of corners 1 and 2
- *     mesh       its own, interpolated; or a triangle's
- *     grid       a cell's, as a box
+ *     mesh       its own, interpolated; without them, a triangle's
+ *     grid       like a box, on each cell
  *
- * They are those of the shape as it is before its transform.
+ * A ray hits a shape at the smallest distance that is at least 0; from inside, where it leaves. There is no
+ * hit at points with a coordinate of 65536 or more in size. At equal distances the lower index wins, and an
+ * object wins over a light. A grid has surfaces where its content changes: a ray that enters a filled cell
+ * from outside, from an empty cell or from one of another material hits that cell's front; a ray that leaves
+ * a filled cell for an empty one or for the outside hits the back of the cell.
  *
- * A ray meets a shape at the smallest distance that is not below 0: from inside, where it leaves. A point
- * that has a coordinate of 65536 or more, either way, is not met. Of objects equally near the lower index
- * is met, and an object before a light. A grid is met where it changes: a ray that goes from an empty cell,
- * from outside, or from a cell of another material into a filled cell meets that cell's front, one that
- * goes from a filled cell into an empty one or out meets the back of the cell that it leaves.
- *
- * The normal of a sphere, box, cylinder or cone points outwards, of a plane or disc as it says, of a
- * triangle along (B - A) x (C - A): where a closed shape's inside begins for refraction. A ray that meets
- * the back of a surface sees the same material, its normal turned.
+ * Normals of spheres, boxes, cylinders and cones point outwards, those of planes and discs as given, those of
+ * triangles along (B - A) x (C - A). For refraction, the back side of a surface is its inside. A ray that hits
+ * the back sees the same material, with the normal negated.
  */
 #ifndef TIA_SHAPE_H
 #define TIA_SHAPE_H
@@ -31,7 +29,7 @@
 #include <tia/vec.h>
 
 #define TIA_RADIUS_MIN 64       /* the smallest radius and cell: 2^-10 as Q16.16 */
-#define TIA_NO_INDEX UINT32_MAX /* of a mesh's normals and uvs: none */
+#define TIA_NO_INDEX UINT32_MAX /* a corner without a normal or uv */
 #define TIA_SCALE_MIN TIA_RADIUS_MIN
 #define TIA_SCALE_MAX TIA_Q16(1024)
 #define TIA_GRID_MAX 1024 /* cells along an axis */
@@ -62,12 +60,12 @@ enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
 
 struct tia_plane {
     struct tia_vec3 point;
-    struct tia_dir3 normal; /* its length in 0.5..1.5: it is normalised */
+    struct tia_dir3 normal; /* of a length in 0.5..1.5; it is normalised */
 };
 
 struct tia_disc {
     struct tia_vec3 centre;
-    struct tia_dir3 normal;
+    struct tia_dir3 normal; /* as for a plane */
     tia_q16 radius;
 };
 
@@ -84,11 +82,11 @@ struct tia_cone {
 };
 
 struct tia_box {
-    struct tia_vec3 min, max; /* min < max in each coordinate; a transform orients it */
+    struct tia_vec3 min, max; /* min < max in each coordinate; rotate it with a transform */
 };
 
 struct tia_triangle {
-    struct tia_vec3 corner[3]; /* not on one line */
+    struct tia_vec3 corner[3]; /* not collinear */
 };
 
 struct tia_shape {
@@ -96,7 +94,7 @@ struct tia_shape {
     uint32_t material;  /* an index into the scene's materials */
     uint32_t transform; /* 0: none; n: the scene's transform n - 1 */
     union {
-        struct { /* TIA_SPHERE: as tia_sphere, with a transform an ellipsoid */
+        struct { /* TIA_SPHERE: like struct tia_sphere; scaled by a transform, an ellipsoid */
             struct tia_vec3 centre;
             tia_q16 radius;
         } sphere;
@@ -111,7 +109,7 @@ struct tia_shape {
     };
 };
 
-/* What a field of a shape holds. */
+/* The type of a shape's field. */
 enum tia_shape_value {
     TIA_SHAPE_Q16,  /* tia_q16 */
     TIA_SHAPE_VEC3, /* struct tia_vec3 */
@@ -119,22 +117,23 @@ enum tia_shape_value {
     TIA_SHAPE_FLAG  /* bool */
 };
 
-/* A field of a kind's struct, for what reads and writes shapes of all kinds. */
+/* Describes a field of a shape kind's struct, for code that reads or writes shapes of all kinds. */
 struct tia_shape_field {
-    const char *word;   /* in scene files; NULL: the values that follow those of the field before */
+    const char *word;   /* in scene files; NULL: its values follow those of the previous field */
     const char *member; /* in C; NULL ends the list */
     uint16_t offset;    /* in struct tia_shape */
     uint8_t value;      /* enum tia_shape_value */
-    bool needed;        /* by scene files; else 0 when it is not there */
+    bool needed;        /* whether scene files must give it; otherwise the default is 0 */
 };
 
 /* The fields of a kind. Meshes and grids, which are indices, have none. */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
-/* An instance: scaled along the shape's axes, rotated, moved. Not for planes. Not too flat for its size: half
- * the diagonal of the box around what is placed, over the smallest component of scale, is below 32768. */
+/* Scales a shape along its own axes, then rotates it, then translates it. Not for planes. An instance must not
+ * be too flat for its size: half the diagonal of its bounding box, divided by the smallest component of scale,
+ * is below 32768. */
 struct tia_transform {
-    struct tia_vec3 position; /* nearer to the eye than 32768, wherever the shapes are */
+    struct tia_vec3 position; /* within 32768 of the eye, like the instances themselves */
     struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */
     struct tia_vec3 scale;    /* each TIA_SCALE_MIN..TIA_SCALE_MAX */
 };
@@ -144,29 +143,29 @@ struct tia_uv {
 };
 
 struct tia_corner {
-    uint32_t vertex, normal, uv; /* indices; normal and uv may be TIA_NO_INDEX, in all three corners alike */
+    uint32_t vertex, normal, uv; /* indices; normal and uv may be TIA_NO_INDEX, then in all three corners */
 };
 
 struct tia_face {
-    struct tia_corner corner[3]; /* three that are on one line are never hit */
+    struct tia_corner corner[3]; /* collinear corners are allowed; such a face is never hit */
 };
 
-/* Faces over shared vertices. */
+/* Triangles over shared vertices. */
 struct tia_mesh {
     const struct tia_vec3 *vertices;
-    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5: they are normalised, weighted by the
+    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5; they are normalised, interpolated by the
                                        barycentric coordinates, then transformed */
     const struct tia_uv *uvs;
     const struct tia_face *faces;
     uint32_t vertex_count, normal_count, uv_count, face_count;
 };
 
-/* Cubes in rows: cell (x, y, z) is at cells[(z * size[1] + y) * size[0] + x]. */
+/* Voxels: cell (x, y, z) is cells[(z * size[1] + y) * size[0] + x]. */
 struct tia_grid {
-    struct tia_vec3 corner; /* the smallest coordinates; the largest are below 32768 */
-    tia_q16 cell;           /* a cube's edge, TIA_RADIUS_MIN or more */
-    uint16_t size[3];       /* 1..TIA_GRID_MAX; at most TIA_GRID_CELLS_MAX in all */
-    const uint8_t *cells;   /* 0: empty; n: of the material n - 1 after the shape's own */
+    struct tia_vec3 corner; /* the minimum corner; all coordinates of the maximum corner are below 32768 */
+    tia_q16 cell;           /* edge of a cell, TIA_RADIUS_MIN or more */
+    uint16_t size[3];       /* cells along x, y, z: each 1..TIA_GRID_MAX, at most TIA_GRID_CELLS_MAX in all */
+    const uint8_t *cells;   /* 0: empty; n: material number shape.material + n - 1 */
 };
 
 #endif

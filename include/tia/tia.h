@@ -1,15 +1,14 @@
-/* tia.h - tia draws ray-traced pictures with integers only.
+/* tia.h - the whole interface of tia, a ray tracer in integers.
  *
  *   fixed.h   number formats and status codes
  *   vec.h     vectors and colours
- *   camera.h  where the picture is seen from
- *   material.h, light.h, shape.h    what surfaces, lights and shapes there are
- *   scene.h   what is drawn: all of them together
- *   bvh.h     a hierarchy of boxes for scenes of many objects
- *   motion.h  keyframes: a scene at a time
+ *   camera.h, material.h, light.h, shape.h    the parts of a scene
+ *   scene.h   the scene
+ *   bvh.h     bounding volume hierarchy for scenes of many objects
+ *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
- *   port.h    what a board or an OS has to offer
+ *   port.h    display, input and clock, as a board or an OS provides them
  *   viewer.h  the interactive loop
  */
 #ifndef TIA_TIA_H

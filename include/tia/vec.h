@@ -14,7 +14,7 @@ struct tia_dir3 {
     tia_q30 x, y, z;
 };
 
-/* A linear colour, Q2.30 a channel; 1.0 is full. */
+/* A linear colour, Q2.30 per channel; 1.0 is full intensity. */
 struct tia_rgb {
     tia_q30 r, g, b;
 };

@@ -1,14 +1,13 @@
 /* viewer.h - the interactive loop, for any display and input, with or without an OS.
  *
- * Polls all waiting keys, moves the light, draws, shows, and sleeps when nothing happens.
- * Arrow keys move the first light by 1 along x and z, page up and down along y: once at the
- * press, and while a key is held, after TIA_HOLD_DELAY_US, once every TIA_HOLD_STEP_US. Ambient
- * lights, which are nowhere, are passed over; of a directional light the point at the distance 1
- * from which it comes moves by 1/16. Keys of the scene's bindings put lights. Every other key quits.
+ * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps.
+ * The arrow keys move the first light by 1 along x and z, page up and page down along y: once when pressed,
+ * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US. The first light is the first that is not
+ * ambient, since an ambient light has no position; a directional light is moved as the point at the distance
+ * 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Every other key quits.
  *
- * A scene with tracks plays, from `time` to its last keyframe and then again; at most once every
- * TIA_PLAY_STEP_US a frame is drawn. A light that a key has put or moved stays where the key left it,
- * the others follow their tracks.
+ * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
+ * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
  */
 #ifndef TIA_VIEWER_H
 #define TIA_VIEWER_H
@@ -19,66 +18,65 @@
 #define TIA_HOLD_STEP_US 33333u
 #define TIA_PLAY_STEP_US 16666u
 
-/* One frame, told after it was presented. */
+/* Reported after each frame. */
 struct tia_frame {
     uint32_t number;  /* from 0 */
-    bool relit;       /* the hits of the frame before were used */
-    uint64_t draw_us; /* drawing, without waiting for the display */
-    uint64_t key_us;  /* from the oldest key shown by this frame to the end of present;
-                         0 when no key led to it or the clock is not known */
+    bool relit;       /* only lights changed: the previous frame's hits were used again */
+    uint64_t draw_us; /* time to draw, microseconds, without waiting for the display */
+    uint64_t key_us;  /* latency: from the oldest key press that this frame shows to the end of present;
+                         0 when there was none, or its time is unknown */
 };
 
 struct tia_viewer {
-    /* What to draw and with which arithmetic. */
     const struct tia_core *core; /* NULL: tia_core_q16 */
     const struct tia_scene *scene;
-    struct tia_light *lights; /* room for light_capacity lights, the scene's among them */
+    struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;
-    bool *held;                 /* with tracks, room for as many flags: lights that a key holds */
+    bool *held; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_options options; /* `path_hash` must be NULL */
-    uint32_t frame_limit;       /* stop after so many frames; 0: no limit */
-    const uint16_t *keys;       /* pressed before the first frame; NULL: none */
+    uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
+    const uint16_t *keys;       /* keys to press before the first frame; NULL: none */
     size_t key_count;
-    tia_q16 time;     /* of the scene's tracks, at the first frame */
-    uint32_t rate[2]; /* frame n is drawn at time + n rate[1]/rate[0], each 1..1000000: for films, with a
-                         frame_limit; 0: by the clock */
+    tia_q16 time;     /* of the first frame, seconds, for scenes with tracks */
+    uint32_t rate[2]; /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a
+                         frame_limit; 0: frames follow the clock */
 
-    /* Where to draw, what to listen to. input may be NULL with a frame_limit: then frames are
-     * drawn one after the other. clock may be NULL: then held keys do not repeat. */
+    /* `input` may be NULL with a frame_limit: frames are then drawn one after the other. `clock` may be NULL:
+     * held keys then do not repeat. `workers` may be NULL: tiles are then drawn one after the other. */
     const struct tia_display *display;
     const struct tia_input *input;
     const struct tia_clock *clock;
     const struct tia_workers *workers;
     void *display_ctx, *input_ctx, *clock_ctx, *workers_ctx;
 
-    /* Memory for the view and the hits. memory(ctx, size) returns at least `size` bytes aligned
-     * for uint64_t, whose old contents may be gone, or NULL; asked again when the mode changes.
-     * Where a whole frame's hits do not fit, those of one tile do, and nothing is relit. */
+    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
+     * discard what it returned before. Called again when the mode changes. When a whole frame's hits do not
+     * fit, the viewer takes memory for one tile's, and traces every frame anew. */
     void *(*memory)(void *ctx, size_t size);
     void *memory_ctx;
 
-    /* NULL, or called after each frame. Not 0 ends the loop with that status. */
+    /* NULL, or called after each frame. A result other than 0 ends the loop with that status. */
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
     void *frame_ctx;
-    const volatile int *stop; /* NULL, or the loop ends when it is not 0 */
+    const volatile int *stop; /* NULL, or ends the loop when it becomes nonzero, such as in a signal handler */
 };
 
-/* Runs until a quitting key, the frame limit or *stop; then TIA_OK. Display and input must be
- * open and stay so. Errors: what the ports return, TIA_ERR_RANGE, TIA_ERR_MEMORY. */
+/* Runs until a key quits, the frame limit is reached or *stop is set; then TIA_OK. The caller opens display and
+ * input before and closes them afterwards. Errors: those of the ports, TIA_ERR_RANGE, TIA_ERR_MEMORY. */
 int tia_viewer_run(struct tia_viewer *viewer);
 
-/* Applies one key press to the lights of a scene: 1 when they changed, 0 when the key does
- * nothing to them but is taken, TIA_ERR_ARGUMENT when it is a quitting key. *count lights are
- * in use of the array's `capacity`. A move that would leave the accepted range is not made. */
+/* Applies a key press to the lights, *count of an array of `capacity`. 1 when they changed; 0 when the key has
+ * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits. A light that would leave the range of
+ * tia_scene_check does not move. */
 int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
               uint16_t key);
 
-/* Which light a key puts or moves: its index, `count` when it adds one, TIA_NO_LIGHT when none. */
+/* The index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
 
-/* The time of frame `frame` of a film with rate[0]/rate[1] frames a second, each 1..1000000: from `start`, to
- * the nearest 2^-16 s, at most INT32_MAX. */
+/* The time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per second,
+ * each 1..1000000: rounded to nearest, at most INT32_MAX. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
 
 #endif
