@@ -1,8 +1,8 @@
-/* align.h - sizes of what lies in the caller's memory, one after the other. */
+/* align.h - sizes of arrays that lie one after the other in the caller's memory. */
 #ifndef TIA_SRC_ALIGN_H
 #define TIA_SRC_ALIGN_H
 
-/* The size, an integer of any width, rounded up so that what follows is aligned for uint64_t. */
+/* A size, of any integer type, rounded up so that the next array is aligned for uint64_t. */
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
 #endif

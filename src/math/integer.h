@@ -1,11 +1,11 @@
-/* integer.h - the integer kernels under every computation of the core.
+/* integer.h - integer kernels: shifts that round, reciprocal, square root and its inverse, wide products.
  *
- * All of them are branch-free or nearly so, keep no state, use no floating point and give the
- * same bits on every machine. "ulp" is the last bit of the result. The kernels use wide products
- * (32 x 32 to 64) and count-leading-zeros, one instruction each where the machine has them.
+ * They have few branches or none, keep no state and give the same bits on every machine. "ulp" is the last
+ * bit of the result. They build on 32 x 32 to 64 bit products and count-leading-zeros, one instruction each
+ * on most machines.
  *
- * The bounds are shown three times: by proof (tests/proofs, make prove), by trying every 32-bit
- * argument (make check-exhaustive), and thinned with every make check.
+ * The error bounds stated here are proved (tests/proofs, make prove), tried on every 32-bit argument (make
+ * check-exhaustive), and sampled by every make check.
  */
 #ifndef TIA_SRC_MATH_H
 #define TIA_SRC_MATH_H
@@ -18,10 +18,10 @@
 #endif
 #include TIA_MUL64
 
-/* Signed right shifts keep the sign, as every compiler in use has it. */
+/* Implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
-/* Seeds: straight lines, see tools/generate/tables.py. */
+/* Newton's first guesses: piecewise linear, see tools/generate/tables.py. */
 extern const uint32_t tia_rsqrt_lines[384];
 extern const uint32_t tia_reciprocal_lines[128];
 
@@ -33,8 +33,9 @@ extern const int64_t tia_turns[60];
 /* sin(2 pi i/256), i = 0..64, Q1.62. */
 extern const int64_t tia_sines[65];
 
-/* Leading zero bits, x not 0, for machines without an instruction for it: with all bits below the
- * first one set, x = 2^n - 1, and the product's upper five bits differ for every n. */
+/* Leading zero bits, x not 0, for machines without an instruction for it. Setting all bits below the first one
+ * makes x = 2^n - 1; the multiplier (from Anderson's Bit Twiddling Hacks) gives each n different
+ * upper five bits. */
 static inline unsigned tia_clz32_table(uint32_t x)
 {
     x |= x >> 1;
@@ -78,8 +79,8 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
-/* The same, s >= 1, in words of 32 bits and without a sum that carries: the bit below the last one
- * is added. For machines that have no wider shift (TIA_SHIFTS_WORDS). */
+/* The same for s >= 1 on 32-bit machines, where a 64-bit addition needs a carry: it adds the highest bit that is
+ * shifted out. */
 #define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
 static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
 {
@@ -91,7 +92,7 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
     return (int64_t)(floor + (low >> (s - 1) & 1));
 }
 
-/* The lower 32 bits of it, x without a sign. */
+/* The lower 32 bits of the same, for unsigned x. */
 static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
@@ -100,20 +101,20 @@ static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
     return (low >> s) + (high << (32 - s)) + (low >> (s - 1) & 1);
 }
 
-/* The line of a table's entry at f / 2^16: Q1.31 in [2^31, 2^32). */
+/* Evaluates a table entry's line at f / 2^16: Q1.31 in [2^31, 2^32). */
 static inline uint32_t tia_seed(uint32_t line, uint32_t f)
 {
     uint32_t c0 = UINT32_C(0x80000000) | ((line >> 1) & ~UINT32_C(0x7ff));
     return c0 - (((line & 0xfff) * f) >> 3);
 }
 
-/* 2^31 / sqrt(a / 2^32) within 3.2e-6, relative. a >= 2^30. */
+/* 2^31 / sqrt(a / 2^32) with a relative error below 3.2e-6. a >= 2^30. */
 static inline uint32_t tia_rsqrt_seed(uint32_t a)
 {
     return tia_seed(tia_rsqrt_lines[(a >> 23) - 128], (a >> 7) & 0xffff);
 }
 
-/* 2^63 / d within 7.9e-6, relative. d >= 2^31. */
+/* 2^63 / d with a relative error below 7.9e-6. d >= 2^31. */
 static inline uint32_t tia_reciprocal_seed(uint32_t d)
 {
     return tia_seed(tia_reciprocal_lines[(d >> 24) - 128], (d >> 8) & 0xffff);
@@ -121,10 +122,10 @@ static inline uint32_t tia_reciprocal_seed(uint32_t d)
 
 /* 2^31 / sqrt(n / 2^64), Q1.31 in [2^31, 2^32), within 2 ulp. n >= 2^62.
  *
- * One Newton step y (1 + e/2), e = 1 - n y^2, on the upper word of n: the lower one may be
- * anything. Where a factor is cut to 32 bits half a unit is added, n as a + 1/2 and y^2 as
- * q + 1/2; and e is raised by 2^-32, so that rounding down at the end loses nothing on average
- * where y is near 2 and an ulp weighs least. y + step stays below 2^32 for every n. */
+ * One Newton step y (1 + e/2), e = 1 - n y^2, on the upper word of n; the lower word is too small to matter.
+ * Cutting a factor to 32 bits loses half a unit on average, so half a unit is added back: n counts as a + 1/2
+ * and y^2 as q + 1/2. e is raised by 2^-32 to centre the final rounding down where y is near 2. y + step stays
+ * below 2^32 for every n. */
 static inline uint32_t tia_rsqrt(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
@@ -135,11 +136,10 @@ static inline uint32_t tia_rsqrt(uint64_t n)
     return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
 }
 
-/* 2^63 / d, at most 2^32 - 1; errs by -1.02 to +0.25 ulp. d >= 2^31.
+/* 2^63 / d, at most 2^32 - 1; the error is -1.02 to +0.25 ulp. d >= 2^31.
  *
- * One Newton step y (1 + e), e = 1 - d y, rounded down. It leaves -e^2, a quarter of an ulp at
- * d = 2^31; e is raised by 2^-34 to give that back, and no more, so that 2^63 / 2^31 stays below
- * 2^32. */
+ * One Newton step y (1 + e), e = 1 - d y, rounded down. Its own error is -e^2, a quarter of an ulp at d = 2^31.
+ * Raising e by 2^-34 corrects that; more would take 2^63 / 2^31 to 2^32, which does not fit. */
 static inline uint32_t tia_reciprocal(uint32_t d)
 {
     uint32_t y = tia_reciprocal_seed(d);
@@ -149,15 +149,15 @@ static inline uint32_t tia_reciprocal(uint32_t d)
 
 /* The square root of n >= 2^62, rounded down, exact.
  *
- * r0 = n y with the seed y; then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. It errs by
- * -3/2 e^2 r, less than 0.1, and by less than 2^-12 either way; 2^12 off the remainder, 1/32 to
- * 1/16 in the root, keep it from ever being too large, and rounding down takes less than one
- * more: the root is what it gives, or one more. */
+ * r0 = n y with the seed y, then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. Its error is -3/2 e^2 r,
+ * less than 0.1 in size, and 2^-12 either way from rounding. Subtracting 2^12 from the remainder (1/32 to 1/16 in
+ * the root) makes sure that the result is never too large; so after rounding down it is the root or one less,
+ * and one comparison settles which. */
 static inline uint32_t tia_sqrt_normalised(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
     uint32_t y = tia_rsqrt_seed(a);
-    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* r0 = 2 half may need a bit more than 32 */
+    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* of r0, which may need 33 bits */
     int32_t rest = (int32_t)((int64_t)(n - (tia_mul_u32(half, half) << 2)) >> 16) - (1 << 12);
     uint32_t r = (half << 1) + (uint32_t)(tia_mul_s32(rest, (int32_t)(y >> 1)) >> 47);
     return r + (n - tia_mul_u32(r, r) > 2 * (uint64_t)r);
@@ -172,7 +172,7 @@ static inline uint32_t tia_sqrt64(uint64_t x)
     return tia_sqrt_normalised(x << s) >> (s >> 1);
 }
 
-/* The square root of x, rounded down, exact: bit by bit, where speed does not matter. */
+/* The square root of x, rounded down, exact: bit by bit, small and easy to prove, for where speed does not matter. */
 /*@ assigns \nothing;
     ensures \result * (integer)\result <= x < (\result + 1) * (integer)(\result + 1); */
 static inline uint32_t tia_sqrt32(uint32_t x)
@@ -200,13 +200,13 @@ static inline uint32_t tia_sqrt32(uint32_t x)
     return r;
 }
 
-/* (x, y, z), in any unit, over its length: within 1.5 ulp a component. Not all three may be 0. */
+/* (x, y, z), in any unit, divided by its length: each component within 1.5 ulp. Not all three may be 0. */
 static inline struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
 {
     uint64_t n = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y) + (uint64_t)((int64_t)z * z);
     unsigned s = tia_clz64(n) & ~1u;
     int64_t scale = tia_rsqrt(n << s);
-    /* 1/sqrt(n) = scale 2^(s/2 - 63), and 30 bits stay behind the point */
+    /* 1/sqrt(n) = scale 2^(s/2 - 63); the result has 30 fractional bits */
     unsigned shift = 33 - (s >> 1);
     return (struct tia_dir3){(tia_q30)tia_round_shift(x * scale, shift), (tia_q30)tia_round_shift(y * scale, shift),
                              (tia_q30)tia_round_shift(z * scale, shift)};
@@ -217,7 +217,7 @@ struct tia_wide {
     uint64_t high, low;
 };
 
-/* a b, exact, by halves: for compilers without 128-bit integers. */
+/* a b, exact, from 32-bit halves: for compilers without 128-bit integers. */
 static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
 {
     uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
@@ -238,7 +238,8 @@ static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 #endif
 }
 
-/* a b / 2^shift to nearest, halves away from zero: the same for -a. The result must fit, shift is 1..63. */
+/* a b / 2^shift rounded to nearest, ties away from zero, so that negating a negates the result. The result must fit;
+ * shift in 1..63. */
 static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
 {
     struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));
@@ -252,7 +253,7 @@ static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t 
     struct tia_wide p = tia_wide_product(a, b), q = tia_wide_product(c, d);
     if (p.high != q.high)
         return p.high < q.high ? -1 : 1;
-    /* Not (p.low > q.low) - (p.low < q.low): gcc 12 for aarch64 compares that signed at -O3. */
+    /* Not (p.low > q.low) - (p.low < q.low): gcc 12 for aarch64 miscompiles that to a signed comparison at -O3. */
     if (p.low != q.low)
         return p.low < q.low ? -1 : 1;
     return 0;

@@ -1,12 +1,12 @@
-/* mul64.h - products of 32 x 32 bits in 64. A processor whose multiplier gives 32 bits may have a
- * file of the same content in its own folder: TIA_MUL64 names it. */
+/* mul64.h - products of 32 x 32 bits in 64 bits. A processor whose multiplier gives only 32 bits can have its own
+ * version of this file: define TIA_MUL64 as its name. */
 #ifndef TIA_SRC_MUL64_H
 #define TIA_SRC_MUL64_H
 
 #include <stdint.h>
 
-/* A compiler for a machine of 32 bits that sees how a factor came about extends it to 64 bits where
- * it can share that, and then multiplies 64 x 64. */
+/* Hides where a factor comes from. Otherwise gcc for a 32-bit machine may widen a factor once, to share it between
+ * products, and then multiply 64 x 64 bits each time. */
 #if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
 #define TIA_OPAQUE(x) __asm__("" : "+r"(x))
 #else

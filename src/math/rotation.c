@@ -7,15 +7,15 @@
 
 void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine)
 {
-    int32_t turn = degrees % (4 * RIGHT);
-    uint32_t angle = (uint32_t)(turn < 0 ? turn + 4 * RIGHT : turn);
+    int32_t rest = degrees % (4 * RIGHT);
+    uint32_t angle = (uint32_t)(rest < 0 ? rest + 4 * RIGHT : rest);
     uint32_t quadrant = angle / RIGHT, z = angle % RIGHT;
     bool beyond = z > RIGHT / 2; /* 45 degrees: sin x = cos(90 - x) */
     uint64_t s63, c63;
 
     tia_octant(2 * (beyond ? RIGHT - z : z), &s63, &c63);
     int64_t s = (int64_t)((s63 + 1) >> 1), c = (int64_t)((c63 + 1) >> 1);
-    /* Each quarter turn makes (cos, sin) of (-sin, cos); so does 45 degrees' mirror, but for the sign. */
+    /* Each quadrant swaps sine and cosine, and so does the reflection at 45 degrees. */
     bool swap = beyond != (quadrant % 2 == 1);
     *sine = swap ? c : s;
     *cosine = swap ? s : c;
@@ -37,7 +37,7 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
     tia_sincos(rotation.x, &sx, &cx);
     tia_sincos(rotation.y, &sy, &cy);
     tia_sincos(rotation.z, &sz, &cz);
-    /* About x and y, the axes are at (cy, 0, -sy), (sy sx, cx, cy sx), (sy cx, -sx, cy cx); then about z. */
+    /* The axes after the rotations about x and y; the loop rotates them about z. */
     const int64_t tilted[3][3] = {
         {cy, 0, -sy}, {product(sy, sx), cx, product(cy, sx)}, {product(sy, cx), -sx, product(cy, cx)}};
     for (int i = 0; i < 3; i++) {

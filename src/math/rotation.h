@@ -1,15 +1,15 @@
-/* rotation.h - rotations, in integers, whatever the arithmetic. */
-#ifndef TIA_SRC_TURN_H
-#define TIA_SRC_TURN_H
+/* rotation.h - rotations in integers, the same for every arithmetic. */
+#ifndef TIA_SRC_ROTATION_H
+#define TIA_SRC_ROTATION_H
 
 #include <tia/vec.h>
 
-/* Of any angle in degrees, Q2.62: each within 2^-59, symmetric (sin -x = -sin x, cos -x = cos x, sin x = cos
- * (90 - x), ...), and exact at every multiple of 90 degrees. */
+/* Sine and cosine of any angle in degrees, Q2.62, within 2^-59. Exact at multiples of 90 degrees, and exactly
+ * symmetric: sin -x = -sin x, cos -x = cos x, sin x = cos(90 - x), ... */
 void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine);
 
-/* Where the axes x, y and z, axes[0] to axes[2], point after the rotation by rotation.x about x, then
- * rotation.y about y, then rotation.z about z: Q2.62, each component within 2^-57. */
+/* The rotation matrix, by columns: axes[0], axes[1] and axes[2] are the x, y and z axes after rotation by
+ * rotation.x degrees about x, then rotation.y about y, then rotation.z about z. Q2.62, each within 2^-57. */
 void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
 
 #endif

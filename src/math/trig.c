@@ -11,8 +11,8 @@ static uint64_t product(uint64_t a, uint64_t b)
     return p.high << 1 | p.low >> 63;
 }
 
-/* 1 - z2 / (n (n-1)) (1 - z2 / ((n-2) (n-3)) (...)): the series of cos z for an even `last`, of
- * sin z / z for an odd one. With z <= pi/4 the terms left out after 20 are below 2^-70. */
+/* The Taylor series 1 - z2 / (n (n-1)) (1 - z2 / ((n-2) (n-3)) (...)): cos z for an even `last`, sin z / z for an
+ * odd one. For z <= pi/4 the omitted terms (beyond the 20th) are below 2^-70. */
 static uint64_t series(uint64_t z2, unsigned last)
 {
     uint64_t sum = ONE;
@@ -21,12 +21,12 @@ static uint64_t series(uint64_t z2, unsigned last)
     return sum;
 }
 
-/* 2^56 a / b, bit by bit; a / b < 2^8. */
+/* 2^56 a / b by long division; a / b < 2^8. */
 static uint64_t quotient(uint64_t a, uint64_t b)
 {
     uint64_t q = a / b, rest = a % b;
     for (unsigned i = 0; i < 56; i++) {
-        /* rest < b <= 2^63: twice it fits */
+        /* rest < b <= 2^63: no overflow */
         rest <<= 1;
         q = q << 1 | (rest >= b);
         rest -= rest >= b ? b : 0;
@@ -36,7 +36,7 @@ static uint64_t quotient(uint64_t a, uint64_t b)
 
 void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
 {
-    /* In radians: pi / (360 * 2^16) as, times an integer, is Q.86; 23 bits off are Q.63. */
+    /* To radians: pi / (360 * 2^16) with 86 fractional bits, times an integer; then down to 63. */
     struct tia_wide z86 = tia_wide_product(half_degrees, UINT64_C(0x8efa351294e9c8ae));
     uint64_t z = z86.high << 41 | z86.low >> 23;
     uint64_t z2 = product(z, z);
@@ -46,7 +46,7 @@ void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
 
 uint64_t tia_cotangent(tia_q16 fov)
 {
-    /* Half the angle or, above 45 degrees, what is left to 90: cot x = tan(90 - x). */
+    /* `angle` is in tia_octant's unit, so fov itself is fov/2. Above 45 degrees cot x = tan(90 - x). */
     const uint32_t right = 90 * TIA_Q16_ONE;
     uint32_t angle = (uint32_t)fov;
     uint64_t sine, cosine;

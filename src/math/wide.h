@@ -1,8 +1,8 @@
-/* wide.h - sums of products of 64-bit integers, exact in 128 bits, and the roots and quotients of such.
+/* wide.h - 128-bit sums of products of 64-bit integers, and their roots and quotients.
  *
- * General rays are reflected again and again, and every mirror that bends multiplies what is wrong with a
- * ray; so their coordinates have 64 bits, and products are rounded once. The compiler's 128-bit integers
- * are used where it has them; by halves the bits are the same.
+ * Every curved mirror on a path multiplies the error of the ray. So the ray renderer's coordinates have 64 bits,
+ * and a sum of products is rounded once. Compilers without 128-bit integers use two halves; the results are the
+ * same to the bit.
  */
 #ifndef TIA_WIDE_H
 #define TIA_WIDE_H
@@ -139,7 +139,7 @@ static inline int wide_bits(wide a)
     return high ? 128 - (int)tia_clz64(high) : low ? 64 - (int)tia_clz64(low) : 0;
 }
 
-/* How far 0 < a < 2^126 is shifted up, an even number, to have 125 or 126 bits. */
+/* The even shift that takes 0 < a < 2^126 to 125 or 126 bits; even, so that its root shifts by half of it. */
 static inline unsigned wide_zeros(wide a)
 {
     return (unsigned)(126 - wide_bits(a)) & ~1u;
@@ -151,8 +151,8 @@ static inline int64_t wide_sqrt_step(wide n, int64_t r, uint32_t y)
     return r + wide_down(wide_product(wide_down(wide_difference(n, wide_product(r, r)), 35), y), 60);
 }
 
-/* The square root of 0 <= a < 2^126, rounded down, exact: from 29 bits to 57 to all 63, then the last
- * unit. */
+/* The square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps go from 29 correct bits to 57 to 63,
+ * then the remainder corrects the last unit. */
 static inline int64_t wide_sqrt(wide a)
 {
     if (wide_bits(a) == 0)
@@ -172,21 +172,21 @@ static inline int64_t wide_sqrt(wide a)
     return r >> (s / 2);
 }
 
-/* 2^62/sqrt(top / 2^64), at most 2^63 - 1, within 2^-59 of itself. top >= 2^62.
+/* 2^62/sqrt(top / 2^64), at most 2^63 - 1, with a relative error below 2^-59. top >= 2^62.
  *
- * y (1 + e/2 + 3/8 e^2) with e = 1 - n y^2 below 2^-28: what is left out is 5/16 e^3. */
+ * y (1 + e/2 + 3/8 e^2) with e = 1 - n y^2 below 2^-28; the next term, 5/16 e^3, is small enough to omit. */
 static inline int64_t wide_rsqrt(uint64_t top)
 {
     uint32_t y = tia_rsqrt(top);
     int64_t e = (int64_t)((UINT64_C(1) << 62) - tia_wide_product(top, tia_mul_u32(y, y)).high);
-    int64_t square = (e >> 6) * (e >> 6); /* of e below 2^34: 2^56, exponent 112 */
+    int64_t square = (e >> 6) * (e >> 6); /* e^2 < 2^56, exponent 112 */
     int64_t step = wide_down(wide_product(y, e + (square >> 51) + (square >> 52)), 32);
     uint64_t r = ((uint64_t)y << 31) + (uint64_t)step;
 
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* 2^62/(b / 2^64), at most 2^63 - 1, within 2^-60 of itself. b >= 2^63. */
+/* 2^62/(b / 2^64), at most 2^63 - 1, with a relative error below 2^-60. b >= 2^63. */
 static inline int64_t wide_reciprocal(uint64_t b)
 {
     uint32_t y = tia_reciprocal((uint32_t)(b >> 32));
@@ -198,7 +198,7 @@ static inline int64_t wide_reciprocal(uint64_t b)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* a/b * 2^e, within 2^-59 of itself and half a unit; at most 2^62 in size, also where b is 0. |a|, |b| <
+/* a/b * 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a|, |b| <
  * 2^63, e in 0..126. */
 static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
 {
@@ -216,8 +216,7 @@ static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
     return (a < 0) != (b < 0) ? -quotient : quotient;
 }
 
-/* The vector v, any unit, over its length, Q1.62 within 2^-58, into d. False, and d = 0, when v is 0.
- * |v| < 2^62. */
+/* Sets d to v, in any unit, divided by its length: Q1.62, within 2^-58. False, and d = 0, when v is 0. |v| < 2^62. */
 static inline bool wide_normalise(const int64_t v[3], int64_t d[3])
 {
     wide n = wide_dot(v, v);

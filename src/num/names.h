@@ -1,7 +1,7 @@
-/* names.h - every build's own names, so that all of them link into one program.
+/* names.h - gives each arithmetic's build its own symbols, so that all of them link into one program.
  *
- * The public functions keep their names in the product and get the prefix tia_f64_ and so on in
- * the other builds. Names that are not public get a prefix in every build.
+ * Public functions keep their names in q16 and get the prefix tia_f64_ etc. in the other builds.
+ * Internal functions get a prefix in every build: every extern function below src/render is listed here.
  */
 #ifndef TIA_NAMES_H
 #define TIA_NAMES_H

@@ -1,31 +1,29 @@
-/* num.h - the only file that knows one arithmetic from another.
+/* num.h - the numbers of the span renderer, in the arithmetic that this build is compiled for.
  *
- * The core is compiled once for each arithmetic: q16 (integers, the product), f64 (double, the
- * reference), f32 (float, for comparison) and chk (q16 that reports what leaves its range).
+ * README.md explains how one source serves four arithmetics.
  *
- * Block floating point. A quantity of a frame - a product with the pixel's direction, a distance
- * along the ray - keeps one scale for the frame, chosen when its constants are prepared so that
- * its largest value just fits: value = mantissa * 2^-exponent, the exponent an int kept beside
- * the constants. In the floating builds a mantissa is the value itself and shifts do nothing,
- * so the same source says both.
+ * Block floating point: value = mantissa * 2^-exponent. A mantissa is stored per pixel; its exponent is an int
+ * kept with the frame's constants, chosen so that the frame's largest value just fits. That keeps nearly all
+ * bits of a 32-bit word without the cost of floating point per pixel. In the floating builds the mantissa is
+ * the value itself and shifts do nothing.
  *
- *   num       signed mantissa, below 2^31             num_wide   exact product of two, or a
- *   num_u     unsigned mantissa, below 2^32                      coordinate or dot product
+ *   num       signed mantissa, below 2^31             num_wide   exact product of two mantissas, a
+ *   num_u     unsigned mantissa, below 2^32                      coordinate or a dot product
  *
- * Sums, differences and comparisons are the language's own. What is a call:
+ * Add, subtract and compare with the operators of C. For all else, call:
  *
  *   num_coordinate(q)      a Q16.16 coordinate as num_wide, exponent 16
  *   num_pixel_coordinate(n, f)      the integer n as num_wide, exponent f
  *   num_signed(t)          an unsigned mantissa as a signed one
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
- *   num_shift(x, s)        x * 2^s, rounded to nearest, ties up, when s < 0
- *   num_down(x, s)         the same with -s, s in 0..63, for the kernels
- *   num_top, num_top_u     the upper half of an accumulator, that is x * 2^-32, rounded down;
- *                          accumulators start with NUM_HALF so that this rounds to nearest
+ *   num_shift(x, s)        x * 2^s; for s < 0 rounded to nearest, ties up
+ *   num_down(x, s)         x * 2^-s for s in 0..63, rounded like num_shift: the fast one, for kernels
+ *   num_top, num_top_u     the upper half of an accumulator, x * 2^-32 rounded down; start the
+ *                          accumulator with NUM_HALF to round to nearest
  *   num_sqrt(x)            the square root, rounded down
  *   num_quotient(a, b, s)  a/b * 2^(63 - s), see there
- *   num_normal(x)          1/sqrt(x) with what normalises x
+ *   num_normal(x)          x normalised, and 1/sqrt(x)
  */
 #ifndef TIA_NUM_H
 #define TIA_NUM_H
@@ -64,19 +62,19 @@ static inline struct num_vec num_vec_sub(struct num_vec a, struct num_vec b)
     return v;
 }
 
-/* Exact as long as |a| |b| < 2^63: two products that add up to more never meet, by Cauchy. */
+/* Exact as long as |a| |b| < 2^63: by the Cauchy-Schwarz inequality no partial sum is larger. */
 static inline num_wide num_dot(struct num_vec a, struct num_vec b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* |v|^2 with exponent 30, but for the last two bits; |v| < 65536. */
+/* |v|^2 with exponent 30, rounded down from the exact exponent 32; |v| < 65536. */
 static inline num_wide num_square30(struct num_vec v)
 {
     return num_sum_of_squares30(v.x, v.y, v.z);
 }
 
-/* A shift count as num_down takes it: what is shifted farther is 0 all the same. */
+/* Clamps a shift count to num_down's range: shifting farther gives 0 as well. */
 static inline int num_count(int s)
 {
     return s < 63 ? s : 63;

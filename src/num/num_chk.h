@@ -1,8 +1,8 @@
-/* num_chk.h - q16 that reports every intermediate that leaves its range, with the file and the line
- * that asked for it. The numbers are q16's, and so are the pixels.
+/* num_chk.h - q16 with range checks: every intermediate value out of its range is reported, with the file and
+ * the line of the call. The numbers are q16's, and so are the pixels.
  *
- * Whoever links this build defines tia_chk_report. Sums and differences are the language's own here
- * as everywhere: the Makefile has the compiler check them. */
+ * The program that links this build defines tia_chk_report. Sums and differences use C's operators; for them
+ * the Makefile turns on the compiler's own overflow checks. */
 #ifndef TIA_NUM_CHK_H
 #define TIA_NUM_CHK_H
 
@@ -13,7 +13,7 @@
 
 void tia_chk_report(const char *file, int line, const char *range);
 
-/* Where the core is just now; each file of the core and each thread has its own. */
+/* The call being checked. Static, so one per source file, and one per thread. */
 static _Thread_local struct num_site {
     const char *file;
     int line;

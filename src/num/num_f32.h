@@ -1,4 +1,4 @@
-/* num_f32.h - single precision: what the integers are compared with. */
+/* num_f32.h - single precision, for comparing the integers' speed and error with the usual choice. */
 #ifndef TIA_NUM_F32_H
 #define TIA_NUM_F32_H
 

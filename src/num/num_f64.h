@@ -1,4 +1,4 @@
-/* num_f64.h - double precision: the reference. */
+/* num_f64.h - double precision: the reference for the integers' error. */
 #ifndef TIA_NUM_F64_H
 #define TIA_NUM_F64_H
 

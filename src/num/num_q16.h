@@ -6,7 +6,7 @@
 #define NUM_NAME "q16"
 #define NUM_PREFIX tia_
 #define NUM_CORE tia_core_q16
-#define NUM_CHECK(condition) ((void)0) /* what num_chk.h tests */
+#define NUM_CHECK(condition) ((void)0) /* num_chk.h evaluates it */
 #endif
 
 #include "names.h"
@@ -20,8 +20,8 @@ typedef int64_t num_wide;
 typedef uint64_t num_uwide;
 
 #define NUM_HALF ((num_wide)1 << 31)
-#define NUM_ONE ((num_u)1 << 30)   /* 1.0 of a colour, Q2.30 */
-#define NUM_ROUND ((num_u)1 << 29) /* the threshold of num_quantise that rounds to nearest */
+#define NUM_ONE ((num_u)1 << 30)   /* 1.0 as a colour, Q2.30 */
+#define NUM_ROUND ((num_u)1 << 29) /* with this threshold num_quantise rounds to nearest */
 
 static inline num_wide num_coordinate(tia_q16 q)
 {
@@ -34,7 +34,7 @@ static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
     return (num_wide)n * ((num_wide)1 << exponent);
 }
 
-/* height * cotangent (Q8.56, below 2^7) with the given exponent (at most 43). */
+/* height * cotangent, where cotangent is Q8.56 and below 2^7, with the given exponent of at most 43. */
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
     NUM_CHECK(exponent >= 0 && exponent <= 43);
@@ -80,7 +80,7 @@ static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
-        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* 0 is often what exponents differ by */
+        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* equal exponents are common: skip the shift */
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
@@ -104,7 +104,7 @@ static inline num_u num_top_u(num_wide x)
     return (num_u)((num_uwide)x >> 32);
 }
 
-/* The larger of 0 and a product of mantissas less another. */
+/* max(0, a - b). */
 static inline num_uwide num_excess(num_uwide a, num_uwide b)
 {
     return a > b ? a - b : 0;
@@ -115,8 +115,8 @@ static inline num_u num_sqrt(num_uwide x)
     return tia_sqrt64(x);
 }
 
-/* a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. The reciprocal of b is good
- * to one part in 2^31. */
+/* a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. Relative error 2^-31, from the
+ * reciprocal of b. */
 static inline num_u num_quotient(num_u a, num_u b, int s)
 {
     NUM_CHECK(b > 0);
@@ -169,7 +169,7 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
     return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
 }
 
-/* x * 2^s as a mantissa; the caller knows that it fits. */
+/* x * 2^s as a mantissa, which must fit. */
 static inline num_u num_scale(num_wide x, int s)
 {
     NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
@@ -177,7 +177,7 @@ static inline num_u num_scale(num_wide x, int s)
                                                  : (num_u)num_shift(x, s);
 }
 
-/* x * 2^s as a mantissa, or the largest there is. */
+/* x * 2^s as a mantissa, at most UINT32_MAX. */
 static inline num_u num_scale_within(num_wide x, int s)
 {
     NUM_CHECK(x >= 0);
@@ -192,15 +192,15 @@ static inline num_u num_mul_top(num_u a, num_u b)
     return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
 }
 
-/* The mantissa as a num_u, rounded down. */
+/* The mantissa's upper 32 bits. */
 static inline num_u num_normal_top(struct num_normal n)
 {
     return (num_u)(n.mantissa >> 32);
 }
 
-/* a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) is a num_normal, swell
- * has the exponent 32 and `e` is twice a's exponent less those of d and k. Mantissas of 32 and 31
- * bits: each product is off by less than 2^-29 of itself. */
+/* a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) comes from a num_normal, swell
+ * has the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: the factors are cut to
+ * 32 and 31 bits, so each side's relative error is below 2^-29. */
 static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
     NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
@@ -217,24 +217,24 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
     return left >> shift >= right;
 }
 
-/* A cosine from r N.w/|w| as the renderer scales it (see span/light.c) and the radius's inverse. */
+/* A cosine, at most 1, from r N.w/|w| in the scale of span/light.c and the inverse of the radius r. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
     num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;
     return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
 }
 
-/* With R = 2^16 r and inverse = num_inverse(r), which is 2^(31 + num_bits(R)) / R, bias/r is
- * 2^(-28 - num_bits(R)) inverse. */
+/* The next three: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With
+ * R = 2^16 r and inverse = num_inverse(r) = 2^(31 + num_bits(R)) / R, it is 2^(-28 - num_bits(R)) inverse. */
 
-/* bias/r as a fraction of 2^32, for a radius of `bits` bits. */
+/* bias/r with the exponent 32, for a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
 {
     NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
     return (num_u)num_shift(inverse, 4 - bits);
 }
 
-/* facing * inverse * 2^-s, rounded: bias N.w from r N.w and num_inverse(r). */
+/* facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and num_inverse(r). */
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
     NUM_CHECK(s >= 1);
@@ -242,7 +242,7 @@ static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
     return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
 }
 
-/* x bias/r with the exponent e, where x has 30 and the radius `bits` bits. */
+/* x bias/r with the exponent e, where x has the exponent 30 and the radius `bits` bits. */
 static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
     int x_bits = num_bits(x), s = 88 + bits - x_bits - e;
@@ -253,10 +253,10 @@ static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
     return tia_round_shift(num_shift(x, 30 - x_bits) * (num_wide)inverse, s < 0 ? 0 : (unsigned)s);
 }
 
-#define NUM_LEAST 1            /* the least positive mantissa */
+#define NUM_LEAST 1            /* the smallest positive mantissa */
 #define NUM_BIAS ((num_wide)8) /* of shadow rays: 2^-13, exponent 16 */
 
-/* floor(levels c + threshold): the threshold's unit is 2^-30, 2^29 rounds to nearest. */
+/* floor(levels c + threshold): c and threshold are Q2.30; a threshold of 1/2 (2^29) rounds to nearest. */
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
 {
     NUM_CHECK(c <= NUM_ONE && threshold < NUM_ONE);
@@ -269,7 +269,7 @@ static inline num_u num_threshold(unsigned n)
     return (num_u)(2 * n + 1) << 23;
 }
 
-/* Whether t with exponent e is nearer than u with exponent f. */
+/* t < u, where t has the exponent e and u the exponent f. */
 static inline bool num_nearer(num_u t, int e, num_u u, int f)
 {
     int d = f - e;

@@ -1,33 +1,34 @@
-/* num_ray.h - the numbers of general rays, in each arithmetic.
+/* num_ray.h - the numbers of the ray renderer, in the arithmetic that this build is compiled for.
  *
- *   num_length   a coordinate, a length, a colour: |x| < 2^18, in q16 Q18.45
- *   num_unit   a component of a direction, a cosine, a fraction: |d| < 2, in q16 Q1.62
+ *   num_length   a coordinate, a length or a colour: |x| < 2^18; Q18.45 in q16
+ *   num_unit     a component of a direction, a cosine or a fraction: |d| < 2; Q1.62 in q16
  *
- * Both are plain numbers: sums, differences, comparisons and products with small integers are the
- * language's own. What is a call:
+ * Fixed formats, unlike num.h's: a path bounces, so no exponent chosen per frame could serve it. Add, subtract,
+ * compare and multiply by small integers with the operators of C. For all else, call:
  *
- *   num_length_of(q), num_unit_of(q)     from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
- *   num_length_of_unit(d)                a fraction as a num_length
- *   num_times(a, d)              a d, a of either kind, rounded to nearest
- *   num_product(x, y)            x y, below 2^17; num_product_within(x, y): or 2^17, x, y >= 0
- *   num_sum_within(x, y)         x + y, or 2^17, both 0..2^17
+ *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
+ *   num_length_of_unit(d)        a fraction as a num_length
+ *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
+ *   num_product(x, y)            x y, must be below 2^17; num_product_within(x, y): clamped to 2^17, x, y >= 0
+ *   num_sum_within(x, y)         x + y clamped to 2^17; both in 0..2^17
  *   num_point_dot(a, d), num_dir_dot   dot products, rounded once
- *   num_normalise(v, d)          v/|v| in d; false, and 0, when v is 0
- *   num_half_chord(r, p)                sqrt(r^2 - |p|^2), -1 when there is none
+ *   num_normalise(v, d)          sets d to v/|v|; false, and d = 0, when v is 0
+ *   num_half_chord(r, p)         sqrt(r^2 - |p|^2), -1 when that is imaginary
  *   num_within(r, p)             |p| <= r, exactly
- *   num_point_power(p, r, k)          (|p|^2 - r^2)/k, at most NUM_LENGTH_MAX in size; |p| and r below 2^18
+ *   num_point_power(p, r, k)     (|p|^2 - r^2)/k, clamped to +-NUM_LENGTH_MAX; |p| and r below 2^18
  *   num_norm(p), num_unit_sqrt(d)
- *   num_div(x, d), num_ratio(x, y)  x/d, x/y as num_length, at most NUM_LENGTH_MAX in size
+ *   num_div(x, d), num_ratio(x, y)   x/d, x/y as num_length, clamped to +-NUM_LENGTH_MAX
  *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
- *   num_cross2(ax, ay, bx, by)   ax by - ay bx, its sign exact or 0; num_area_sign, num_barycentric: see there
- *   num_power(d, e)              d^e, 0 <= d <= 1, e a Q16.16
- *   num_atan2(y, x)               atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
- *   num_repeat(x, n, &cell)        floor(n x) in cell and n x - floor(n x), n a Q16.16 of at most 1024
+ *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; num_area_sign, num_barycentric: see there
+ *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16
+ *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
+ *   num_repeat(x, n, &cell)      n x - floor(n x), and floor(n x) in cell; n in Q16.16, at most 1024
  *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length
- *   num_steepness(d), num_slab(x, s) 1/d, at most 2^20, and x times that, for comparing with others
- *   num_slab_start(s)            such a distance as num_length, a little less than it is
- *   num_divide(v, s, d)          the direction and length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled(t, length)
- *                                and num_unscaled: t times it and over it, at most NUM_LENGTH_MAX
+ *   num_reciprocal(d)            1/d clamped to +-2^20, for num_slab(x, reciprocal), the distance x/d in a coarse
+ *                                format that only box tests use
+ *   num_slab_start(s)            such a distance as num_length, rounded down beyond its error
+ *   num_divide(v, s, d)          the direction d and the length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled and
+ *                                num_unscaled multiply and divide by the length, clamped to NUM_LENGTH_MAX
  *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise
  */
 #ifndef TIA_NUM_RAY_H
@@ -113,7 +114,8 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
     return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
 }
 
-/* A direction that has lost or never had the length 1; not 0. */
+/* For a direction whose length is not quite 1, or not at all; not 0. Halved first, since num_normalise3 takes
+ * lengths, whose range is smaller. */
 static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;
@@ -152,7 +154,7 @@ static inline num_length num_length_clamp(num_length x, num_length least, num_le
     return x < least ? least : x > most ? most : x;
 }
 
-/* a + b, at most NUM_LENGTH_MAX; neither below 0 nor above that. */
+/* a + b, at most NUM_LENGTH_MAX; a and b in 0..NUM_LENGTH_MAX. */
 static inline num_length num_sum_within(num_length a, num_length b)
 {
     return a < NUM_LENGTH_MAX - b ? a + b : NUM_LENGTH_MAX;

@@ -1,4 +1,4 @@
-/* num_ray_q16.h - general rays in 64-bit integers: Q18.45 and Q1.62. */
+/* num_ray_q16.h - num_ray.h's operations in 64-bit integers: Q18.45 and Q1.62. */
 #ifndef TIA_NUM_RAY_Q16_H
 #define TIA_NUM_RAY_Q16_H
 
@@ -8,12 +8,12 @@ typedef int64_t num_length;
 typedef int64_t num_unit;
 
 #define NUM_LENGTH_ONE ((num_length)1 << 45)
-#define NUM_LENGTH_BIAS ((num_length)1 << 32) /* of secondary rays: 2^-13 */
-#define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: what is farther away from the origin of the world is not seen */
-#define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17, infinitely far */
-#define NUM_LENGTH_LEAST ((num_length)1)      /* the smallest there is */
+#define NUM_LENGTH_BIAS ((num_length)1 << 32) /* 2^-13: secondary rays start this far off the surface */
+#define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: no hits at larger coordinates */
+#define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17: infinity */
+#define NUM_LENGTH_LEAST ((num_length)1)      /* the smallest positive length */
 #define NUM_UNIT_ONE ((num_unit)1 << 62)
-#define NUM_UNIT_LEAST ((num_unit)1 << 20) /* a slope under which a ray counts as parallel: 2^-42 */
+#define NUM_UNIT_LEAST ((num_unit)1 << 20) /* 2^-42: a ray with a smaller slope counts as parallel */
 
 static inline num_length num_length_of(tia_q16 q)
 {
@@ -116,7 +116,7 @@ static inline bool num_within4(num_length r, num_length x, num_length y, num_len
     return !wide_is_negative(wide_difference(wide_product(r, r), wide_dot(p, p)));
 }
 
-/* The numerator exact, then its upper 63 bits. */
+/* The numerator is computed exactly, then cut to its upper 63 bits. */
 static inline num_length num_point_power5(num_length x, num_length y, num_length z, num_length r, num_length k)
 {
     const int64_t p[3] = {x, y, z};
@@ -159,7 +159,7 @@ static inline num_unit num_fraction(num_length x, num_length y)
     return wide_quotient(x, y, 62);
 }
 
-/* Twice the area of a triangle with a corner at 0, exact: of coordinates below 2^17.6. */
+/* Twice the area of a triangle with a corner at 0; exact for coordinates below 2^17.6. */
 typedef wide num_area;
 
 static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
@@ -172,13 +172,14 @@ static inline int num_area_sign(num_area a)
     return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
 }
 
-/* a 2^zeros, below 2^62, rounded down */
+/* a 2^zeros, rounded down; must be below 2^62. */
 static inline int64_t num_area_top(num_area a, int zeros)
 {
     return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
 }
 
-/* Three areas over their sum, which is not 0. Those that have not its sign are taken as 0. */
+/* Each of three areas divided by their sum, which must not be 0. An area of the other sign counts as 0: the point
+ * is then on the edge, as far as rounding can say. */
 static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
@@ -216,33 +217,34 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
 
 #define NUM_UNIT_LEVEL ((num_unit)1 << 42) /* 2^-20 */
 
-/* 1/d with 42 bits behind the point, below 2^62, rounded towards 0: d is taken as NUM_UNIT_LEVEL at least. The
- * reciprocal of d 2^z is 2^64/d 2^-z with 62 bits, and z is at most 21. */
-static inline num_length num_steepness(num_unit d)
+/* 1/d with 42 fractional bits, below 2^62, rounded towards 0; |d| is raised to NUM_UNIT_LEVEL.
+ *
+ * wide_reciprocal gives 2^126/(|d| 2^z), and z is at most 21. */
+static inline num_length num_reciprocal(num_unit d)
 {
     num_unit size = d < 0 ? -d : d;
     uint64_t divisor = (uint64_t)(size < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : size);
     unsigned z = tia_clz64(divisor);
-    num_length steep = wide_reciprocal(divisor << z) >> (22 - z);
+    num_length reciprocal = wide_reciprocal(divisor << z) >> (22 - z);
 
-    return d < 0 ? -steep : steep;
+    return d < 0 ? -reciprocal : reciprocal;
 }
 
-/* x/d with 23 bits behind the point, rounded down. */
-static inline num_length num_slab(num_length x, num_length steep)
+/* x/d with 23 fractional bits, rounded down: a multiplication instead of a division. */
+static inline num_length num_slab(num_length x, num_length reciprocal)
 {
-    return wide_high(wide_product(x, steep));
+    return wide_high(wide_product(x, reciprocal));
 }
 
-#define NUM_SLAB_ERROR ((num_length)2) /* what two of them may be off by */
+#define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two */
 
-/* A distance as num_slab has it. */
+/* A distance in num_slab's format. */
 static inline num_length num_slab_of(num_length t)
 {
     return t >> 22;
 }
 
-/* What num_slab says as a distance, a little less than it is. */
+/* A num_slab as a num_length, reduced by its error: never beyond the true distance. */
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
@@ -254,9 +256,9 @@ struct num_scale {
     int exponent;
 };
 
-/* The vector (x/s[0], y/s[1], z/s[2]): its length, and the direction, within 2^-57. |x|, |y|, |z| <= 1, one of
- * them not below 2^-1, s in 2^-10..2^10: quotients below 2^62 are found first with 51 bits behind the point, then
- * with as many as fit. */
+/* The vector (x/s[0], y/s[1], z/s[2]): returns its length, sets d to its direction within 2^-57. |x|, |y|, |z| <= 1,
+ * at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fractional bits finds the size of the
+ * quotients, the second one keeps as many bits as fit. */
 static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     int64_t q[3], most = 0;
@@ -272,7 +274,7 @@ static inline struct num_scale num_divide3(const num_unit v[3], const num_length
     return (struct num_scale){wide_sqrt(wide_dot(q, q)), 11 - more};
 }
 
-/* t times the scale and over it, at most NUM_LENGTH_MAX. t >= 0 */
+/* t multiplied and divided by the scale, at most NUM_LENGTH_MAX; t >= 0. */
 static inline num_length num_scaled(num_length t, struct num_scale k)
 {
     wide p = wide_product(t, k.mantissa);
@@ -286,13 +288,13 @@ static inline num_length num_unscaled(num_length t, struct num_scale k)
     return wide_quotient(t, k.mantissa, 62 - k.exponent);
 }
 
-/* CORDIC: the vector is turned to the x axis by angles with the tangents 1, 1/2, 1/4, ...; within 2^-55. */
+/* CORDIC: rotates the vector onto the x axis by angles with the tangents 1, 1/2, 1/4, ...; error below 2^-55. */
 static inline num_unit num_atan2(num_unit y, num_unit x)
 {
-    num_unit turned = 0;
+    num_unit angle = 0;
 
     if (x < 0) {
-        turned = y < 0 ? -(NUM_UNIT_ONE / 2) : NUM_UNIT_ONE / 2;
+        angle = y < 0 ? -(NUM_UNIT_ONE / 2) : NUM_UNIT_ONE / 2;
         x = -x;
         y = -y;
     }
@@ -302,11 +304,11 @@ static inline num_unit num_atan2(num_unit y, num_unit x)
         return 0;
     for (int i = 0; i < 60; i++) {
         num_unit dx = y >> i, dy = x >> i;
-        turned += y < 0 ? -tia_turns[i] : tia_turns[i];
+        angle += y < 0 ? -tia_turns[i] : tia_turns[i];
         x += y < 0 ? -dx : dx;
         y += y < 0 ? dy : -dy;
     }
-    return turned;
+    return angle;
 }
 
 static inline unsigned num_levels(num_length c, unsigned levels, num_u threshold)

@@ -1,4 +1,4 @@
-/* num_ray_real.h - general rays in floating point. */
+/* num_ray_real.h - num_ray.h's operations in floating point. */
 #ifndef TIA_NUM_RAY_REAL_H
 #define TIA_NUM_RAY_REAL_H
 
@@ -134,7 +134,8 @@ static inline num_unit num_fraction(num_length x, num_length y)
 
 typedef num_real num_area;
 
-/* In two statements, so that no compiler makes one rounding of two: the sign is right or 0. */
+/* In two statements, so that no compiler fuses them into a multiply-add: with both products rounded alike, the
+ * sign is right or 0. */
 static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
 {
     num_real left = ax * by, right = ay * bx;
@@ -178,17 +179,17 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
 
 #define NUM_UNIT_LEVEL ((num_real)1 / 1048576)
 
-static inline num_length num_steepness(num_unit d)
+static inline num_length num_reciprocal(num_unit d)
 {
     return 1 / (d < 0 ? (d > -NUM_UNIT_LEVEL ? -NUM_UNIT_LEVEL : d) : d < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : d);
 }
 
-static inline num_length num_slab(num_length x, num_length steep)
+static inline num_length num_slab(num_length x, num_length reciprocal)
 {
-    return x * steep;
+    return x * reciprocal;
 }
 
-/* 2^-22; of float, whose coordinates are 2^-8 apart at the far end, 2^-4. */
+/* Double: 2^-22. Float: 2^-4, since at coordinates near 2^16 its values are 2^-8 apart. */
 #define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 
 static inline num_length num_slab_of(num_length t)

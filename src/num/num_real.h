@@ -1,5 +1,5 @@
-/* num_real.h - floating point of type `num_real`: what is a mantissa and its exponent elsewhere is
- * the value itself here, and shifts do nothing. For num_f64.h and num_f32.h. */
+/* num_real.h - num.h's operations in the floating-point type `num_real`, for num_f64.h and num_f32.h. A mantissa
+ * is the value itself here; exponents are ignored, and shifts do nothing. */
 #ifndef TIA_NUM_REAL_H
 #define TIA_NUM_REAL_H
 

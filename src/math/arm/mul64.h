@@ -1,16 +1,16 @@
-/* mul64.h - products of 32 x 32 bits in 64 for ARMv6-M, which multiplies 32 x 32 to 32 only.
+/* mul64.h - products of 32 x 32 bits in 64 bits for ARMv6-M, whose multiplier gives only the lower 32.
  *
  * With a = a1 2^16 + a0 and b = b1 2^16 + b0 the product is a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0:
- * four products of halves, each exact in 32 bits. Signed factors have signed upper halves; then the
- * cross products are signed as well, at least -2^31, and are shifted down with their sign.
- * 17 instructions; the compiler's own way is a call of a 64 x 64 bit product with some 40.
+ * four products of halves, each exact in 32 bits. Signed factors have signed upper halves, so the cross
+ * products are signed as well (at least -2^31) and are shifted down with their sign. That takes 17
+ * instructions; the compiler instead calls a 64 x 64 bit product of some 40.
  */
 #ifndef TIA_SRC_MUL64_H
 #define TIA_SRC_MUL64_H
 
 #include <stdint.h>
 
-/* SHIFT gets at the upper half of a number: lsrs, or asrs for signed ones. */
+/* SHIFT extracts the upper half of a number: lsrs, or asrs for signed ones. */
 #define TIA_MUL64_HALVES(a, b, low, high, SHIFT)                                                                       \
     do {                                                                                                               \
         uint32_t a0_, b1_, cross_;                                                                                     \

@@ -1,26 +1,26 @@
-/* slab.h - where a ray is between two planes across an axis. Distances are those of num_slab. */
+/* slab.h - the slab test: where a ray is between two planes across an axis. Distances are num_slab's. */
 #ifndef TIA_SHAPE_SLAB_H
 #define TIA_SHAPE_SLAB_H
 
 #include "num/num_ray.h"
 
 struct slab {
-    num_length origin, steep; /* steep: 1/direction, see num_steepness */
+    num_length origin, reciprocal; /* 1/direction, see num_reciprocal */
     bool level;
 };
 
-/* A slope that num_steepness cuts off makes entering early, which is safe; leaving would be too early as well, so a
- * level ray that is between the planes never leaves. */
+/* num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes it enter early, which is safe,
+ * but it would also leave early: so a parallel ray between the planes never leaves. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
     bool level = direction < NUM_UNIT_LEVEL && direction > -NUM_UNIT_LEVEL;
 
-    return (struct slab){origin, num_steepness(direction), level};
+    return (struct slab){origin, num_reciprocal(direction), level};
 }
 
 static inline void slab_clip(const struct slab *slab, num_length min, num_length max, num_length *near, num_length *far)
 {
-    num_length a = num_slab(min - slab->origin, slab->steep), b = num_slab(max - slab->origin, slab->steep);
+    num_length a = num_slab(min - slab->origin, slab->reciprocal), b = num_slab(max - slab->origin, slab->reciprocal);
     num_length enter = a < b ? a : b, leave = a < b ? b : a;
 
     *near = enter > *near ? enter : *near;
