@@ -1,4 +1,4 @@
-/* colour.h - what is asked of colours, whatever the arithmetic. */
+/* colour.h - tests of colours. */
 #ifndef TIA_SRC_COLOUR_H
 #define TIA_SRC_COLOUR_H
 

@@ -10,8 +10,8 @@ static int64_t fraction(int64_t a, int64_t b)
     return (int64_t)((n / d) << 31 | (n % d << 31) / d);
 }
 
-/* What a cubic takes, Q2.62, of its ends' distance and tangents: the Hermite polynomials 3u^2 - 2u^3, u - 2u^2 + u^3
- * and u^3 - u^2, in an order that stays below 1. */
+/* The weights of the ends' distance and of the two tangents, Q2.62: the cubic Hermite polynomials 3u^2 - 2u^3,
+ * u - 2u^2 + u^3 and u^3 - u^2, evaluated so that no intermediate exceeds 1. */
 struct weights {
     int64_t end, first_slope, last_slope;
 };
@@ -22,22 +22,23 @@ static struct weights hermite(int64_t u)
     return (struct weights){u2 + 2 * (u2 - u3), (u - u2) - (u2 - u3), u3 - u2};
 }
 
-/* One coordinate around a place in a track: before, the place's two ends, after; with the tangents' time against
- * their neighbours'. A share of 0 stands for a tangent of 0. */
-struct stretch {
+/* One coordinate of the four keyframes around the time: the segment's two ends, and the ones before and after. A
+ * tangent is the difference of an end's neighbours, multiplied by the segment's share of the time between them,
+ * first_share or last_share; 0 at the ends of the track. */
+struct segment {
     tia_q16 before, first, last, after;
     int64_t first_share, last_share;
 };
 
-static tia_q16 run(const struct stretch *s, const struct weights *w)
+static tia_q16 interpolate(const struct segment *s, const struct weights *w)
 {
-    /* Tangents as Q.32, the sum as Q.32 */
+    /* Tangents and sum have 32 fractional bits. */
     int64_t first = tia_scaled_product((int64_t)s->last - s->before, s->first_share, 46);
     int64_t last = tia_scaled_product((int64_t)s->after - s->first, s->last_share, 46);
     int64_t sum = tia_scaled_product((int64_t)s->last - s->first, w->end, 46) +
                   tia_scaled_product(first, w->first_slope, 62) + tia_scaled_product(last, w->last_slope, 62);
     int64_t value = s->first + tia_round_shift(sum, 16);
-    /* Between keyframes a smooth curve may leave Q16.16. */
+    /* Between keyframes a smooth curve can overshoot Q16.16. */
     return (tia_q16)(value < INT32_MIN ? INT32_MIN : value > INT32_MAX ? INT32_MAX : value);
 }
 
@@ -48,7 +49,7 @@ static struct tia_vec3 between(const struct tia_track *track, uint32_t i, tia_q1
     const struct tia_keyframe *after = i + 2 < track->key_count ? last + 1 : last;
     int64_t length = (int64_t)last->time - first->time, u = fraction((int64_t)time - first->time, length);
     struct weights w = {u, 0, 0};
-    struct stretch s = {0};
+    struct segment s = {0};
 
     if (track->smooth) {
         w = hermite(u);
@@ -56,13 +57,13 @@ static struct tia_vec3 between(const struct tia_track *track, uint32_t i, tia_q1
         s.last_share = after > last ? fraction(length, (int64_t)after->time - first->time) : 0;
     }
     struct tia_vec3 value;
-#define RUN(c)                                                                                                         \
+#define INTERPOLATE(c)                                                                                                 \
     s.before = before->value.c, s.first = first->value.c, s.last = last->value.c, s.after = after->value.c;            \
-    value.c = run(&s, &w)
-    RUN(x);
-    RUN(y);
-    RUN(z);
-#undef RUN
+    value.c = interpolate(&s, &w)
+    INTERPOLATE(x);
+    INTERPOLATE(y);
+    INTERPOLATE(z);
+#undef INTERPOLATE
     return value;
 }
 
@@ -77,14 +78,14 @@ static struct tia_vec3 value_at(const struct tia_track *track, tia_q16 time)
     return next == track->key_count ? track->keys[next - 1].value : between(track, next - 1, time);
 }
 
-/* A direction that is 0 for a moment stays as it was. */
-static void turn(struct tia_dir3 *direction, struct tia_vec3 to)
+/* An interpolated direction can pass through 0, which has no direction: the light keeps its own. */
+static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
 {
     if (to.x | to.y | to.z)
         *direction = tia_normalise(to.x, to.y, to.z);
 }
 
-/* Bytes for `count` things, if a track moves any of them, that is has a target of first..last. */
+/* Bytes for a copy of `count` elements if any track has a target in first..last, otherwise 0. */
 static uint64_t copy_size(const struct tia_scene *scene, enum tia_target first, enum tia_target last, uint32_t count,
                           size_t size)
 {
@@ -127,7 +128,7 @@ static void apply(const struct tia_track *track, tia_q16 time, struct tia_camera
         lights[track->index].centre = value;
         break;
     case TIA_TURNS_LIGHT:
-        turn(&lights[track->index].direction, value);
+        set_direction(&lights[track->index].direction, value);
         break;
     case TIA_MOVES_TRANSFORM:
         transforms[track->index].position = value;

@@ -1,5 +1,5 @@
-/* no_shapes.c - stands in for shapes, hierarchies and motion in programs that have room for spheres alone:
- * scenes with more than spheres are refused. */
+/* no_shapes.c - replaces shapes, hierarchies and animation in programs for small boards, which have room for
+ * spheres only: scenes with anything else are refused. */
 #include <tia/motion.h>
 
 #include "scene/check/check.h"

@@ -1,4 +1,4 @@
-/* keys.c - keys that are pressed, released and held. */
+/* keys.c - key events, and the repeat of held keys. */
 #include "loop.h"
 
 int tia_viewer_press(struct loop *loop, uint16_t key)
@@ -50,8 +50,8 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
-/* Moves the light for held keys whose time has come. After a pause that long that a person would
- * see a jump, steps that were missed are dropped. */
+/* Moves the light for held keys that are due. When more than a second was missed, drops the missed steps: the
+ * light would jump. */
 void tia_viewer_repeat_held(struct loop *loop)
 {
     uint64_t time = viewer_now(loop);

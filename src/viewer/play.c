@@ -1,4 +1,4 @@
-/* play.c - scenes that move: which time it is, and the scene at that time. */
+/* play.c - animation: the current time, and the scene at that time. */
 #include <tia/bvh.h>
 #include <tia/motion.h>
 
@@ -7,7 +7,7 @@
 
 #define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 
-/* The product stays below 2^15 2^20 2^16. */
+/* n * TIA_Q16_ONE cannot overflow: n < 2^15 rate[0], and rate[0] < 2^20. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 {
     uint64_t n = (uint64_t)frame * rate[1], time;
@@ -18,7 +18,7 @@ tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
     return time < INT32_MAX ? (tia_q16)time : INT32_MAX;
 }
 
-/* By the clock, from the beginning again after the end. */
+/* The time by the clock; it starts again after the last keyframe. */
 static tia_q16 clock_time(const struct loop *loop)
 {
     tia_q16 begin = loop->viewer->time;
@@ -40,24 +40,24 @@ static tia_q16 time_now(const struct loop *loop)
     return is_stepped(loop) ? tia_frame_time(v->time, loop->frame, v->rate) : clock_time(loop);
 }
 
-/* Lights that no key holds follow the scene. */
+/* Lights that no key holds follow their tracks. */
 static void follow(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
-    for (uint32_t i = 0; i < loop->moment->light_count; i++)
+    for (uint32_t i = 0; i < loop->current->light_count; i++)
         if (!v->held[i])
-            v->lights[i] = loop->moment->lights[i];
+            v->lights[i] = loop->current->lights[i];
 }
 
-static int place(struct loop *loop, tia_q16 time)
+static int update_scene(struct loop *loop, tia_q16 time)
 {
-    int status = tia_scene_at(loop->moment, (char *)loop->moment + SCENE_SIZE, loop->moment_size - SCENE_SIZE,
+    int status = tia_scene_at(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
                               loop->viewer->scene, time);
 
     if (status)
         return status;
-    loop->scene = loop->moment;
+    loop->scene = loop->current;
     loop->time = time;
     follow(loop);
     return TIA_OK;
@@ -71,7 +71,6 @@ static bool moves_only_lights(const struct tia_scene *scene)
     return true;
 }
 
-/* Keys that are pressed before the first frame are pressed at its time. */
 int tia_viewer_play_begin(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -86,22 +85,22 @@ int tia_viewer_play_begin(struct loop *loop)
         v->held[i] = false;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
-    loop->moment_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
-    if (loop->moment_size < SIZE_MAX / 8 && loop->moment_size >= SCENE_SIZE)
-        loop->moment = v->memory(v->memory_ctx, loop->moment_size);
-    return loop->moment ? place(loop, v->time) : TIA_ERR_MEMORY;
+    loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
+    if (loop->current_size < SIZE_MAX / 8 && loop->current_size >= SCENE_SIZE)
+        loop->current = v->memory(v->memory_ctx, loop->current_size);
+    return loop->current ? update_scene(loop, v->time) : TIA_ERR_MEMORY;
 }
 
-/* Where only lights move the view and the boxes stay: lights are set before each frame. */
-static int place_view(struct loop *loop, tia_q16 time)
+/* When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */
+static int update_view(struct loop *loop, tia_q16 time)
 {
     bool anew = !loop->view_ready || !loop->only_lights;
-    const struct tia_bvh *boxes = anew ? NULL : loop->moment->bvh;
-    int status = place(loop, time);
+    const struct tia_bvh *bvh = anew ? NULL : loop->current->bvh;
+    int status = update_scene(loop, time);
 
-    loop->moment->bvh = boxes;
-    if (!status && anew && loop->boxes_size)
-        status = tia_bvh_build(&loop->moment->bvh, loop->boxes_memory, loop->boxes_size, NULL, loop->moment);
+    loop->current->bvh = bvh;
+    if (!status && anew && loop->bvh_size)
+        status = tia_bvh_build(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, NULL, loop->current);
     if (!status && anew)
         status = tia_viewer_prepare_view(loop);
     loop->changed = true;
@@ -122,5 +121,5 @@ int tia_viewer_play(struct loop *loop)
     if (loop->view_ready && (time == loop->time || !due))
         return TIA_OK;
     loop->due_us = now + TIA_PLAY_STEP_US;
-    return place_view(loop, time);
+    return update_view(loop, time);
 }

@@ -1,4 +1,4 @@
-/* press.c - what a key press does to the lights. */
+/* press.c - the effect of a key press on the lights. */
 #include <tia/viewer.h>
 
 #include "math/integer.h"
@@ -29,7 +29,7 @@ static const struct tia_binding *find_binding(const struct tia_scene *scene, uin
     return NULL;
 }
 
-/* False where a coordinate would leave Q16.16. */
+/* False when the coordinate would leave Q16.16. */
 static bool add(tia_q16 *coordinate, int step)
 {
     int64_t sum = (int64_t)*coordinate + (int64_t)step * TIA_Q16_ONE;
@@ -45,9 +45,9 @@ static bool move_centre(struct tia_vec3 *centre, const struct move *move)
     return add(&centre->x, move->x) && add(&centre->y, move->y) && add(&centre->z, move->z);
 }
 
-/* The light comes from -direction; that point, at the distance 1, moves by 1/16: 3.6 degrees. The sum's
- * length stays below 1.1, its components within Q2.30. False where it would not move at all. */
-static bool turn(struct tia_dir3 *direction, const struct move *move)
+/* Moves the point -direction, at the distance 1, where the light shines from, by 1/16: about 3.6 degrees. The sum's
+ * length stays below 1.1, so its components fit Q2.30. False when the direction does not change. */
+static bool rotate(struct tia_dir3 *direction, const struct move *move)
 {
     const int32_t step = TIA_Q30_ONE / 16;
     struct tia_dir3 from = tia_normalise(direction->x, direction->y, direction->z);
@@ -62,7 +62,7 @@ static int move_light(const struct tia_scene *scene, struct tia_light *light, co
     struct tia_light moved = *light;
     struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
 
-    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !turn(&moved.direction, move) : !move_centre(&moved.centre, move))
+    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move) : !move_centre(&moved.centre, move))
         return 0;
     if (tia_scene_check(&alone, NULL) != TIA_OK)
         return 0;

@@ -1,10 +1,10 @@
-/* tiles.c - memory and a view for the display's mode, and a frame's tiles. */
+/* tiles.c - memory and a view for the display's mode; drawing a frame tile by tile. */
 #include <tia/bvh.h>
 
 #include "loop.h"
 #include "math/align.h"
 
-static void lay_tiles(struct loop *loop, unsigned height)
+static void set_tiles(struct loop *loop, unsigned height)
 {
     const struct tia_mode *m = &loop->mode;
 
@@ -14,11 +14,11 @@ static void lay_tiles(struct loop *loop, unsigned height)
     loop->tiles = loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
-/* Asks the caller for memory, for what moves, its boxes, the view, a status for each tile, and hits. */
-static bool take_memory(struct loop *loop, struct tia_tile hits)
+/* Gets memory from the caller for the current scene, its hierarchy, the view, a status for each tile, and hits. */
+static bool get_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
-    size_t sizes[] = {loop->moment_size, loop->boxes_size, loop->view_size, loop->tiles,
+    size_t sizes[] = {loop->current_size, loop->bvh_size, loop->view_size, loop->tiles,
                       loop->core->hits_size(v->scene, hits)};
     size_t sum = 0;
     char *parts[5] = {NULL}, *memory;
@@ -35,8 +35,8 @@ static bool take_memory(struct loop *loop, struct tia_tile hits)
     }
     if (!memory)
         return false;
-    loop->moment = (struct tia_scene *)(void *)parts[0];
-    loop->boxes_memory = parts[1];
+    loop->current = (struct tia_scene *)(void *)parts[0];
+    loop->bvh_memory = parts[1];
     loop->view = (struct tia_view *)(void *)parts[2];
     loop->status = (int8_t *)parts[3];
     loop->hits_memory = parts[4];
@@ -44,19 +44,19 @@ static bool take_memory(struct loop *loop, struct tia_tile hits)
     return true;
 }
 
-/* Room for the whole frame's hits, or for those of one tile, as many rows of it as fit. */
-static bool find_memory(struct loop *loop)
+/* Gets memory for the whole frame's hits or, failing that, for the hits of one tile of as many rows as fit. */
+static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
 
-    lay_tiles(loop, VIEWER_STRIP);
-    loop->whole = take_memory(loop, frame);
+    set_tiles(loop, VIEWER_STRIP);
+    loop->whole = get_memory(loop, frame);
     if (loop->whole)
         return true;
     for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
-        lay_tiles(loop, rows);
+        set_tiles(loop, rows);
         struct tia_tile tile = {0, 0, (uint16_t)loop->tile_width, (uint16_t)loop->tile_height};
-        if (take_memory(loop, tile))
+        if (get_memory(loop, tile))
             return true;
     }
     return false;
@@ -68,8 +68,8 @@ int tia_viewer_prepare(struct loop *loop)
 
     loop->view_ready = false;
     loop->view_size = loop->core->view_size(v->scene, v->light_capacity);
-    loop->boxes_size = loop->plays && v->scene->bvh ? tia_bvh_size(v->scene) : 0;
-    return find_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
+    loop->bvh_size = loop->plays && v->scene->bvh ? tia_bvh_size(v->scene) : 0;
+    return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 int tia_viewer_prepare_view(struct loop *loop)

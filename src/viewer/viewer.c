@@ -1,7 +1,7 @@
-/* viewer.c - the interactive loop: keys, light, time, tiles, present. Knows no OS. */
+/* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
 #include "loop.h"
 
-/* How long nothing will happen, in ms, rounded up; -1: until a key. */
+/* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
 {
     uint64_t time = viewer_now(loop), next = tia_viewer_repeat_us(loop);
@@ -41,7 +41,7 @@ static bool same_mode(const struct tia_mode *a, const struct tia_mode *b)
            a->tile_height == b->tile_height && a->concurrent == b->concurrent;
 }
 
-/* Draws what the display now needs. TIA_HIDDEN when it is not ours. */
+/* Draws a frame if one is needed. TIA_HIDDEN while another program has the display. */
 static int show(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -61,7 +61,7 @@ static int show(struct loop *loop)
     return status;
 }
 
-/* Sleeps until something can happen; with frames still to draw it only lets signals in. */
+/* Sleeps until there can be something to do; with frames left to draw, it only delivers pending signals. */
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -85,7 +85,7 @@ static int step(struct loop *loop)
         return status;
     if (v->frame_limit && loop->frame >= v->frame_limit)
         return VIEWER_QUIT;
-    if (v->stop && *v->stop) /* a display that had to wait has let signals in */
+    if (v->stop && *v->stop) /* a signal may have come while the display waited */
         return VIEWER_QUIT;
     return rest(loop, status == TIA_HIDDEN);
 }

@@ -1,14 +1,16 @@
-/* build.c - all hierarchies of a scene in one piece of memory:
+/* build.c - builds all hierarchies of a scene in one block of memory:
  *
- *     struct tia_bvh, the meshes' trees, then for each tree its items and nodes, the objects' last and with the
- *     planes between the two; at the memory's end, only while building, the boxes of one tree's items
+ *     struct tia_bvh
+ *     struct tia_bvh_tree of each mesh
+ *     for each mesh: items, nodes
+ *     of the objects: items, planes, nodes
+ *     at the end of the block, only while building: the boxes of the items of one tree
  */
 #include "math/align.h"
 #include "scene/bounds.h"
 #include "tree.h"
 
-/* Places are taken from the front, scratch is at the end. */
-struct room {
+struct space {
     unsigned char *front;
     struct tia_bounds *boxes;
 };
@@ -23,7 +25,7 @@ static uint64_t tree_size(uint64_t count)
     return ALIGN(count * sizeof(uint32_t)) + TREE_NODES(count) * sizeof(struct tia_bvh_node);
 }
 
-/* The most boxes that are needed at once. */
+/* Boxes needed at the same time, at most. */
 static uint64_t box_count(const struct tia_scene *scene)
 {
     uint64_t most = object_count(scene);
@@ -48,37 +50,37 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-static void *take(struct room *room, uint64_t size)
+static void *allocate(struct space *space, uint64_t size)
 {
-    void *place = room->front;
-    room->front += ALIGN(size);
+    void *place = space->front;
+    space->front += ALIGN(size);
     return place;
 }
 
-/* The tree of `count` items; what its nodes do not need is free again. */
-static struct tia_bvh_tree plant(struct room *room, uint32_t *items, uint32_t count)
+/* Builds the tree of `count` items. Keeps only the nodes used, of the TREE_NODES(count) that may be needed. */
+static struct tia_bvh_tree build(struct space *space, uint32_t *items, uint32_t count)
 {
-    struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)room->front;
-    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, room->boxes);
+    struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
+    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, space->boxes);
 
-    take(room, tree.node_count * sizeof *nodes);
+    allocate(space, tree.node_count * sizeof *nodes);
     return tree;
 }
 
-static struct tia_bvh_tree plant_mesh(struct room *room, const struct tia_mesh *mesh)
+static struct tia_bvh_tree build_mesh(struct space *space, const struct tia_mesh *mesh)
 {
-    uint32_t *items = take(room, mesh->face_count * (uint64_t)sizeof *items);
+    uint32_t *items = allocate(space, mesh->face_count * (uint64_t)sizeof *items);
 
     for (uint32_t i = 0; i < mesh->face_count; i++) {
         struct tia_bounds box = tia_bounds_of_face(mesh, i);
         struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
-        (void)tia_bounds_with_margin(&wide, &room->boxes[i]);
+        (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
         items[i] = i;
     }
-    return plant(room, items, mesh->face_count);
+    return build(space, items, mesh->face_count);
 }
 
-/* A mesh's own box, without the margin of its tree's. */
+/* Takes off the margin that tia_bounds_with_margin added: the root's box gives the mesh's own. */
 static struct tia_bounds without_margin(const struct tia_bounds *b)
 {
 #define LESS(x) ((x) > INT32_MIN ? (x) + 1 : (x))
@@ -89,7 +91,7 @@ static struct tia_bounds without_margin(const struct tia_bounds *b)
 #undef MORE
 }
 
-/* The box of an object; false: none that Q16.16 holds. */
+/* The box of an object; false when it has none or Q16.16 cannot hold it. */
 static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
                      const struct tia_bvh_tree *meshes)
 {
@@ -107,39 +109,39 @@ static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint
     return tia_bounds_in_world(scene, object, &own, &wide) && tia_bounds_with_margin(&wide, box);
 }
 
-/* Those that have no box come to the end of the objects' items, from behind: so both rise. */
-static void plant_objects(struct room *room, struct tia_bvh *bvh, const struct tia_scene *scene)
+/* Objects with a box fill `items` from the front, the others from the back. */
+static void build_objects(struct space *space, struct tia_bvh *bvh, const struct tia_scene *scene)
 {
     uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
-    uint32_t *items = take(room, count * (uint64_t)sizeof *items);
+    uint32_t *items = allocate(space, count * (uint64_t)sizeof *items);
 
     for (uint32_t i = count; i-- > 0;) {
-        if (find_box(&room->boxes[i], scene, i, bvh->meshes))
+        if (find_box(&space->boxes[i], scene, i, bvh->meshes))
             items[first++] = i;
         else
             items[--last] = i;
     }
-    bvh->objects = plant(room, items, first);
+    bvh->objects = build(space, items, first);
     bvh->planes = items + last;
     bvh->plane_count = count - last;
 }
 
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
 {
-    struct room room = {memory, NULL};
+    struct space space = {memory, NULL};
     size_t needed = tia_bvh_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    room.boxes = (void *)(room.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
-    struct tia_bvh *whole = take(&room, sizeof *whole);
-    struct tia_bvh_tree *meshes = take(&room, scene->mesh_count * (uint64_t)sizeof *meshes);
+    space.boxes = (void *)(space.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
+    struct tia_bvh *whole = allocate(&space, sizeof *whole);
+    struct tia_bvh_tree *meshes = allocate(&space, scene->mesh_count * (uint64_t)sizeof *meshes);
     whole->meshes = meshes;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        meshes[i] = plant_mesh(&room, &scene->meshes[i]);
-    plant_objects(&room, whole, scene);
+        meshes[i] = build_mesh(&space, &scene->meshes[i]);
+    build_objects(&space, whole, scene);
     *bvh = whole;
     if (used)
-        *used = (size_t)(room.front - (unsigned char *)memory);
+        *used = (size_t)(space.front - (unsigned char *)memory);
     return TIA_OK;
 }

@@ -1,11 +1,12 @@
-/* split.c - the surface-area heuristic.
+/* split.c - the surface area heuristic, binned.
  *
- * A ray that meets a box meets a box within it with the chance of the ratio of their surfaces. So dividing n
- * items costs on average, with the cost of an item and that of visiting two children both 1,
+ * A ray that hits a box hits a box inside it with a probability of the ratio of their surface areas. When
+ * testing an item and visiting two children both cost 1, a split of n items is worth it if
  *
- *     1 + n_left area_left/area + n_right area_right/area   against   n.
+ *     1 + n_left area_left/area + n_right area_right/area < n.
  *
- * Only the planes between BINS equal slices of the room that the items' centres take are tried, on each axis.
+ * On each axis the items' centres are sorted into BINS bins of equal width, and only the planes between bins
+ * are tried: nearly as good as trying all, in linear time.
  */
 #include "split.h"
 
@@ -19,19 +20,19 @@ struct bin {
     uint32_t count;
 };
 
-/* A slice of an axis: bin = ((centre - first) >> shift) * scale >> 28. */
-struct cone_rows {
+/* The bin of an item is ((centre - first) >> shift) * scale >> 28. */
+struct binning {
     int axis;
     int64_t first;
     unsigned shift;
     uint32_t scale;
 };
 
-struct choice {
-    uint64_t cost; /* areas times items */
-    struct cone_rows slices;
-    uint32_t bin; /* the first of the second child's */
-    uint32_t count;
+struct split {
+    uint64_t cost; /* the sum of area times items over the two children */
+    struct binning binning;
+    uint32_t bin;   /* the second child's first bin */
+    uint32_t count; /* the first child's items */
 };
 
 struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items)
@@ -56,25 +57,25 @@ static uint64_t extent(tia_q16 min, tia_q16 max)
     return max < min ? 0 : (uint64_t)((int64_t)max - min);
 }
 
-/* How far extents within `b` are shifted down so that they have 19 bits: areas then stay below 3 * 2^38,
- * and times 2^24 items below 2^64. */
-static unsigned coarseness(const struct tia_bounds *b)
+/* The shift that brings extents within `b` to 19 bits: areas then stay below 3 * 2^38, and areas times 2^24 items
+ * below 2^64. */
+static unsigned area_shift(const struct tia_bounds *b)
 {
     uint64_t all = extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
     unsigned bits = all ? 64 - tia_clz64(all) : 0;
     return bits > 19 ? bits - 19 : 0;
 }
 
-/* Half the surface. */
-static uint64_t area(const struct tia_bounds *b, unsigned coarseness)
+/* Half the surface area. */
+static uint64_t area(const struct tia_bounds *b, unsigned shift)
 {
-    uint64_t x = extent(b->min.x, b->max.x) >> coarseness, y = extent(b->min.y, b->max.y) >> coarseness,
-             z = extent(b->min.z, b->max.z) >> coarseness;
+    uint64_t x = extent(b->min.x, b->max.x) >> shift, y = extent(b->min.y, b->max.y) >> shift,
+             z = extent(b->min.z, b->max.z) >> shift;
     return x * y + y * z + z * x;
 }
 
-/* False when all centres are the same there. */
-static bool slice(struct cone_rows *slices, const struct tia_bvh_split_items *items, int axis)
+/* False when all centres coincide on that axis. */
+static bool choose_bins(struct binning *binning, const struct tia_bvh_split_items *items, int axis)
 {
     int64_t least = INT64_MAX, most = INT64_MIN;
 
@@ -85,65 +86,65 @@ static bool slice(struct cone_rows *slices, const struct tia_bvh_split_items *it
     }
     if (most <= least)
         return false;
-    /* The range, below 2^34, as 28 bits; one more than it divides, so that its end is still in the last bin. */
+    /* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
     unsigned bits = 64 - tia_clz64((uint64_t)(most - least));
     unsigned shift = bits > 28 ? bits - 28 : 0;
     uint64_t range = (uint64_t)(most - least) >> shift;
-    *slices = (struct cone_rows){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1))};
+    *binning = (struct binning){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1))};
     return true;
 }
 
-static uint32_t bin_of(const struct cone_rows *slices, const struct tia_bounds *b)
+static uint32_t bin_of(const struct binning *binning, const struct tia_bounds *b)
 {
-    uint32_t place = (uint32_t)((uint64_t)(centre(b, slices->axis) - slices->first) >> slices->shift);
-    return (uint32_t)(tia_mul_u32(place, slices->scale) >> 28);
+    uint32_t place = (uint32_t)((uint64_t)(centre(b, binning->axis) - binning->first) >> binning->shift);
+    return (uint32_t)(tia_mul_u32(place, binning->scale) >> 28);
 }
 
-static void fill(struct bin bins[BINS], const struct tia_bvh_split_items *items, const struct cone_rows *slices)
+static void fill_bins(struct bin bins[BINS], const struct tia_bvh_split_items *items, const struct binning *binning)
 {
     for (int i = 0; i < BINS; i++)
         bins[i] = (struct bin){BOUNDS_NOTHING, 0};
     for (uint32_t i = 0; i < items->count; i++) {
         const struct tia_bounds *box = &items->boxes[items->items[i]];
-        struct bin *bin = &bins[bin_of(slices, box)];
+        struct bin *bin = &bins[bin_of(binning, box)];
         tia_bounds_add(&bin->bounds, box);
         bin->count++;
     }
 }
 
-/* The best plane of one axis, if it is better than what *best has. */
-static void choose(struct choice *best, const struct tia_bvh_split_items *items, const struct cone_rows *slices,
-                   unsigned coarseness)
+/* Sets *best to the best plane of one axis if that is better. */
+static void choose_split(struct split *best, const struct tia_bvh_split_items *items, const struct binning *binning,
+                         unsigned shift)
 {
     struct bin bins[BINS];
-    uint64_t right[BINS]; /* the cost of the bins from here on */
+    uint64_t right[BINS]; /* cost of a second child that starts at bin i */
     struct tia_bounds bounds = BOUNDS_NOTHING;
     uint32_t count = 0;
 
-    fill(bins, items, slices);
+    fill_bins(bins, items, binning);
     for (int i = BINS - 1; i > 0; i--) {
         tia_bounds_add(&bounds, &bins[i].bounds);
         count += bins[i].count;
-        right[i] = area(&bounds, coarseness) * count;
+        right[i] = area(&bounds, shift) * count;
     }
     bounds = BOUNDS_NOTHING;
     count = 0;
     for (uint32_t i = 1; i < BINS; i++) {
         tia_bounds_add(&bounds, &bins[i - 1].bounds);
         count += bins[i - 1].count;
-        uint64_t cost = area(&bounds, coarseness) * count + right[i];
+        uint64_t cost = area(&bounds, shift) * count + right[i];
         if (count && count < items->count && cost < best->cost)
-            *best = (struct choice){cost, *slices, i, count};
+            *best = (struct split){cost, *binning, i, count};
     }
 }
 
-static void divide(const struct tia_bvh_split_items *items, const struct choice *choice)
+static void partition(const struct tia_bvh_split_items *items, const struct split *choice)
 {
     uint32_t low = 0, high = items->count;
 
     while (low < high) {
         uint32_t item = items->items[low];
-        if (bin_of(&choice->slices, &items->boxes[item]) < choice->bin) {
+        if (bin_of(&choice->binning, &items->boxes[item]) < choice->bin) {
             low++;
         } else {
             items->items[low] = items->items[--high];
@@ -154,23 +155,23 @@ static void divide(const struct tia_bvh_split_items *items, const struct choice 
 
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds, uint32_t most)
 {
-    struct choice best = {.cost = UINT64_MAX};
-    unsigned coarse = coarseness(bounds);
-    uint64_t visit = area(bounds, coarse);
+    struct split best = {.cost = UINT64_MAX};
+    unsigned shift = area_shift(bounds);
+    uint64_t visit = area(bounds, shift);
 
     if (items->count < 2)
         return 0;
     for (int axis = 0; axis < 3; axis++) {
-        struct cone_rows slices;
-        if (slice(&slices, items, axis))
-            choose(&best, items, &slices, coarse);
+        struct binning binning;
+        if (choose_bins(&binning, items, axis))
+            choose_split(&best, items, &binning, shift);
     }
     bool leaf = best.cost == UINT64_MAX || best.cost + visit >= visit * items->count;
     if (leaf && items->count <= SPLIT_ITEMS_MOST)
         return 0;
-    /* All in one place, or so far apart from each other that the depth would not do: as they come. */
+    /* No plane separates the centres, or a child would be too large for the depth limit: halve the list. */
     if (best.cost == UINT64_MAX || best.count > most || items->count - best.count > most)
         return items->count / 2;
-    divide(items, &best);
+    partition(items, &best);
     return best.count;
 }

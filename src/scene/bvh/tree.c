@@ -2,14 +2,14 @@
 
 #include "split.h"
 
-/* A child that waits until what is below its sibling is done. */
+/* A node still to be built; a stack of these replaces recursion. */
 struct task {
     uint32_t first, count; /* items */
-    uint32_t parent;       /* whose second child it becomes; its own number when it is none */
+    uint32_t parent;       /* the node whose second child it is; its own index when it is none */
     uint32_t depth;
 };
 
-/* At most SPLIT_ITEMS_MOST. */
+/* Insertion sort, for at most SPLIT_ITEMS_MOST items. */
 static void sort(uint32_t *items, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {
@@ -20,9 +20,8 @@ static void sort(uint32_t *items, uint32_t count)
     }
 }
 
-/* The most items that a node may have at `depth` so that all below it, halved again and again, end in time; at the
- * last depth that is one, and no node is below it. */
-static uint32_t room(uint32_t depth)
+/* The most items that a node may have at `depth`: with no more, halving reaches single items by TIA_BVH_DEPTH_MAX. */
+static uint32_t most_items(uint32_t depth)
 {
     uint32_t left = TIA_BVH_DEPTH_MAX - depth;
     return left < 24 ? UINT32_C(1) << left : TIA_OBJECTS_MAX;
@@ -43,7 +42,7 @@ struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *ite
         if (task.parent != here)
             nodes[task.parent].index = here;
         *node = (struct tia_bvh_node){tia_bvh_split_bounds(&part), task.first, task.count};
-        uint32_t left = tia_bvh_split_items(&part, &node->bounds, room(task.depth + 1));
+        uint32_t left = tia_bvh_split_items(&part, &node->bounds, most_items(task.depth + 1));
         if (!left) {
             sort(part.items, task.count);
             continue;
