@@ -1,4 +1,4 @@
-/* job.c - a .tia file's arrays and names. */
+/* job.c - the arrays and names of a .tia file. */
 #include "job.h"
 
 uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array)
@@ -38,7 +38,7 @@ int tia_job_define(struct tia_job *job, enum tia_kind_of_name kind, uint32_t ind
     return status;
 }
 
-/* The names of an array, sorted by now. */
+/* Finds a name in an array of names, which is sorted by now. */
 static struct tia_name *find(const struct tia_job *job, enum tia_job_array array, enum tia_kind_of_name kind,
                              const struct tia_word *name)
 {

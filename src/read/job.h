@@ -1,8 +1,8 @@
-/* job.h - reading a .tia file: what its statements share.
+/* job.h - the state of the .tia reader, shared by its statements.
  *
- * Three passes over the text. In the first one nothing is stored; of a named sphere it is not known yet
- * whether it moves, so it is counted among the spheres and among the shapes. The second one collects the
- * names, so that they may be used before the line that defines them; the last one fills the arrays.
+ * It makes three passes over the text. The first one only counts. A named sphere is counted both as a sphere
+ * and as a shape, since an animate statement, which makes it a shape, may follow later. The second pass collects
+ * names, so that they can be used before the line that defines them. The last one fills the arrays.
  */
 #ifndef TIA_SRC_READ_JOB_H
 #define TIA_SRC_READ_JOB_H
@@ -11,10 +11,10 @@
 #include "read/text/names.h"
 
 enum tia_kind_of_name {
-    TIA_NAMED_MATERIAL, /* index: of the material; of a texture likewise */
-    TIA_NAMED_TEXTURE,
-    TIA_NAMED_SOLID, /* twice the index of a mesh; of a grid, and 1 */
-    TIA_NAMED_MOVER  /* twice the index of a transform; of a light, and 1 */
+    TIA_NAMED_MATERIAL, /* index: the material's */
+    TIA_NAMED_TEXTURE,  /* index: the texture's */
+    TIA_NAMED_SOLID,    /* index: twice a mesh's, or twice a grid's plus 1 */
+    TIA_NAMED_MOVER     /* index: twice a transform's, or twice a light's plus 1 */
 };
 
 enum tia_job_array {
@@ -34,8 +34,8 @@ enum tia_job_array {
     TIA_OF_BINDINGS,
     TIA_OF_TRACKS,
     TIA_OF_KEYS,
-    TIA_OF_NAMES,    /* what is defined */
-    TIA_OF_ANIMATED, /* what moves */
+    TIA_OF_NAMES,    /* all defined names */
+    TIA_OF_ANIMATED, /* the names in animate statements */
     TIA_ARRAYS
 };
 
@@ -47,36 +47,36 @@ struct tia_job {
     struct tia_scene *scene;
     enum tia_pass pass;
     struct tia_array arrays[TIA_ARRAYS];
-    uint32_t once; /* bit n: statement n, of which there may be one, was there */
+    uint32_t once; /* bit n: statement n, which may occur only once, has occurred */
 
-    /* When reading again to find the line of a thing: item sought_index of an array, or a statement. */
+    /* When reading again to find the line with a fault: item sought_index of an array, or a statement. */
     bool seeking;
     unsigned sought; /* enum tia_job_array; TIA_ARRAYS: none */
     uint32_t sought_index;
     const char *sought_statement; /* NULL: none */
 };
 
-/* Adds to an array; the index of what was added. */
+/* Adds an item to an array and returns its index. */
 uint32_t tia_job_add(struct tia_job *job, enum tia_job_array array, const void *item);
 uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array);
 
-/* Where item `index` of an array will be; NULL before the last pass. */
+/* The address of item `index` of an array, filled or not; NULL before the last pass. */
 const void *tia_job_at(const struct tia_job *job, enum tia_job_array array, uint32_t index);
 
-/* The next word as a name, and what has it from now on. */
+/* Defines a name: the next word, or the given one. */
 int tia_job_define(struct tia_job *job, enum tia_kind_of_name kind, uint32_t index);
 void tia_job_name(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index);
 
-/* The index of what has the name, 0 before the last pass. `expected`: "the name of a material". */
+/* Looks up a name's index, 0 before the last pass. `expected` is for the error: "the name of a material". */
 int tia_job_find(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
                  uint32_t *index);
 
-/* The name as that of something that moves; whether it is one; what of it moves, known at the end. */
+/* Notes that a name is animated; asks whether it is; finds the light or transform of that name, in the last pass. */
 void tia_job_animate(struct tia_job *job, const struct tia_word *name);
 bool tia_job_moves(const struct tia_job *job, const struct tia_word *name);
 struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name);
 
-/* The rest of each statement's line, and of its block where it has one. */
+/* Read the rest of a statement's line, and its block if it has one. */
 int tia_line_camera(struct tia_job *job);
 int tia_line_samples(struct tia_job *job);
 int tia_line_background(struct tia_job *job);

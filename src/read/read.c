@@ -1,4 +1,4 @@
-/* read.c - a scene file of any format. */
+/* read.c - tia_read: reads a scene file of any format, then checks the scene. */
 #include "readers.h"
 
 static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
@@ -29,7 +29,7 @@ static void locate(struct tia_reader *reader, const struct tia_fault *fault, str
     }
 }
 
-/* The check of what came out; its fault becomes the reader's error. */
+/* Runs tia_scene_check and turns its fault into the reader's error. */
 static int check(struct tia_reader *reader, const struct tia_scene *scene, struct tia_arena *arena)
 {
     struct tia_read_error *error = &reader->error;
@@ -40,7 +40,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
     *error = (struct tia_read_error){{0}, 0, 0, {0}};
     locate(reader, &fault, arena);
     tia_say(error, fault.thing);
-    if (!error->line) { /* nothing else tells which one */
+    if (!error->line) { /* without a line, the index has to say which one */
         tia_say(error, " ");
         tia_say_number(error, fault.index);
     }
@@ -58,7 +58,7 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = 0;
     *scene = (struct tia_scene){.bvh = NULL};
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
-    /* Lines and columns, and so the numbers of things, fit 32 bits. */
+    /* So that lines, columns and all indices fit 32 bits. */
     if ((uint64_t)reader->length >= UINT32_MAX) {
         tia_say(&reader->error, "the text is too long, expected less than 4 GiB");
         return TIA_ERR_RANGE;

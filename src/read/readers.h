@@ -1,12 +1,11 @@
-/* readers.h - what tia_read chooses from: one reader a format.
+/* readers.h - the readers that tia_read chooses from, one per format.
  *
- * A reader fills *scene, which is all zeros, from reader->text, its arrays from the arena. It returns
- * TIA_OK, also when the arena did not fit (see arena.h), or TIA_ERR_RANGE with reader->error. tia_read
- * runs tia_scene_check on what came out; the fault of a thing is then shown where `locate` puts it.
+ * A reader fills *scene, which is all zeros, from reader->text and allocates arrays in the arena. It returns
+ * TIA_OK, also when the arena was too small (see arena.h), or TIA_ERR_RANGE with reader->error. tia_read then runs
+ * tia_scene_check; for a fault, the format's `locate` function finds the line that made the faulty object.
  *
- * The text and all that the callbacks fetch is hostile: time and memory must stay linear in the bytes
- * of text, or nearly (a library that is named a thousand times is not read a thousand times).
- * `library` is called in every pass, and must give the same each time; `image` only in the last one.
+ * Treat the text and all loaded files as hostile. Time and memory must stay about linear in the bytes of text: a
+ * library that is named a thousand times must not be read a thousand times.
  */
 #ifndef TIA_SRC_READ_READERS_H
 #define TIA_SRC_READ_READERS_H
@@ -18,9 +17,9 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 
-/* The place of a thing at fault, as file (if not the scene's own text), line and column of
- * reader->error, which are "", 0 and 0 before: where that is not cheap, they stay so. The arena is as the reader left
- * it. */
+/* Sets file (unless it is the scene's own text), line and column of reader->error to the place that made the faulty
+ * object. They are "", 0 and 0 before, and may stay so where finding it is not cheap. The arena is as the reader
+ * left it. */
 void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena);
 void tia_locate_nff(struct tia_reader *reader, const struct tia_fault *fault);
 void tia_locate_obj(struct tia_reader *reader, const struct tia_fault *fault);

@@ -1,4 +1,4 @@
-/* surface.h - what the formats of others say of surfaces. */
+/* surface.h - material values shared by the readers of NFF and OBJ. */
 #ifndef TIA_SRC_READ_SURFACE_H
 #define TIA_SRC_READ_SURFACE_H
 
@@ -9,14 +9,14 @@ static inline struct tia_rgb tia_grey(tia_q30 x)
     return (struct tia_rgb){x, x, x};
 }
 
-/* a b, or as much of it as Q2.30 holds. */
+/* a b, clamped to the range of Q2.30. */
 tia_q30 tia_q30_product(tia_q30 a, tia_q30 b);
 struct tia_rgb tia_rgb_product(struct tia_rgb colour, tia_q30 by);
 
-/* A highlight's exponent; above TIA_EXPONENT_MAX, and be it 1e9, that. */
+/* Reads a highlight's exponent, of any size; clamps it to TIA_EXPONENT_MAX. */
 int tia_text_exponent(struct tia_text *t, tia_q16 *out);
 
-/* Phong's highlight of a material: with the exponent 0 there is none, up to 1 it is 1. */
+/* Sets the Phong highlight: none with the exponent 0; an exponent below 1 becomes 1. */
 void tia_set_highlight(struct tia_material *material, struct tia_rgb specular, tia_q16 exponent);
 
 #endif

@@ -1,25 +1,25 @@
 /* nff.c - Eric Haines's Neutral File Format, version 3.1, of the Standard Procedural Databases.
  *
- * His words, and what becomes of them here:
+ * Haines's words in quotes, and what they mean to this reader:
  *
- *     v from at up angle      angle is the whole field of view, "from the center of top pixel row to bottom
- *                             pixel row": the vertical fov, of the picture's edges, as other readers have it
- *     hither resolution       for hidden surface machines and displays: read, and of no use
+ *     v from at up angle      the angle is the whole field of view, "from the center of top pixel row to bottom
+ *                             pixel row"; like other readers, takes it to the edges of the picture
+ *     hither resolution       for hidden surface algorithms and displays: read and ignored
  *     b r g b                 background; "if no background color is set, assume RGB = {0,0,0}"
- *     l x y z [r g b]         a point light, without attenuation; without colour 1/sqrt(number of lights)
+ *     l x y z [r g b]         a point light without attenuation; its default colour is 1/sqrt(number of lights)
  *     f r g b Kd Ks Shine T index
- *                             diffuse Kd (r, g, b); "Ks the specular": highlight and mirror, both Ks in each
- *                             channel; "Shine is the Phong cosine power for highlights": 0 is none, up to 1
- *                             is 1, above TIA_EXPONENT_MAX (the databases say 100000, with Ks = 0) is that;
- *                             "T is transmittance (fraction of contribution of the transmitting ray)": what is
- *                             refracted and what a shadow ray keeps, in each channel; index 0 is 1. Before
- *                             the first f things are white: f 1 1 1 1 0 0 0 1
- *     s c                     a sphere; a cylinder or, with other radii at its ends, a cone, "without
- *                             endcaps"; a negative radius shows the inside only, as every surface does here
- *     p pp                    polygons and patches with normals, in any form, not only with a convex first
- *                             corner: those of one f make one mesh
+ *                             diffuse Kd (r, g, b); "Ks the specular": both highlight and mirror, Ks in each
+ *                             channel; "Shine is the Phong cosine power for highlights": 0 means no highlight,
+ *                             otherwise clamped to 1..TIA_EXPONENT_MAX (the databases use 100000, with Ks = 0);
+ *                             "T is transmittance (fraction of contribution of the transmitting ray)": both
+ *                             refraction and transmission, in each channel; index 0 means 1. The default
+ *                             material, before the first f, is white: f 1 1 1 1 0 0 0 1
+ *     s c                     a sphere; a cylinder or, with different radii, a cone, "without endcaps"; a
+ *                             negative radius would show the inside only, but here both sides are visible
+ *     p pp                    polygons and patches with normals, convex or not; all those after one f make one
+ *                             mesh
  *
- * "Normally, objects have one side": here they have two, as there they have with T > 0.
+ * "Normally, objects have one side": here they have two, as they have there when T > 0.
  */
 #include "nff.h"
 #include "math/integer.h"
@@ -84,7 +84,7 @@ static int read_b(struct nff *n)
     return tia_text_rgb(&n->text, &n->scene->background);
 }
 
-/* 1/sqrt(count), to nearest: the root of 2^62/count is twice that in Q2.30, rounded down. */
+/* 1/sqrt(count) as Q2.30, to nearest: the square root of 2^62/count has one bit more than that. */
 static tia_q30 intensity(uint32_t count)
 {
     return (tia_q30)((tia_sqrt64((UINT64_C(1) << 62) / count) + 1) >> 1);
@@ -128,7 +128,7 @@ static int read_f(struct nff *n)
     return status;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole file ---- */
 
 static const struct {
     const char *name;
@@ -167,7 +167,7 @@ static bool is_same(const char *a, const char *b)
     return *a == *b;
 }
 
-/* Whether the thing at fault has been made. */
+/* Whether the statement just read made the object with the fault. */
 static bool is_found(const struct nff *n)
 {
     const struct {
@@ -187,7 +187,7 @@ static bool is_found(const struct nff *n)
     return false;
 }
 
-/* One pass. Where a thing is looked for, the error's place becomes that of the statement that makes it. */
+/* One pass. When searching for a fault, sets the error's place to the statement that made the object. */
 static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_read_error *error)
 {
     struct tia_word word;
@@ -241,7 +241,7 @@ static void place(struct nff *n, struct tia_arena *arena)
     n->corners = tia_arena_take(arena, n->most_corners, sizeof *n->corners);
 }
 
-/* The first of a view's lines that is missing. */
+/* An error for the first missing line of the view. */
 static int check_view(struct nff *n)
 {
     static const char *const names[] = {"v", "from", "at", "up", "angle"};

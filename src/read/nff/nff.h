@@ -1,4 +1,4 @@
-/* nff.h - what the reader of .nff knows between its statements; see nff.c. */
+/* nff.h - the state of the .nff reader; see nff.c. */
 #ifndef TIA_SRC_READ_NFF_H
 #define TIA_SRC_READ_NFF_H
 
@@ -25,7 +25,7 @@ int tia_nff_c(struct nff *n);
 int tia_nff_p(struct nff *n);
 int tia_nff_pp(struct nff *n);
 
-/* No more faces for the mesh. */
+/* Ends the open mesh, if there is one. */
 void tia_nff_close_mesh(struct nff *n);
 
 #endif

@@ -7,7 +7,7 @@ static int sign(int64_t x)
     return (x > 0) - (x < 0);
 }
 
-/* |x|, the difference of two coordinates: below 2^32, so that products of two fit 64 bits. */
+/* |x| of a difference of two coordinates: below 2^32, so that a product of two fits 64 bits. */
 static uint64_t size(int64_t x)
 {
     return (uint64_t)(x < 0 ? -x : x);
@@ -58,7 +58,7 @@ static tia_q16 coordinate(const struct tia_vec3 *v, int axis)
     return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
-/* Twice the area, with its sign, that the polygon has along two axes: exact. */
+/* Twice the signed area of the polygon projected to the axes u and v, exact. */
 static struct tia_wide area_in(const struct polygon_corner *corners, uint32_t count, int u, int v)
 {
     struct tia_wide sum = {0, 0};
@@ -72,8 +72,7 @@ static struct tia_wide area_in(const struct polygon_corner *corners, uint32_t co
     return sum;
 }
 
-/* Leaves the axis out along which the polygon is seen largest; the other two are swapped where it would
- * run clockwise. */
+/* Projects along the axis that gives the largest area; swaps the other two if the polygon would run clockwise. */
 static void project(struct polygon_corner *corners, uint32_t count)
 {
     struct tia_wide largest = area_in(corners, count, 0, 1);
@@ -94,24 +93,24 @@ static void project(struct polygon_corner *corners, uint32_t count)
     }
 }
 
-/* Takes a corner out of the counts. */
-static void forget(struct polygon *polygon, const struct polygon_corner *c)
+/* Takes a corner out of the polygon's counts. */
+static void uncount(struct polygon *polygon, const struct polygon_corner *c)
 {
-    polygon->not_convex -= c->turn < 1;
-    polygon->flat -= !c->turn;
+    polygon->not_convex -= c->orientation < 1;
+    polygon->flat -= !c->orientation;
     polygon->candidates -= c->ear != 0;
 }
 
-/* The turn at corner i among its present neighbours. Whether it is an ear is no longer known. */
-static void look_at(struct polygon *polygon, uint32_t i)
+/* Computes the orientation of corner i from its present neighbours; whether it is an ear is then unknown. */
+static void classify(struct polygon *polygon, uint32_t i)
 {
     struct polygon_corner *c = &polygon->corners[i];
 
-    forget(polygon, c);
-    c->turn = (int8_t)side(&polygon->corners[c->prev], c, &polygon->corners[c->next]);
+    uncount(polygon, c);
+    c->orientation = (int8_t)side(&polygon->corners[c->prev], c, &polygon->corners[c->next]);
     c->ear = -1;
-    polygon->not_convex += c->turn < 1;
-    polygon->flat += !c->turn;
+    polygon->not_convex += c->orientation < 1;
+    polygon->flat += !c->orientation;
     polygon->candidates++;
 }
 
@@ -122,11 +121,11 @@ void tia_polygon_begin(struct polygon *polygon, struct polygon_corner *corners, 
     for (uint32_t i = 0; i < count; i++) {
         corners[i].prev = i ? i - 1 : count - 1;
         corners[i].next = i + 1 < count ? i + 1 : 0;
-        corners[i].turn = 1;
+        corners[i].orientation = 1;
         corners[i].ear = 0;
     }
     for (uint32_t i = 0; i < count; i++)
-        look_at(polygon, i);
+        classify(polygon, i);
 }
 
 static bool coincide(const struct polygon_corner *a, const struct polygon_corner *b)
@@ -134,9 +133,9 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
     return a->x == b->x && a->y == b->y;
 }
 
-/* Whether q keeps the tip b of the convex triangle a, b, c from being cut off: it lies in the triangle or
- * on its edge. At a and c it does not - the bridge to a hole goes through the same points twice - for to go from
- * there into the triangle is to cross an edge. */
+/* Whether q prevents cutting off the tip b of the convex triangle a, b, c: it lies inside or on an edge. Corners
+ * that coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the polygon
+ * cannot enter the triangle from there without crossing an edge. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
                    const struct polygon_corner *c)
 {
@@ -155,8 +154,8 @@ static int32_t most(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
-/* A corner is an ear when it is convex and no other one blocks it; convex ones never do, since with one
- * of them in the triangle there is always another that is not. */
+/* A corner is an ear when it is convex and no other corner blocks it. Only corners that are not convex need to be
+ * tested: when a convex one is in the triangle, one that is not is there as well. */
 static bool is_ear(const struct polygon *polygon, uint32_t i)
 {
     const struct polygon_corner *corners = polygon->corners, *b = &corners[i], *a = &corners[b->prev],
@@ -164,32 +163,32 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     int32_t left = least(a->x, b->x, c->x), right = most(a->x, b->x, c->x);
     int32_t low = least(a->y, b->y, c->y), high = most(a->y, b->y, c->y);
 
-    if (b->turn < 1)
+    if (b->orientation < 1)
         return false;
     if (!polygon->not_convex)
         return true;
     for (const struct polygon_corner *q = &corners[c->next]; q != a; q = &corners[q->next])
-        if (q->turn < 1 && q->x >= left && q->x <= right && q->y >= low && q->y <= high && blocks(q, a, b, c))
+        if (q->orientation < 1 && q->x >= left && q->x <= right && q->y >= low && q->y <= high && blocks(q, a, b, c))
             return false;
     return true;
 }
 
-/* The first corner with that turn. */
-static bool find_turn(const struct polygon *polygon, int turn, uint32_t *found)
+/* The first corner with that orientation. */
+static bool find_orientation(const struct polygon *polygon, int orientation, uint32_t *found)
 {
     uint32_t i = polygon->at;
 
     for (uint32_t n = 0; n < polygon->left; n++, i = polygon->corners[i].next)
-        if (polygon->corners[i].turn == turn) {
+        if (polygon->corners[i].orientation == orientation) {
             *found = i;
             return true;
         }
     return false;
 }
 
-/* An ear; where there is none, the polygon is not simple: then what covers nothing, or a convex corner,
- * or any. Cutting an ear off makes none of the others one, or no longer one, but its two neighbours: each
- * is looked at again at most twice, and the time stays within the square of the corners. */
+/* Finds an ear. A polygon without one is not simple; then a collinear corner will do, which covers nothing, or a
+ * convex one, or any. Cutting off an ear can change only its two neighbours, so all in all each corner is tested a
+ * bounded number of times, and the total time is quadratic. */
 static uint32_t find_ear(struct polygon *polygon)
 {
     uint32_t i = polygon->at;
@@ -202,8 +201,8 @@ static uint32_t find_ear(struct polygon *polygon)
         c->ear = 0;
     }
     i = polygon->at;
-    if (!polygon->flat || !find_turn(polygon, 0, &i))
-        (void)find_turn(polygon, 1, &i);
+    if (!polygon->flat || !find_orientation(polygon, 0, &i))
+        (void)find_orientation(polygon, 1, &i);
     return i;
 }
 
@@ -219,13 +218,13 @@ bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3])
     triangle[1] = i;
     triangle[2] = tip->next;
     polygon->left--;
-    forget(polygon, tip);
+    uncount(polygon, tip);
     prev->next = tip->next;
     next->prev = tip->prev;
-    look_at(polygon, tip->prev);
-    look_at(polygon, tip->next);
-    /* Not the neighbours: every other corner first makes better shapes than a fan. But where there was no ear
-     * they are the only ones that may be one. */
+    classify(polygon, tip->prev);
+    classify(polygon, tip->next);
+    /* Continue beyond the neighbour: cutting every other corner gives better shapes than a fan. But if this was no
+     * ear, only the neighbours can be ears now. */
     polygon->at = tip->ear ? next->next : tip->prev;
     return true;
 }

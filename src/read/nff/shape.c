@@ -1,7 +1,7 @@
-/* shape.c - the things in a .nff scene. */
+/* shape.c - spheres, cylinders, cones and polygons of a .nff scene. */
 #include "nff.h"
 
-/* Of what comes now. */
+/* The index of the current material. */
 static uint32_t material(struct nff *n)
 {
     static const struct tia_material white = {
@@ -12,7 +12,7 @@ static uint32_t material(struct nff *n)
     return n->materials.count - 1;
 }
 
-/* A radius: that of an inside is negative. */
+/* Reads a radius; drops the sign, which marks an inside. */
 static int read_radius(struct tia_text *t, tia_q16 *out)
 {
     int status = tia_text_q16(t, out);
@@ -57,7 +57,7 @@ void tia_nff_close_mesh(struct nff *n)
     n->mesh.vertex_count = 0;
 }
 
-/* Where an array's next item will be. */
+/* The address of the array's next item. */
 static const void *next_item(const struct tia_array *array)
 {
     return array->items ? array->items + array->count * array->item : NULL;
@@ -74,7 +74,7 @@ static void open_mesh(struct nff *n)
         .vertices = next_item(&n->vertices), .normals = next_item(&n->normals), .faces = next_item(&n->faces)};
 }
 
-/* Adds the faces of the polygon whose `count` vertices came last. */
+/* Triangulates the polygon of the last `count` vertices and adds its faces. */
 static void add_faces(struct nff *n, uint32_t count, bool has_normals)
 {
     struct tia_face face = {0};
@@ -100,7 +100,7 @@ static void add_faces(struct nff *n, uint32_t count, bool has_normals)
     }
 }
 
-/* A vertex, on this line or on a later one, and its normal. */
+/* Reads a vertex, on this line or a later one, and its normal. */
 static int read_vertex(struct nff *n, bool has_normal)
 {
     struct tia_vec3 vertex = {0, 0, 0};

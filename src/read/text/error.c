@@ -1,7 +1,7 @@
-/* error.c - what is wrong with a text, in words. */
+/* error.c - error messages. */
 #include "text.h"
 
-#define SHOWN 40 /* bytes of a word */
+#define SHOWN 40 /* bytes of a word that a message shows */
 
 static void add_byte(struct tia_read_error *error, char c)
 {

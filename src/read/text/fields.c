@@ -1,4 +1,4 @@
-/* fields.c - a line of fields by a table of them. */
+/* fields.c - reads a line of fields by a table. */
 #include "fields.h"
 
 int tia_colour(struct tia_text *t, struct tia_rgb *out)
@@ -12,7 +12,7 @@ int tia_colour(struct tia_text *t, struct tia_rgb *out)
     return status ? status : tia_text_q30(t, &out->b);
 }
 
-static int take_numbers(struct tia_text *t, tia_q16 *out, unsigned count)
+static int read_numbers(struct tia_text *t, tia_q16 *out, unsigned count)
 {
     int status = TIA_OK;
 
@@ -26,13 +26,13 @@ int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count)
     int status = tia_text_q16(t, out);
 
     if (!status && tia_text_has_number(t))
-        return take_numbers(t, out + 1, count - 1);
+        return read_numbers(t, out + 1, count - 1);
     for (unsigned i = 1; i < count; i++)
         out[i] = out[0];
     return status;
 }
 
-static int take_wholes(struct tia_text *t, uint16_t *out, const struct tia_field *field)
+static int read_wholes(struct tia_text *t, uint16_t *out, const struct tia_field *field)
 {
     int64_t value = 0;
     int status = TIA_OK;
@@ -44,11 +44,11 @@ static int take_wholes(struct tia_text *t, uint16_t *out, const struct tia_field
     return status;
 }
 
-static int take_values(struct tia_text *t, const struct tia_field *field, void *out)
+static int read_values(struct tia_text *t, const struct tia_field *field, void *out)
 {
     switch ((enum tia_field_kind)field->kind) {
     case TIA_NUMBERS:
-        return take_numbers(t, out, field->count);
+        return read_numbers(t, out, field->count);
     case TIA_SPREAD:
         return tia_spread(t, out, field->count);
     case TIA_COLOUR:
@@ -56,7 +56,7 @@ static int take_values(struct tia_text *t, const struct tia_field *field, void *
     case TIA_DIRECTION:
         return tia_text_dir3(t, out);
     case TIA_WHOLE:
-        return take_wholes(t, out, field);
+        return read_wholes(t, out, field);
     case TIA_FLAG:
         *(bool *)out = true;
         return TIA_OK;
@@ -83,7 +83,7 @@ static int refuse(struct tia_text *t, const struct tia_word *word, const char *w
     return TIA_ERR_RANGE;
 }
 
-/* Which of the fields `word` is; `count` for none. */
+/* The index of the field called `word`; `count` if there is none. */
 static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
 {
     unsigned i = 0;
@@ -106,7 +106,7 @@ int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fie
         if (seen >> i & 1)
             return tia_text_error(t, &word, "is here for a second time", "it once");
         seen |= UINT32_C(1) << i;
-        int status = take_values(t, &fields[i], (unsigned char *)out + fields[i].offset);
+        int status = read_values(t, &fields[i], (unsigned char *)out + fields[i].offset);
         if (status)
             return status;
     }

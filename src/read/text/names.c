@@ -1,4 +1,4 @@
-/* names.c - a heap sort, which needs no memory and no recursion, and a binary search. */
+/* names.c - heap sort, since it needs no memory and no recursion, and binary search. */
 #include "names.h"
 
 static int compare_words(const struct tia_word *a, const struct tia_word *b)
@@ -18,7 +18,7 @@ static int compare(const struct tia_name *a, const struct tia_name *b)
     return compare_words(&a->word, &b->word);
 }
 
-/* By name and, among the same names, by place. */
+/* By name; equal names by their place in the text. */
 static bool is_before(const struct tia_name *a, const struct tia_name *b)
 {
     int order = compare(a, b);
@@ -28,7 +28,7 @@ static bool is_before(const struct tia_name *a, const struct tia_name *b)
     return a->word.column < b->word.column;
 }
 
-/* Lets names[i] sink until it is not before any below it: the heap's largest is at its top. */
+/* Restores the heap, largest name on top, by moving names[i] down. */
 static void sink(struct tia_name *names, uint32_t i, uint32_t count)
 {
     struct tia_name name = names[i];

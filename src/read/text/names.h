@@ -1,7 +1,7 @@
-/* names.h - the things of a text by their names, found in logarithmic time whatever the names are.
+/* names.h - looks up names in logarithmic time, also for hostile texts: no hash, so no collisions to provoke.
  *
- * A pass collects them in a tia_array of struct tia_name, with tia_array_add; sorted after it, they are
- * found in later passes, in which those that define them tell their indices.
+ * One pass collects the names in a tia_array of struct tia_name. They are then sorted, so that later passes can
+ * find them; a definition sets the index of its name.
  */
 #ifndef TIA_SRC_READ_NAMES_H
 #define TIA_SRC_READ_NAMES_H
@@ -11,17 +11,17 @@
 
 struct tia_name {
     struct tia_word word;
-    uint32_t kind;  /* materials, lights, ...: each kind has its own names */
-    uint32_t index; /* whatever the reader wants to know */
+    uint32_t kind;  /* material, light, ...: each kind has a name space of its own */
+    uint32_t index; /* for the reader's use */
 };
 
 /* Sorts names[0] .. names[count - 1]. */
 void tia_names_sort(struct tia_name *names, uint32_t count);
 
-/* Of sorted names the first one of that kind and word; NULL: none. */
+/* Finds the first of that kind and word among sorted names; NULL: none. */
 struct tia_name *tia_names_find(struct tia_name *names, uint32_t count, uint32_t kind, const struct tia_word *word);
 
-/* Of sorted names one that is there twice, the later one in the text; NULL: none. */
+/* Finds a name defined twice among sorted names, the later one in the text; NULL: none. */
 const struct tia_name *tia_names_twice(const struct tia_name *names, uint32_t count);
 
 #endif

@@ -1,19 +1,19 @@
-/* number.c - decimals straight to fixed point.
+/* number.c - converts decimal numbers to fixed point, without floating point.
  *
- * Ties go away from zero, so the magnitude x 2^bits + 1/2 is rounded down, and its integer part follows
- * from that of y = x 2^(bits + 1). Whether y reaches an integer k depends on the first bits + 1 digits of x's
- * fraction alone, for k / 2^(bits + 1) has no more: digits beyond these are not looked at, and the
- * result is exactly rounded all the same, however many there are.
+ * The result is correctly rounded, ties away from zero, however many digits there are: floor(x 2^bits + 1/2) for
+ * the magnitude x, which follows from floor(y), y = x 2^(bits + 1). Whether y reaches an integer k depends only on
+ * the first bits + 1 digits of x's fraction, since k / 2^(bits + 1) has no more than those. So all further digits
+ * can be skipped.
  */
 #include "text.h"
 
 #define LIMB UINT64_C(1000000000)
-#define LIMBS 4 /* 36 digits, at least the 33 that 32 bits and a half need */
+#define LIMBS 4 /* 36 digits; 32 bits and the rounding bit need 33 */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
-/* A number's digits: "12.5e3" has the digits 125 and its point after 2 + 3 of them. */
+/* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
 struct digits {
-    const char *at, *end; /* with the point among them */
+    const char *at, *end; /* the characters, including the point */
     int64_t point;
     bool negative;
 };
@@ -30,19 +30,20 @@ static const char *skip_digits(const char *p, const char *end)
     return p;
 }
 
-static const char *take_sign(const char *p, const char *end, bool *negative)
+static const char *skip_sign(const char *p, const char *end, bool *negative)
 {
     *negative = p < end && *p == '-';
     return p < end && (*p == '-' || *p == '+') ? p + 1 : p;
 }
 
-/* The exponent in p..end, held within 2^33, beyond the length of any text; false where there is none. */
-static bool take_exponent(const char *p, const char *end, int64_t *exponent)
+/* Parses the exponent in p..end. Clamped to 2^33 in size, beyond the length of any text, where the result no longer
+ * depends on it. False if there is none. */
+static bool parse_exponent(const char *p, const char *end, int64_t *exponent)
 {
     const int64_t limit = INT64_C(1) << 33;
     bool negative;
 
-    p = take_sign(p, end, &negative);
+    p = skip_sign(p, end, &negative);
     if (!is_digit(p, end))
         return false;
     for (*exponent = 0; is_digit(p, end); p++)
@@ -52,23 +53,23 @@ static bool take_exponent(const char *p, const char *end, int64_t *exponent)
     return p == end;
 }
 
-static bool take_digits(struct digits *d, const struct tia_word *word)
+static bool parse_digits(struct digits *d, const struct tia_word *word)
 {
     const char *end = word->at + word->length;
     int64_t exponent = 0;
 
-    d->at = take_sign(word->at, end, &d->negative);
+    d->at = skip_sign(word->at, end, &d->negative);
     const char *point = skip_digits(d->at, end);
     d->end = point < end && *point == '.' ? skip_digits(point + 1, end) : point;
     if (d->end == d->at || (d->end == d->at + 1 && *d->at == '.'))
         return false;
-    if (d->end < end && ((*d->end != 'e' && *d->end != 'E') || !take_exponent(d->end + 1, end, &exponent)))
+    if (d->end < end && ((*d->end != 'e' && *d->end != 'E') || !parse_exponent(d->end + 1, end, &exponent)))
         return false;
     d->point = point - d->at + exponent;
     return true;
 }
 
-/* The next digit; 0 beyond the last one. */
+/* The next digit; 0 after the last one. */
 static uint32_t next_digit(const char **p, const char *end)
 {
     if (*p < end && **p == '.')
@@ -76,8 +77,8 @@ static uint32_t next_digit(const char **p, const char *end)
     return *p < end ? (uint32_t)(*(*p)++ - '0') : 0;
 }
 
-/* The digits before the point, WHOLE_MAX at most. */
-static uint64_t take_whole(const char **p, const struct digits *d)
+/* The integer part, at most WHOLE_MAX. */
+static uint64_t parse_whole(const char **p, const struct digits *d)
 {
     uint64_t whole = 0;
 
@@ -86,9 +87,9 @@ static uint64_t take_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* The digits after the point as a fraction, times 2^bits, rounded down; bits in 1..33. From the last limb
- * on: the product with what comes up from below is at most LIMB 2^33 < 2^63, what goes up is below 2^33. */
-static uint64_t take_fraction(const char *p, const struct digits *d, unsigned bits)
+/* The fraction times 2^bits, rounded down; bits in 1..33. Multiplies limbs of nine digits from the last to the first.
+ * A product plus the carry is at most LIMB 2^33 < 2^63; carries are below 2^33. */
+static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
 {
     uint32_t limbs[LIMBS] = {0};
     uint64_t carry = 0;
@@ -105,13 +106,13 @@ enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned
 {
     struct digits d;
 
-    if (!take_digits(&d, word))
+    if (!parse_digits(&d, word))
         return TIA_DECIMAL_NONE;
     const char *p = d.at;
-    uint64_t whole = take_whole(&p, &d);
+    uint64_t whole = parse_whole(&p, &d);
     if (whole >= UINT64_C(1) << (63 - bits) || whole == WHOLE_MAX)
         return TIA_DECIMAL_RANGE;
-    uint64_t doubled = (whole << (bits + 1)) + take_fraction(p, &d, bits + 1);
+    uint64_t doubled = (whole << (bits + 1)) + parse_fraction(p, &d, bits + 1);
     uint64_t rounded = (doubled >> 1) + (doubled & 1);
     if (rounded > INT64_MAX)
         return TIA_DECIMAL_RANGE;
@@ -124,11 +125,11 @@ bool tia_text_has_number(const struct tia_text *t)
     struct tia_word word;
     struct digits d;
 
-    return tia_text_peek(t, &word) && take_digits(&d, &word);
+    return tia_text_peek(t, &word) && parse_digits(&d, &word);
 }
 
-/* The next word times 2^bits, in min..max. */
-static int take_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t min, int64_t max, const char *expected)
+/* Reads the next word, times 2^bits, which must be in min..max. */
+static int read_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t min, int64_t max, const char *expected)
 {
     struct tia_word word;
 
@@ -141,10 +142,10 @@ static int take_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t 
     return TIA_OK;
 }
 
-static int take_number32(struct tia_text *t, int32_t *out, unsigned bits, const char *expected)
+static int read_number32(struct tia_text *t, int32_t *out, unsigned bits, const char *expected)
 {
     int64_t wide;
-    int status = take_number(t, &wide, bits, INT32_MIN, INT32_MAX, expected);
+    int status = read_number(t, &wide, bits, INT32_MIN, INT32_MAX, expected);
 
     if (!status)
         *out = (int32_t)wide;
@@ -153,25 +154,25 @@ static int take_number32(struct tia_text *t, int32_t *out, unsigned bits, const 
 
 int tia_text_q16(struct tia_text *t, tia_q16 *out)
 {
-    return take_number32(t, out, 16, "a number from -32768 to below 32768");
+    return read_number32(t, out, 16, "a number from -32768 to below 32768");
 }
 
 int tia_text_q30(struct tia_text *t, tia_q30 *out)
 {
-    return take_number32(t, out, 30, "a number from -2 to below 2");
+    return read_number32(t, out, 30, "a number from -2 to below 2");
 }
 
 int tia_text_q32(struct tia_text *t, int64_t *out)
 {
-    return take_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");
+    return read_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");
 }
 
-/* Whole numbers have no point and no exponent: "1e3" is none. */
+/* A whole number has no point and no exponent, so that "1e3" is an error. */
 static bool is_whole(const struct tia_word *word)
 {
     const char *end = word->at + word->length;
     bool negative;
-    const char *p = take_sign(word->at, end, &negative);
+    const char *p = skip_sign(word->at, end, &negative);
 
     return p < end && skip_digits(p, end) == end;
 }

@@ -1,4 +1,4 @@
-/* text.c - lines and words. */
+/* text.c - splits text into lines and words. */
 #include "text.h"
 
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error)
@@ -16,7 +16,7 @@ static void new_line(struct tia_text *t)
     t->line_start = t->next;
 }
 
-/* The length of a line's end at p: of LF or CRLF; 0 where there is none. */
+/* The length of the line end at p, LF or CRLF; 0 if there is none. */
 static unsigned line_end(const char *p, const char *end)
 {
     if (p < end && *p == '\n')
@@ -24,7 +24,7 @@ static unsigned line_end(const char *p, const char *end)
     return end - p >= 2 && p[0] == '\r' && p[1] == '\n' ? 2 : 0;
 }
 
-/* The length of a backslash and a line's end at p. */
+/* The length of a backslash and line end at p; 0 if there is none. */
 static unsigned join(const char *p, const char *end)
 {
     unsigned length = p < end && *p == '\\' ? line_end(p + 1, end) : 0;
@@ -48,7 +48,7 @@ static void skip_blanks(struct tia_text *t)
     }
 }
 
-/* Skips blanks; whether a word follows. */
+/* Skips blanks. True if a word follows. */
 static bool has_word(struct tia_text *t)
 {
     skip_blanks(t);
@@ -106,7 +106,7 @@ int tia_text_end(struct tia_text *t)
     return TIA_OK;
 }
 
-/* A word as a name, if it is one. */
+/* Checks that a word is a valid name. */
 static int check_name(struct tia_text *t, const struct tia_word *name, const char *expected)
 {
     if (!name->length)
@@ -139,7 +139,7 @@ int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expecte
     name->length = (uint32_t)(p - t->next);
     t->next = p + 1;
     if (!name->length) {
-        name->length = 2, name->at--; /* the quotes, to be shown */
+        name->length = 2, name->at--; /* the error message shows the quotes */
         return tia_text_error(t, name, "is empty", expected);
     }
     return check_name(t, name, expected);

@@ -1,4 +1,4 @@
-/* lights.c - lights, and the keys that put them somewhere. */
+/* lights.c - lights, and the keys that set them. */
 #include "read/job.h"
 #include <tia/port.h>
 
@@ -12,7 +12,7 @@ struct light_line {
         .word = field, .kind = TIA_NUMBERS, .count = n, .offset = offsetof(struct light_line, light.part),             \
         .needed = need                                                                                                 \
     }
-/* The name is the first field, so that keys, whose lights have none, begin with the second. */
+/* The name comes first, so that keys, whose lights have no name, can start with the second field. */
 #define NAME                                                                                                           \
     {                                                                                                                  \
         .word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)                            \
@@ -60,8 +60,8 @@ static const struct {
     {"sphere", "a sphere light", TIA_SPHERE_LIGHT, sphere, TIA_COUNT_OF(sphere)},
 };
 
-/* The kind that the next word is; a point light, with the word left there, when it is none. */
-static unsigned take_kind(struct tia_text *t)
+/* The kind of light that the next word names; if it names none, a point light, and the word stays unread. */
+static unsigned read_kind(struct tia_text *t)
 {
     struct tia_word word;
     unsigned i = TIA_COUNT_OF(kinds);
@@ -77,7 +77,7 @@ static unsigned take_kind(struct tia_text *t)
 
 static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
 {
-    unsigned i = take_kind(&job->text);
+    unsigned i = read_kind(&job->text);
     bool skip = !nameable;
 
     line->light = (struct tia_light){.kind = kinds[i].kind, .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};

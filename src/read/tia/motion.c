@@ -25,8 +25,8 @@ static const struct property *find_property(enum moving of, const struct tia_wor
     return NULL;
 }
 
-/* What the name is. Before the names are known it may be a light or a shape. */
-static int take_moving(struct tia_job *job, enum moving *of, struct tia_track *track)
+/* Reads the name of the light or shape that moves. Which one it is, the first passes do not know yet. */
+static int read_target(struct tia_job *job, enum moving *of, struct tia_track *track)
 {
     struct tia_word word;
     int status = tia_text_name(&job->text, &word, "a name, or camera");
@@ -49,7 +49,7 @@ static int take_property(struct tia_job *job, struct tia_track *track)
 {
     struct tia_word word;
     enum moving of;
-    int status = take_moving(job, &of, track);
+    int status = read_target(job, &of, track);
 
     if (status)
         return status;
@@ -63,8 +63,8 @@ static int take_property(struct tia_job *job, struct tia_track *track)
     return TIA_OK;
 }
 
-/* A number and a colon. */
-static int take_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
+/* Reads a number and a colon. */
+static int read_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
 {
     struct tia_word word, number;
     int64_t value = 0;
@@ -85,7 +85,7 @@ static int take_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
 
 static int take_keyframe(struct tia_text *t, enum tia_target target, struct tia_keyframe *key)
 {
-    int status = take_time(t, key->time, &key->time);
+    int status = read_time(t, key->time, &key->time);
 
     if (status)
         return status;

@@ -1,4 +1,4 @@
-/* tia.c - scenes in tia's own format, tia-scene(5): the passes, and which statement is read where. */
+/* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text, and the table of statements. */
 #include "read/job.h"
 #include "read/readers.h"
 #include "scene/shapes/description.h"
@@ -66,7 +66,7 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
     return status ? status : tia_text_end(&job->text);
 }
 
-/* Whether the statement that was just read is what the job looks for. */
+/* Whether the statement just read is the one that the job seeks. */
 static bool is_sought(const struct tia_job *job, const struct tia_word *word)
 {
     if (job->sought_statement)
@@ -112,7 +112,7 @@ static int sort_names(struct tia_job *job)
     return twice ? tia_text_error(&job->text, &twice->word, "is defined for a second time", "another name") : TIA_OK;
 }
 
-/* A camera that looks at nothing but is told where to look from time to time begins with that. */
+/* A camera without a reference point, but with a track for it, looks at the track's first value. */
 static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
 {
     if (camera->up.x || camera->up.y || camera->up.z)
@@ -121,7 +121,7 @@ static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
     camera->reference = reference;
 }
 
-/* Tracks of shapes and lights hold the place of the name until its index is known. */
+/* Replaces the position of the name, which tracks of shapes and lights hold until now, by the index. */
 static void resolve_tracks(struct tia_job *job)
 {
     struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;
@@ -187,7 +187,7 @@ static void size_arrays(struct tia_job *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
-/* All passes; where the memory does not fit, only the first one. */
+/* Runs all passes; only the first one when the memory does not suffice. */
 static int read_all(struct tia_job *job, struct tia_arena *arena)
 {
     size_arrays(job);
@@ -215,7 +215,7 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return TIA_OK;
 }
 
-/* A thing of tia_fault as what the job looks for. */
+/* Tells the job which array item or statement made the thing of a tia_fault. */
 static void seek(struct tia_job *job, const struct tia_fault *fault)
 {
     static const struct {
@@ -237,14 +237,14 @@ static void seek(struct tia_job *job, const struct tia_fault *fault)
     for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
         if (tia_word_is(&thing, things[i].thing))
             job->sought = things[i].array;
-    /* The fields of a scene, and the camera's samples, are statements of the same name. */
+    /* A field of the scene, or the camera's samples, is a statement of its own. */
     if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
         job->sought_statement = fault->thing;
     else if (job->sought == TIA_ARRAYS)
         job->sought_statement = fault->field;
 }
 
-/* The scene is no more needed: its memory is read into again. */
+/* Reads the text again, into the same memory, since the faulty scene is not needed any more. */
 void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
 {
     struct tia_scene scene;

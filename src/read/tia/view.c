@@ -1,4 +1,4 @@
-/* view.c - the statements that are about the whole scene. */
+/* view.c - the statements camera, samples, background and depth. */
 #include "read/job.h"
 
 #define EYE                                                                                                            \
@@ -45,8 +45,8 @@ static const struct {
     {"orthographic", "an orthographic camera", TIA_ORTHOGRAPHIC, orthographic, TIA_COUNT_OF(orthographic)},
 };
 
-/* The projection that the next word is; the first one, with the word left there, when it is none. */
-static unsigned take_projection(struct tia_text *t)
+/* The projection that the next word names; if it names none, the first one, and the word stays unread. */
+static unsigned read_projection(struct tia_text *t)
 {
     struct tia_word word;
     unsigned i = TIA_COUNT_OF(projections);
@@ -63,7 +63,7 @@ static unsigned take_projection(struct tia_text *t)
 int tia_line_camera(struct tia_job *job)
 {
     struct tia_camera *camera = &job->scene->camera;
-    unsigned i = take_projection(&job->text);
+    unsigned i = read_projection(&job->text);
     uint32_t given = 0;
     struct tia_word end;
 

@@ -1,4 +1,4 @@
-/* looks.c - materials and textures. */
+/* materials.c - materials and textures. */
 #include "read/job.h"
 
 struct material_line {
@@ -69,7 +69,7 @@ static const struct tia_field image_fields[] = {
     {.word = "repeat", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct tia_texture, repeat)},
 };
 
-/* The file is fetched once, when all else is known to be right. */
+/* Loads the file only once, in the last pass, when the rest of the text is known to be right. */
 static int fetch_image(struct tia_job *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;
