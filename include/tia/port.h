@@ -54,7 +54,7 @@ struct tia_display {
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
     /* The tile's pixels are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
-    /* The frame is complete: shows it. May wait until the frame before is on screen, but not longer. */
+    /* The frame is complete: shows it. May wait until it is on screen, but no longer. */
     int (*present)(void *ctx);
     /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);

@@ -1,7 +1,7 @@
-/* board.h - what a program gets on a board without an operating system.
+/* board.h - services for a program on a board without an operating system.
  *
- * The start-up code fills the sections, paints the stack and calls main; when main returns, the
- * board is switched off where it can be, and stops otherwise.
+ * The start-up code initialises the sections, fills the stack with a pattern and calls main. When main returns, the
+ * board switches off if it can, and halts otherwise.
  */
 #ifndef PORT_BOARD_H
 #define PORT_BOARD_H
@@ -10,21 +10,21 @@
 
 int main(void);
 
-/* Text for whoever watches: the serial line, or the debugger's console on a microcontroller. */
+/* Prints to the serial line or, on a microcontroller, to the debugger's console. */
 void board_print(const char *text);
 void board_print_number(uint32_t value);
-void board_print_hex(uint32_t value); /* eight digits */
+void board_print_hex(uint32_t value); /* as eight digits */
 
-/* The end of the program; a debugger is told the status. */
+/* Ends the program; passes the status to a debugger. */
 _Noreturn void board_exit(int status);
 
-/* The most bytes of stack that were in use at any time since the start. */
+/* Peak stack use since the start, in bytes. */
 uint32_t board_stack_used(void);
 
-/* Boards with a panel: a 24 MHz counter as the clock. It needs no context. */
+/* Boards with a panel: a clock from a 24 MHz counter. Needs no context. */
 extern const struct tia_clock board_clock;
 
-/* What the start-up code calls. */
+/* Called by the start-up code. */
 _Noreturn void board_start(void);
 
 #endif

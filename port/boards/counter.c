@@ -1,5 +1,5 @@
-/* counter.c - a clock of 64 bits from a counter of 32. The counter wraps after 179 s: time that
- * passes unread beyond that is lost, but the clock never goes back. */
+/* counter.c - a 64-bit clock from a 32-bit counter. The counter wraps after 179 s. If nobody reads the clock for
+ * longer, that time is lost, but the clock never goes back. */
 #include "panel_board.h"
 
 #define TICKS_PER_US 24

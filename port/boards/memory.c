@@ -1,17 +1,17 @@
-/* memory.c - the two functions that a compiler may call without being asked to. */
+/* memory.c - memcpy and memset, which compilers call on their own. */
 #include <stddef.h>
 #include <stdint.h>
 
-/* Any object may be copied by words: they alias everything. */
+/* A word type that may alias objects of any type. */
 typedef uint32_t __attribute__((may_alias)) word;
 
 void *memcpy(void *restrict to, const void *restrict from, size_t count);
 void *memset(void *to, int value, size_t count);
 
-/* Without the attribute gcc finds that these loops are memcpy and memset, and calls them. */
+/* Otherwise gcc recognises these loops as memcpy and memset and makes each call itself. */
 #define AS_WRITTEN __attribute__((optimize("no-tree-loop-distribute-patterns")))
 
-/* Words where both lie on one: the rest, byte by byte, is short or rare. */
+/* Copies words if both addresses are aligned; the rest, byte by byte, is short or rare. */
 AS_WRITTEN void *memcpy(void *restrict to, const void *restrict from, size_t count)
 {
     unsigned char *bytes = to;

@@ -7,12 +7,12 @@
 #define PANEL_WIDTH 640
 #define PANEL_HEIGHT 480
 
-/* Where a board has its devices; each board's file defines one. */
+/* The addresses of a board's devices; each board's file defines one. */
 struct panel_board {
     const char *name;
     uintptr_t uart, panel, keyboard; /* PL011, PL110 or PL111, PL050 */
     uintptr_t counter;               /* 32 bits, counting up at 24 MHz */
-    uint32_t panel_format;           /* bits of LCDControl that make it RGB565, red on top */
+    uint32_t panel_format;           /* the LCDControl bits for RGB565 with red in the upper bits */
     void (*prepare_panel)(void);
     void (*switch_off)(void);
 };
@@ -24,11 +24,11 @@ static inline volatile uint32_t *panel_board_register(uintptr_t base, uintptr_t 
     return (volatile uint32_t *)(base + offset);
 }
 
-/* The panel as a display: two frames in memory, shown in turn. Its context is the place for the
- * reason of a failure. */
+/* The panel as a display, double buffered. The context points to a const char *, which receives the reason of a
+ * failure. */
 extern const struct tia_display panel_display;
 
-/* The keyboard as an input; its context is the place for the reason of a failure. */
+/* The keyboard as an input; the same kind of context. */
 extern const struct tia_input panel_keyboard;
 
 #endif

@@ -1,4 +1,4 @@
-/* pl011.c - the serial line, 115200 8N1, and what else board.h promises on a board with a panel. */
+/* pl011.c - the serial line, 115200 8N1, and the other functions of board.h for boards with a panel. */
 #include "panel_board.h"
 
 enum {

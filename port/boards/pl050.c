@@ -1,5 +1,5 @@
-/* pl050.c - a PS/2 keyboard behind a PL050. Registers: Arm DDI 0143. Nothing is lost while
- * nobody polls, up to the keyboard's own 16 bytes. */
+/* pl050.c - a PS/2 keyboard on a PL050. Registers: Arm DDI 0143. Between two polls, the keyboard itself buffers
+ * 16 bytes. */
 #include "panel_board.h"
 #include "ps2/ps2.h"
 
@@ -11,7 +11,7 @@ enum {
     CR_ENABLE = 1 << 2,
     STAT_RXFULL = 1 << 4,
     STAT_TXEMPTY = 1 << 6,
-    CLOCK_DIVISOR = 24 / 8 - 1, /* from 24 MHz to the 8 MHz that the timing is made of */
+    CLOCK_DIVISOR = 24 / 8 - 1, /* from 24 MHz to the 8 MHz that the PL050 needs */
     ANSWER_LIMIT_US = 10000000
 };
 

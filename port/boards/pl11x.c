@@ -10,7 +10,7 @@ enum {
     LCD_CONTROL = 0x18,
     LCD_RIS = 0x20,
     LCD_ICR = 0x28,
-    NEXT_BASE = 1 << 2, /* in RIS and ICR: UPBASE was taken over */
+    NEXT_BASE = 1 << 2, /* in RIS and ICR: the controller has read UPBASE */
     ENABLE = 1 << 0,
     TFT = 1 << 5,
     POWER = 1 << 11,
@@ -19,7 +19,7 @@ enum {
 };
 
 static uint16_t frames[2][PANEL_WIDTH * PANEL_HEIGHT] __attribute__((aligned(8)));
-static unsigned drawn; /* the frame that is not on the screen */
+static unsigned drawn; /* the back buffer */
 
 static volatile uint32_t *lcd(uintptr_t offset)
 {
@@ -40,8 +40,8 @@ static int panel_mode(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-/* VGA's 640x480 at 60 Hz: across 16 front porch, 96 sync, 48 back porch; down 10, 2 and 33. The
- * pixel clock, 25 MHz, is the one that the board has at power-on. */
+/* VGA's 640x480 at 60 Hz: front porch, sync and back porch are 16, 96 and 48 pixels, and 10, 2 and 33 lines. The pixel
+ * clock is the 25 MHz that the board has at power-on. */
 static int panel_open(void *ctx, struct tia_mode *mode)
 {
     panel_board.prepare_panel();
@@ -71,7 +71,8 @@ static int panel_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* The controller takes the new address at its next frame; until then it reads the old one. */
+/* The controller switches to the new address at the start of its next frame; waits for that, since it reads the old
+ * buffer until then. */
 static int panel_present(void *ctx)
 {
     uint64_t start = board_clock.now_us(NULL);
@@ -86,7 +87,7 @@ static int panel_present(void *ctx)
     return TIA_OK;
 }
 
-/* In the reverse order: power, then the signals. */
+/* In the reverse order of open: power first, then the signals. */
 static void panel_close(void *ctx)
 {
     (void)ctx;

@@ -1,4 +1,4 @@
-/* print.c - numbers as text. */
+/* print.c - prints numbers. */
 #include "board.h"
 
 void board_print_number(uint32_t value)

@@ -1,4 +1,4 @@
-/* buffer.c - pixel formats of a card, and dumb buffers of them. */
+/* buffer.c - pixel formats of a card, and dumb buffers. */
 #include <drm_fourcc.h>
 #include <errno.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 
 #include "card.h"
 
-/* In the order in which they are tried. The four letters mean little-endian pixels. */
+/* In the order to try. DRM's format codes mean little-endian pixels. */
 static const struct {
     struct card_format format;
     bool always;
@@ -53,7 +53,7 @@ static bool is_primary(int fd, uint32_t plane)
     return primary;
 }
 
-/* The primary plane that the CRTC may use; NULL when the driver tells of none. */
+/* The primary plane that the CRTC can use; NULL when the driver lists none. */
 static drmModePlane *primary_plane(const struct card *card, uint32_t crtc)
 {
     drmModePlaneRes *planes = drmModeGetPlaneResources(card->fd);
@@ -139,7 +139,7 @@ int card_buffer_create(const struct card *card, struct card_buffer *buffer, unsi
     return -1;
 }
 
-/* A buffer that is still mapped when its file is closed stays on the CRTC. */
+/* Unmaps first: a buffer that is still mapped when its file is closed stays on the CRTC. */
 void card_buffer_destroy(const struct card *card, struct card_buffer *buffer)
 {
     struct drm_mode_destroy_dumb dumb = {.handle = buffer->handle};

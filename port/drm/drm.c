@@ -15,15 +15,15 @@ struct drm {
     struct card card;
     struct scanout scanout;
     const drmModeConnector *connector; /* of the card's */
-    bool direct;                       /* the buffers are drawn into */
-    struct canvas canvas;              /* else this is, and expanded */
+    bool direct;                       /* draw straight into the buffers */
+    struct canvas canvas;              /* otherwise draw here, then expand */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
     bool lost; /* another program took the screen meanwhile */
 };
 
-/* ---- another console in front ---- */
+/* ---- switching to another console and back ---- */
 
 static void leave(void *arg)
 {
@@ -57,8 +57,8 @@ static void drm_close(void *ctx)
     canvas_free(&d->canvas);
 }
 
-/* A card that can be ours and has a screen. */
-static bool take_card(struct drm *d, const char *path, char why[PORT_WHY])
+/* Opens a card that has a screen and makes us its master. */
+static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
 {
     const struct drm_parts *parts = &d->card.parts;
     char reason[PORT_WHY];
@@ -77,13 +77,13 @@ static bool take_card(struct drm *d, const char *path, char why[PORT_WHY])
     return false;
 }
 
-/* The reason that is kept is that of the first card that does not work. */
+/* Keeps the reason of the first card that fails. */
 static bool try_card(void *arg, const char *path)
 {
     struct drm *d = arg;
     char why[PORT_WHY];
 
-    if (take_card(d, path, why))
+    if (open_card(d, path, why))
         return true;
     if (d->wish.why[0] == '\0')
         (void)snprintf(d->wish.why, PORT_WHY, "%s", why);
@@ -100,7 +100,7 @@ static int find_card(struct drm *d)
     return d->card.fd >= 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
-/* The letters of a DRM format mean little-endian pixels, on every processor. */
+/* DRM's formats are little-endian on every processor. */
 static int prepare_drawing(struct drm *d)
 {
     const uint16_t one = 1;
@@ -153,7 +153,7 @@ static int drm_open(void *ctx, struct tia_mode *mode)
 
 /* ---- a frame ---- */
 
-/* Is the screen still plugged in? Asks the kernel only for what it knows already. */
+/* Whether the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
 static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);
@@ -173,7 +173,7 @@ static int drm_mode(void *ctx, struct tia_mode *mode)
 {
     struct drm *d = ctx;
 
-    /* With no input to wait for, this is where a switch of consoles is seen. */
+    /* A program without input never waits, so console switches are handled here. */
     if (d->card.fd < 0 || console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     describe(d, mode);

@@ -1,6 +1,6 @@
-/* drm.h - a screen through the kernel's DRM: two dumb buffers, shown in turn by page flips. Needs
- * no GPU and no library but libdrm. Frames are drawn straight into the buffers where the driver
- * takes RGB565, else in memory, and expanded into them. */
+/* drm.h - a screen through the kernel's DRM: two dumb buffers and page flips. Needs no GPU and no library but
+ * libdrm. Frames are drawn straight into the buffers if the driver accepts RGB565; otherwise they are drawn in
+ * memory and expanded into the buffers. */
 #ifndef PORT_DRM_DRM_H
 #define PORT_DRM_DRM_H
 

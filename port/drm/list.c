@@ -1,4 +1,4 @@
-/* list.c - every card, connector, mode and format, for people. */
+/* list.c - prints every card, connector, mode and format. */
 #include <stdio.h>
 #include <string.h>
 #include <xf86drm.h>
@@ -10,7 +10,7 @@
 
 #define LINE 100
 
-/* Words on lines of at most LINE characters, each line begun with `start`. */
+/* Prints words on lines of at most LINE characters that begin with `start`. */
 struct words {
     port_line *line;
     void *arg;

@@ -1,4 +1,4 @@
-/* pick.h - which connector, mode and CRTC: choices from what libdrm's structs say. */
+/* pick.h - chooses connector, mode and CRTC from libdrm's structs. */
 #ifndef PORT_DRM_PICK_H
 #define PORT_DRM_PICK_H
 
@@ -6,32 +6,32 @@
 
 #include "ports.h"
 
-/* A card's connectors and encoders; places may be NULL. */
+/* A card's connectors and encoders; elements may be NULL. */
 struct drm_parts {
     drmModeRes *resources;
     drmModeConnector **connectors; /* resources->count_connectors */
     drmModeEncoder **encoders;     /* resources->count_encoders */
 };
 
-/* "HDMI-A-1", as the kernel names it too. */
+/* "HDMI-A-1", like the kernel's name. */
 #define PICK_NAME 32
 const char *pick_name(const drmModeConnector *connector, char name[PICK_NAME]);
 /* "1024x768@60". */
 const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME]);
 
-/* Connected and with modes: the one named `wish`, else one that is lit, else the first. NULL and
- * the reason in `why`. */
+/* A connector that is connected and has modes: the one called `wish`; if wish is NULL, one that is lit, or else the
+ * first. NULL, with the reason in `why`, if there is none. */
 const drmModeConnector *pick_connector(const struct drm_parts *parts, const char *wish, char why[PORT_WHY]);
 
-/* The modes to try, best first, by n = 0, 1, ...; NULL after the last. `wish` NULL: the preferred
- * one, then all others in the driver's order; "preferred": only that; "WxH" or "WxH@R": only those
- * of that size (and rate). */
+/* The modes to try, best first, by n = 0, 1, ...; NULL after the last. `wish` is NULL for the preferred mode, then all
+ * others in the driver's order; "preferred" for only that one; "WxH" or "WxH@R" for the modes of that size (and
+ * refresh rate). */
 const drmModeModeInfo *pick_mode(const drmModeConnector *connector, const char *wish, int n);
 
-/* The CRTC that the connector's encoder is on, else the first possible one that lights no other
- * connector; 0: none. */
+/* The CRTC of the connector's present encoder, or else the first possible one that drives no other connector; 0: none.
+ */
 uint32_t pick_crtc(const struct drm_parts *parts, const drmModeConnector *connector);
-/* The CRTC that lights the connector now, or 0. */
+/* The CRTC that drives the connector now, or 0. */
 uint32_t pick_current_crtc(const struct drm_parts *parts, const drmModeConnector *connector);
 
 #endif

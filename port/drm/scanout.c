@@ -8,10 +8,10 @@
 
 #include "console/node.h"
 
-/* No flip takes longer on a screen that works: the slowest modes have 24 pictures a second. */
+/* Much longer than a flip on a working screen: the slowest modes show 24 frames per second. */
 #define FLIP_MS 1000
 
-/* ---- what was there before ---- */
+/* ---- saving what the CRTC showed before ---- */
 
 static void remember(struct scanout *s)
 {
@@ -40,7 +40,7 @@ static void put_back(struct scanout *s)
     s->old = NULL;
 }
 
-/* ---- lighting: asking, then falling back ---- */
+/* ---- setting a mode: try, then fall back ---- */
 
 static int set_crtc(struct scanout *s, int buffer)
 {
@@ -56,7 +56,7 @@ static void free_buffers(struct scanout *s)
     errno = error;
 }
 
-/* One mode with one format: drivers refuse RGB565 at any of these calls. */
+/* Tries one mode with one format. Drivers that do not support RGB565 may say so at any of these calls. */
 static int try(struct scanout *s, const char **what)
 {
     for (int i = 0; i < 2; i++)
@@ -71,7 +71,7 @@ static int try(struct scanout *s, const char **what)
     return -1;
 }
 
-/* An answer that no other mode or format will change. */
+/* An error that no other mode or format can avoid. */
 static bool hopeless(int error)
 {
     return error == ENODEV || error == EACCES || error == EPERM || error == ENOMEM;
@@ -87,8 +87,8 @@ static int refused(const struct scanout *s, const char *mode_wish, const char *w
     return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
 }
 
-/* One mode with each format: 0; 1 when none is taken; or an error after which nothing will help. Of
- * several refusals the first one is told. */
+/* Tries one mode with each format: 0 on success; 1 when the driver refuses all; a negative status after a hopeless error. `why` keeps
+ * the first refusal. */
 static int try_mode(struct scanout *s, const char *mode_wish, int *status, char why[PORT_WHY])
 {
     const char *what;
@@ -140,8 +140,8 @@ static void flipped(int fd, unsigned sequence, unsigned seconds, unsigned micros
         s->pending--;
 }
 
-/* Takes one event; false when none comes. */
-static bool take_event(struct scanout *s, int timeout_ms)
+/* Handles one event; false when none comes. */
+static bool read_event(struct scanout *s, int timeout_ms)
 {
     drmEventContext events = {.version = 2, .page_flip_handler = flipped};
     struct pollfd fd = {.fd = s->card->fd, .events = POLLIN};
@@ -156,14 +156,14 @@ static bool take_event(struct scanout *s, int timeout_ms)
 void scanout_settle(struct scanout *scanout)
 {
     while (scanout->pending > 0)
-        if (!take_event(scanout, FLIP_MS)) {
-            /* The driver forgets events: show pictures by setting the mode, which waits. */
+        if (!read_event(scanout, FLIP_MS)) {
+            /* The driver loses events: show frames by setting the mode instead, which waits by itself. */
             scanout->flips = false;
             scanout->pending = 0;
         }
 }
 
-/* EBUSY: the driver is still at work on the picture before, which may be no flip of ours. */
+/* Retries on EBUSY: the driver is still busy with the frame before, which may not even be ours. */
 static int flip(struct scanout *s, int buffer)
 {
     for (int ms = 0;; ms++) {
@@ -171,7 +171,7 @@ static int flip(struct scanout *s, int buffer)
             break;
         if (errno != EBUSY || ms >= FLIP_MS)
             return -1;
-        (void)take_event(s, 1);
+        (void)read_event(s, 1);
     }
     s->pending++;
     scanout_settle(s);
@@ -190,7 +190,7 @@ int scanout_swap(struct scanout *scanout, char why[PORT_WHY])
             return card_failed(scanout->card, "the picture cannot be shown", why);
     }
     scanout->shown = next;
-    /* Where the screen is a copy of the buffer, this makes it; elsewhere it is not implemented. */
+    /* Drivers that copy the buffer to the screen (USB, virtual machines) copy now; others return ENOSYS. */
     if (drmModeDirtyFB(fd, scanout->buffers[next].fb, NULL, 0) != 0 && errno == ENODEV)
         return card_failed(scanout->card, "the picture cannot be shown", why);
     return TIA_OK;

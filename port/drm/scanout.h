@@ -1,38 +1,37 @@
-/* scanout.h - one CRTC of a card and the two buffers that it shows in turn. */
+/* scanout.h - one CRTC of a card, double buffered. */
 #ifndef PORT_DRM_SCANOUT_H
 #define PORT_DRM_SCANOUT_H
 
 #include "card.h"
 
-#define SCANOUT_CONNECTORS 8 /* that a CRTC lights at once */
+#define SCANOUT_CONNECTORS 8 /* that a CRTC can drive at once */
 
 struct scanout {
-    const struct card *card; /* NULL: not lit */
+    const struct card *card; /* NULL: no mode set */
     uint32_t crtc, connector;
     drmModeModeInfo mode;
     struct card_format format;
     struct card_buffer buffers[2];
-    int shown;        /* which of them */
-    bool flips;       /* the driver flips pages and tells when */
-    unsigned pending; /* flips whose event has not come */
-    drmModeCrtc *old; /* as found, and what it lit */
+    int shown;        /* index of the buffer on screen */
+    bool flips;       /* the driver flips pages and sends an event for each */
+    unsigned pending; /* flips whose event has not come yet */
+    drmModeCrtc *old; /* the CRTC as found, and the connectors that it drove */
     uint32_t old_connectors[SCANOUT_CONNECTORS];
     int old_count;
 };
 
-/* Shows black on the connector: with the first mode and format that the driver takes. Needs the
- * master's rights. */
+/* Shows black on the connector, in the first mode and format that the driver accepts. Needs to be the card's master. */
 int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
                   const char *mode_wish, char why[PORT_WHY]);
-/* The buffer that is not shown. */
+/* The back buffer. */
 const struct card_buffer *scanout_hidden(const struct scanout *scanout);
-/* Shows it, and waits until it is on the screen. */
+/* Shows the back buffer and waits until it is on screen. */
 int scanout_swap(struct scanout *scanout, char why[PORT_WHY]);
-/* Shows again what was shown, after another master. */
+/* Shows the front buffer again, after another master had the screen. */
 int scanout_relight(struct scanout *scanout);
-/* Waits for flips on their way. */
+/* Waits for pending flips. */
 void scanout_settle(struct scanout *scanout);
-/* Puts back the picture that was there, as long as we are the master, and frees the buffers. */
+/* Restores the CRTC as found, if we are still the master, and frees the buffers. */
 void scanout_end(struct scanout *scanout);
 
 #endif

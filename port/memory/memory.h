@@ -3,8 +3,8 @@
  *     struct port_memory m = {.width = 64, .height = 48, .surface = {pixels, 2, 128}};
  *     port_memory_display.open(&m, &mode);
  *
- * It needs no OS. Unlike a device it refuses every call that the contract of tia/port.h forbids,
- * with TIA_ERR_ARGUMENT: what runs here without an error asks nothing improper of other displays.
+ * It needs no OS. Unlike a device, it answers every call that tia/port.h does not allow with TIA_ERR_ARGUMENT: a
+ * program that runs here without an error uses other displays correctly.
  */
 #ifndef PORT_MEMORY_H
 #define PORT_MEMORY_H
@@ -17,7 +17,7 @@ enum memory_call_kind { MEMORY_OPEN, MEMORY_MODE, MEMORY_ACQUIRE, MEMORY_SUBMIT,
 
 struct memory_call {
     enum memory_call_kind kind;
-    struct tia_tile tile; /* of acquire and submit */
+    struct tia_tile tile; /* for acquire and submit */
     int result;
 };
 
@@ -27,14 +27,14 @@ struct port_memory {
     uint16_t width, height;
     uint16_t tile_width, tile_height;
     bool concurrent;
-    bool hidden;               /* mode says TIA_HIDDEN and nothing may be drawn */
-    int fail_open;             /* not 0: what open returns */
+    bool hidden;               /* mode returns TIA_HIDDEN, and drawing is an error */
+    int fail_open;             /* if not 0, open fails with this status */
     struct memory_call *calls; /* the record, or NULL */
-    size_t call_capacity;      /* calls beyond are counted, not recorded */
+    size_t call_capacity;      /* further calls are counted but not recorded */
 
-    /* Kept by the display; zero before open. */
+    /* Maintained by the display; zero before open. */
     atomic_size_t call_count;
-    atomic_uint acquired; /* tiles between acquire and submit */
+    atomic_uint acquired; /* tiles acquired but not submitted */
     unsigned frames;      /* presented so far */
     bool is_open;
 };

@@ -1,4 +1,4 @@
-/* display.c - frames are drawn into memory and forgotten: for checksums, statistics and tests. */
+/* display.c - draws frames into memory and discards them: for checksums, statistics and tests. */
 #include <stdio.h>
 #include <stdlib.h>
 

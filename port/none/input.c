@@ -1,4 +1,4 @@
-/* input.c - the input on which nobody types; only signals end its wait. */
+/* input.c - an input without keys; only signals and the timeout end its wait. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -38,7 +38,7 @@ const struct tia_input port_none_input = {
 
 void *port_none_input_create(const struct port_wish *wish)
 {
-    char *ctx = malloc(1); /* it has no state, but NULL would mean a failure */
+    char *ctx = malloc(1); /* there is no state, but NULL would mean failure */
 
     if (!ctx)
         (void)snprintf(wish->why, PORT_WHY, "none: out of memory");

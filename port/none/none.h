@@ -1,4 +1,4 @@
-/* none.h - a display that shows nothing and an input on which nobody types. */
+/* none.h - a display that shows nothing and an input without keys. */
 #ifndef PORT_NONE_H
 #define PORT_NONE_H
 

@@ -1,4 +1,4 @@
-/* gl.h - a GL context that draws into memory, from a library that is loaded when it is needed. */
+/* gl.h - a GL context that renders into memory, from a library loaded at run time. */
 #ifndef PORT_OSMESA_GL_H
 #define PORT_OSMESA_GL_H
 
@@ -7,7 +7,7 @@
 
 typedef void (*gl_proc)(void);
 
-/* The functions of GL that both libraries need: F(type, name, arguments). */
+/* The GL functions that both libraries need: F(type, name, arguments). */
 #define GL_COMMON(F)                                                                                                   \
     F(void, Disable, (GLenum))                                                                                         \
     F(void, DrawPixels, (GLsizei, GLsizei, GLenum, GLenum, const void *))                                              \
@@ -20,7 +20,7 @@ typedef void (*gl_proc)(void);
     F(void, RasterPos2f, (GLfloat, GLfloat))                                                                           \
     F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/* Members of a table of functions, and rows of the list that gl_load fills it by. */
+/* F for the members of a table of functions, and for the rows of the list from which gl_symbols fills it. */
 #define GL_MEMBER(type, name, arguments) type(GLAPIENTRY *name) arguments;
 #define GL_ROW(table, prefix, name)                                                                                    \
     {                                                                                                                  \
@@ -40,33 +40,33 @@ struct gl_screen {
     const struct gl_platform *platform;
     void *state; /* the platform's own */
     uint16_t width, height;
-    tia_rgb565 *pixels; /* what GL shows, from the top; the platform writes it */
+    tia_rgb565 *pixels; /* the frame buffer, top row first; the platform writes it */
     struct gl_common gl;
     char *why; /* [PORT_WHY] */
 };
 
 struct gl_platform {
     const char *name;
-    /* Loads the library and makes a context of the screen's size, current. On failure why says
-     * what failed; close is safe all the same, and twice. */
+    /* Loads the library, creates a context of the screen's size and makes it current. After a failure `why`
+     * has the reason. close is safe then, too, and when called twice. */
     int (*open)(struct gl_screen *screen);
     bool (*make_current)(struct gl_screen *screen);
     gl_proc (*proc)(struct gl_screen *screen, const char *name);
-    /* Brings what is drawn into screen->pixels. GL has finished, the context is current. */
+    /* Copies the frame buffer to screen->pixels. Called after glFinish, with the context current. */
     void (*read)(struct gl_screen *screen);
     void (*close)(struct gl_screen *screen);
 };
 
 extern const struct gl_platform gl_mesa, gl_egl;
 
-/* Loads the shared library `file`, which then stays; NULL: why says what failed. */
+/* Loads the shared library `file`, for good. NULL on failure, with the reason in `why`. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package);
 
-/* Fills a table with functions of a library, or with functions of GL. False: why names what is missing. */
+/* Fills a table with functions of a library or, if library is NULL, of GL. False if one is missing; `why` names it. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count);
 bool gl_load(struct gl_screen *screen, void *table, const struct gl_row *rows, size_t count);
 
-/* Writes "osmesa:NAME: ..." into why; returns status. */
+/* Writes "osmesa:NAME: ..." to `why`; returns status. */
 __attribute__((format(printf, 3, 4))) int gl_fail(struct gl_screen *screen, int status, const char *format, ...);
 
 #endif

@@ -1,4 +1,4 @@
-/* load.c - functions from libraries that are not linked. */
+/* load.c - loads functions from shared libraries at run time. */
 #include <dlfcn.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -18,8 +18,8 @@ int gl_fail(struct gl_screen *screen, int status, const char *format, ...)
     return status;
 }
 
-/* A GL driver leaves threads, exit handlers and thread-local data behind, so it cannot be
- * unloaded: RTLD_NODELETE keeps it, and the handle need not be kept. */
+/* A GL driver leaves threads, exit handlers and thread-local data behind, so unloading it would crash.
+ * RTLD_NODELETE prevents that, and makes it unnecessary to keep the handle. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package)
 {
     void *library = dlopen(file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -31,7 +31,7 @@ void *gl_library(struct gl_screen *screen, const char *file, const char *package
     return library;
 }
 
-/* ISO C has no conversion between pointers to data and to functions, POSIX gives them one form. */
+/* Copies the bytes: ISO C has no conversion from data to function pointers, but POSIX guarantees the same format. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

@@ -1,4 +1,4 @@
-/* osmesa.c - the display port: a frame in memory that present() draws through GL. */
+/* osmesa.c - the display: a frame in memory that present() draws through GL. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480
 
-/* In the order in which they are tried. */
+/* In the order to try. */
 static const struct gl_platform *const platforms[] = {
 #ifdef TIA_HAVE_LIBOSMESA
     &gl_mesa,
@@ -26,7 +26,7 @@ static const struct gl_platform *const platforms[] = {
 struct osmesa {
     struct gl_screen screen;
     const struct gl_platform *chosen; /* NULL: the first that opens */
-    struct canvas frame;              /* what present draws; NULL while closed */
+    struct canvas frame;              /* drawn by present; its pixels are NULL while closed */
 };
 
 #define ROW(type, name, arguments) GL_ROW(gl_common, "gl", name),
@@ -63,9 +63,8 @@ void port_osmesa_destroy(void *ctx)
     free(ctx);
 }
 
-/* All state that present relies on, set once. The alignment comes first: rows of an odd number
- * of pixels have no padding here, and GL's own default is 4. The picture's first row is drawn at
- * the top, downwards. */
+/* Sets all state that present relies on, once. The unpack alignment is 2, since our rows have no padding and GL's
+ * default is 4. Raster position and zoom put the first row at the top. */
 static int prepare(struct gl_screen *screen)
 {
     const struct gl_common *gl = &screen->gl;

@@ -1,12 +1,12 @@
-/* osmesa.h - OpenGL without a window as a display: for tests, where GL stands in for a screen.
+/* osmesa.h - off-screen OpenGL as a display: for tests, where GL stands in for a screen.
  *
- * present() draws the frame through GL, from RGB565 to RGB565, and every pixel arrives as it was.
- * Two libraries can do it: OSMesa, and EGL on Mesa's surfaceless platform where OSMesa is missing
- * (Mesa 25.1 dropped it). Neither is linked: opening the display loads it. Linked, OSMesa would
- * bring LLVM and some 20 other libraries into every start of the program, its gl* symbols would
- * clash with those of another GL, and without it the program would not start at all.
+ * present() draws the frame through GL, from RGB565 to RGB565, so that every pixel arrives unchanged. Two
+ * libraries can do it: OSMesa or, where that is missing (Mesa 25.1 dropped it), EGL on Mesa's surfaceless
+ * platform. Both are loaded when the display is opened rather than linked. A linked OSMesa would load LLVM and
+ * some 20 other libraries at every start of the program, clash with the gl* symbols of another GL, and keep the
+ * program from starting where it is not installed.
  *
- * GL contexts belong to threads: open, present, read and close on one of them.
+ * GL contexts belong to threads: call open, present, read and close on the same one.
  */
 #ifndef PORT_OSMESA_H
 #define PORT_OSMESA_H
@@ -15,16 +15,16 @@
 
 extern const struct tia_display port_osmesa_display;
 
-/* wish->device is "osmesa", "egl" or NULL: the first that opens. Without a size, 640x480. */
+/* wish->device is "osmesa", "egl" or, for the first that opens, NULL. The default size is 640x480. */
 void *port_osmesa_create(const struct port_wish *wish);
 void port_osmesa_destroy(void *ctx);
 void port_osmesa_list(port_line *line, void *arg);
 
-/* While it is open: the picture as GL shows it, row by row from the top, without gaps; valid
- * until the next call. NULL when GL fails. */
+/* For an open display: GL's frame buffer, top row first, without gaps; valid until the next call. NULL when GL
+ * fails. */
 const tia_rgb565 *port_osmesa_read(void *ctx);
 
-/* While it is open: a GL function by name, for programs that draw on their own; NULL: not there. */
+/* For an open display: a GL function by name, for programs that draw on their own; NULL if GL has none. */
 void (*port_osmesa_proc(void *ctx, const char *name))(void);
 
 #endif

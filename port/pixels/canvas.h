@@ -5,19 +5,19 @@
 #include <tia/port.h>
 
 struct canvas {
-    tia_rgb565 *pixels; /* row by row without gaps */
+    tia_rgb565 *pixels; /* row by row, without gaps */
     uint16_t width, height;
 };
 
-/* Makes the canvas width x height and black. TIA_ERR_MEMORY leaves an empty one. */
+/* Resizes the canvas and clears it to black. After TIA_ERR_MEMORY it is empty. */
 int canvas_resize(struct canvas *canvas, uint16_t width, uint16_t height);
 
-/* The part of the canvas that `tile` covers. TIA_ERR_ARGUMENT when it covers none or leaves it. */
+/* The part of the canvas that `tile` covers. TIA_ERR_ARGUMENT when the tile is empty or not inside the canvas. */
 int canvas_tile(const struct canvas *canvas, struct tia_tile tile, struct tia_surface *surface);
 
 void canvas_free(struct canvas *canvas);
 
-/* Is `tile` a part of a width x height picture, and not empty? */
+/* Whether `tile` is not empty and inside a width x height picture. */
 bool tile_inside(struct tia_tile tile, uint16_t width, uint16_t height);
 
 #endif

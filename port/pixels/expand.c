@@ -10,7 +10,7 @@ const struct pixel_format pixel_xbgr8888 = {32, false, {0, 8}, {8, 8}, {16, 8}, 
 
 static const struct {
     const char *name;
-    struct pixel_format format; /* without alpha, in the processor's order */
+    struct pixel_format format; /* without alpha, in the processor's byte order */
 } named[] = {
     {"RGB565", {16, false, {11, 5}, {5, 6}, {0, 5}, {0, 0}}},
     {"BGR565", {16, false, {0, 5}, {5, 6}, {11, 5}, {0, 0}}},
@@ -84,7 +84,7 @@ const char *pixel_name(const struct pixel_format *format, char text[PIXEL_NAME])
     return text;
 }
 
-/* The upper c.length bits of `value`, which has `width` bits, written again and again. */
+/* `value`, of `width` bits, repeated to fill the channel from its top bit down. */
 static uint32_t spread(uint32_t value, unsigned width, struct pixel_channel c)
 {
     uint64_t bits = 0;
@@ -140,7 +140,7 @@ static void expand_row32(const struct expander *e, uint32_t *to, const tia_rgb56
         to[i] = expand(e, from[i]);
 }
 
-/* Three bytes, the lowest first on a little-endian processor: as part of a larger number would lie. */
+/* Three bytes in the processor's byte order. */
 static void expand_row24(const struct expander *e, uint8_t *to, const tia_rgb565 *from, size_t count)
 {
     const uint16_t one = 1;

@@ -1,9 +1,9 @@
-/* ps2.c - scan code set 2 as key events. The codes are those of the IBM PS/2 keyboard. */
+/* ps2.c - decodes scan code set 2, as the IBM PS/2 keyboard sends it. */
 #include "ps2.h"
 
 /* clang-format off */
 enum {
-    SILENT = 1,                         /* no typing key: a modifier, a lock, or the echo of one */
+    SILENT = 1,                         /* causes no event: a modifier, a lock, or a fake shift */
     CTRL = 0x14, ALT_GR = 0x11,
     SUPER_LEFT = 0x1f, SUPER_RIGHT = 0x27,
     FAKE_SHIFT_LEFT = 0x12, FAKE_SHIFT_RIGHT = 0x59,
@@ -15,7 +15,7 @@ enum {
 };
 /* clang-format on */
 
-/* Keys without a prefix; 0 is any other typing key. */
+/* Keys without a prefix; 0 is any other key that types. */
 static const uint8_t plain[PS2_CODES] = {
     /* clang-format off */
     [0x1c] = 'a', [0x32] = 'b', [0x21] = 'c', [0x23] = 'd', [0x24] = 'e', [0x2b] = 'f', [0x34] = 'g',
@@ -72,7 +72,7 @@ static uint16_t key_of(const struct ps2 *ps2, bool extended, uint8_t code)
     return plain[code] ? plain[code] : (uint16_t)TIA_KEY_OTHER;
 }
 
-/* A key goes down or comes up; 1 when that is news and the key is not a silent one. */
+/* Notes that a key went down or came up; 1 if that is a change, and not of a silent key. */
 static int change(struct ps2 *ps2, bool extended, uint8_t code, bool down, struct tia_event *event)
 {
     if (is_held(ps2, extended, code) == down)

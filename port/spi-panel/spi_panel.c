@@ -1,5 +1,5 @@
-/* spi_panel.c - see spi_panel.h. Commands and pauses are those of the ILI9341's data sheet (8.2),
- * which the ST7735 and ST7789 share. */
+/* spi_panel.c - see spi_panel.h. Commands and pauses follow the ILI9341's data sheet (8.2); the ST7735 and ST7789
+ * have the same. */
 #include "spi_panel.h"
 
 enum {
@@ -52,9 +52,9 @@ static void pause_ms(const struct spi_panel *panel, unsigned ms)
     }
 }
 
-/* CASET and PASET take the first and the last column or row, each high byte first. The bytes may
- * still be on their way when this returns: they lie in *panel, and only after `command` has
- * returned are the old ones sent. */
+/* CASET and PASET take the first and the last column or row, high byte first. The bytes are in *panel, not on the
+ * stack, because the bus may still be sending them when this returns. They are changed only after `command`, which
+ * waits for the previous data. */
 static int send_range(struct spi_panel *panel, uint8_t command, unsigned first, unsigned count)
 {
     unsigned last = first + count - 1;
@@ -151,7 +151,7 @@ static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
     return TIA_OK;
 }
 
-/* The pixels in the order of the wire, in place; on a big-endian processor nothing changes. */
+/* Puts the pixels into the panel's byte order, in place; on a big-endian processor nothing changes. */
 static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
 {
     uint8_t *bytes = (uint8_t *)pixels;
@@ -163,7 +163,7 @@ static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
     return bytes;
 }
 
-/* The first command waits for the strip before this one: from then on that one may be drawn. */
+/* The first command waits until the previous strip has been sent, so that one is free for the next acquire. */
 static int panel_submit(void *ctx, struct tia_tile tile)
 {
     struct spi_panel *panel = ctx;
@@ -178,7 +178,7 @@ static int panel_submit(void *ctx, struct tia_tile tile)
     return status;
 }
 
-/* The panel stays dark until it has a whole frame. */
+/* Switches the panel on once it has a whole frame. */
 static int panel_present(void *ctx)
 {
     struct spi_panel *panel = ctx;

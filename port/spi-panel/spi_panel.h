@@ -1,55 +1,55 @@
-/* spi_panel.h - a small panel on a serial bus as a display: ILI9341, ST7735, ST7789 and their kin.
+/* spi_panel.h - a small panel on a serial bus: ILI9341, ST7735, ST7789 and compatible ones.
  *
- * Such a panel keeps the picture itself. It gets commands of one byte, with the D/C line low, and
- * data behind them, with D/C high; pixels are RGB565, high byte first. The program draws a strip
- * of rows in one of two buffers while the other one is on the wire.
+ * Such a panel has its own frame memory. It receives one-byte commands with the D/C line low, followed by data with
+ * D/C high; pixels are RGB565, high byte first. The program draws a strip of rows into one of two buffers while
+ * the other one is being sent.
  */
 #ifndef PORT_SPI_PANEL_H
 #define PORT_SPI_PANEL_H
 
 #include <tia/port.h>
 
-/* The wires. Both functions return 0, or anything else when the bus failed. */
+/* The bus. Both functions return 0, or anything else on failure. */
 struct spi_panel_bus {
-    /* Sends a command byte, D/C low. Waits for the data before it first. */
+    /* Waits until previous data has been sent, then sends a command byte, D/C low. */
     int (*command)(void *bus, uint8_t command);
-    /* Sends the data of the last command, D/C high. It may return while a DMA controller still
-     * sends: the bytes stay as they are until the next call of `command` has returned. */
+    /* Sends the last command's data, D/C high. It may return while DMA is still sending: the bytes do not change
+     * until the next call of `command` has returned. */
     int (*data)(void *bus, const uint8_t *bytes, size_t count);
 };
 
-/* What is written to the panel's register 36h, MADCTL: how its memory maps to the glass. */
+/* The panel's register 36h, MADCTL: how its memory maps to the glass. */
 enum {
     SPI_PANEL_FLIP_ROWS = 0x80,    /* MY */
     SPI_PANEL_FLIP_COLUMNS = 0x40, /* MX */
-    SPI_PANEL_SWAP_AXES = 0x20,    /* MV: landscape on a panel that is made upright */
-    SPI_PANEL_BGR = 0x08           /* the glass has blue where the controller puts red: most have */
+    SPI_PANEL_SWAP_AXES = 0x20,    /* MV: landscape on a portrait panel */
+    SPI_PANEL_BGR = 0x08           /* most panels have red and blue swapped */
 };
 
 struct spi_panel {
-    /* The caller's, set before open. */
+    /* Set by the caller before open. */
     const struct spi_panel_bus *ops;
     void *bus;
-    const struct tia_clock *clock; /* for the pauses that the controller asks for */
+    const struct tia_clock *clock; /* for the pauses that the controller needs */
     void *clock_ctx;
-    uint16_t width, height; /* as seen with `orientation` */
+    uint16_t width, height; /* after applying `orientation` */
     uint16_t left, top;     /* where the glass begins in the controller's memory */
     uint8_t orientation;    /* SPI_PANEL_... */
-    bool inverted;          /* IPS glass: 21h (INVON) is sent */
-    const uint8_t *setup;   /* the maker's own registers, or NULL: for each the command, the */
-    size_t setup_size;      /* number of its parameters, and these */
+    bool inverted;          /* IPS glass: send 21h (INVON) */
+    const uint8_t *setup;   /* vendor registers, or NULL: for each the command, the */
+    size_t setup_size;      /* number of parameters, the parameters */
     tia_rgb565 *strips;     /* two strips, one after the other */
-    size_t strips_size;     /* bytes; each strip has as many whole rows as fit in the half */
+    size_t strips_size;     /* bytes; a strip has as many whole rows as fit in half of it */
 
-    /* The port's own. */
-    const char *why; /* after a failure: its reason, in one line */
+    /* Private to the port, except `why`. */
+    const char *why; /* the reason of the last failure, one line */
     uint16_t rows;   /* of a strip */
-    uint8_t strip;   /* the one to be drawn next */
+    uint8_t strip;   /* the one to draw next */
     bool awake, shown;
-    uint8_t range[4]; /* on the wire */
+    uint8_t range[4]; /* CASET's or PASET's parameters, being sent */
 };
 
-/* Its context is a struct spi_panel. */
+/* The context is a struct spi_panel. */
 extern const struct tia_display spi_panel_display;
 
 #endif

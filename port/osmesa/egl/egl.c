@@ -1,5 +1,5 @@
-/* egl.c - EGL without any window system (EGL_MESA_platform_surfaceless): a GL context with no
- * framebuffer but the one that it makes itself. */
+/* egl.c - EGL without a window system (EGL_MESA_platform_surfaceless). Such a context has no default frame buffer;
+ * it renders into a frame buffer object. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -126,7 +126,7 @@ static int egl_open(struct gl_screen *screen)
     return status;
 }
 
-/* GL counts rows from the bottom. */
+/* GL's first row is the bottom one. */
 static void egl_read(struct gl_screen *screen)
 {
     struct egl *egl = screen->state;
@@ -137,8 +137,8 @@ static void egl_read(struct gl_screen *screen)
     }
 }
 
-/* Ending the context ends its framebuffer. The display stays: there is one for the whole program,
- * uncounted, and ending it would end the contexts of others. */
+/* Destroying the context frees its frame buffer object. The display is not terminated: it belongs to the whole
+ * program, without reference counting, so that would destroy the contexts of others. */
 static void egl_close(struct gl_screen *screen)
 {
     struct egl *egl = screen->state;

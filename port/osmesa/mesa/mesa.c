@@ -1,4 +1,4 @@
-/* mesa.c - OSMesa: Mesa's own interface to drawing into the caller's memory. */
+/* mesa.c - OSMesa, Mesa's interface for rendering into the caller's memory. */
 #include <stdlib.h>
 
 #include <GL/osmesa.h>
@@ -56,7 +56,7 @@ static gl_proc mesa_proc(struct gl_screen *screen, const char *name)
     return ((struct mesa *)screen->state)->GetProcAddress(name);
 }
 
-/* Mesa copies into the caller's memory when GL finishes. */
+/* Nothing to do: glFinish has copied the frame to the caller's memory. */
 static void mesa_read(struct gl_screen *screen)
 {
     (void)screen;
