@@ -87,8 +87,8 @@ static int refused(const struct scanout *s, const char *mode_wish, const char *w
     return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
 }
 
-/* Tries one mode with each format: 0 on success; 1 when the driver refuses all; a negative status after a hopeless error. `why` keeps
- * the first refusal. */
+/* Tries one mode with each format: 0 on success; 1 when the driver refuses all; a negative status after a hopeless
+ * error. `why` keeps the first refusal. */
 static int try_mode(struct scanout *s, const char *mode_wish, int *status, char why[PORT_WHY])
 {
     const char *what;
