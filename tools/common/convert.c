@@ -16,7 +16,7 @@ static const struct option long_options[] = {
     {"help", no_argument, NULL, 'h'},         {"version", no_argument, NULL, 'V'},
     {"name", required_argument, NULL, NAME},  {0}};
 
-/* One line, whatever a file's name holds. */
+/* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int fail(const struct converter *converter, int status, const char *what, const char *why)
 {
     char line[SCENE_WHY + 256];
@@ -48,7 +48,7 @@ static bool is_identifier(const char *text)
     return strstr(keywords, word) == NULL;
 }
 
-/* 0: go on; 1: done; 2: a mistake. */
+/* 0: continue; 1: done; 2: usage error. */
 static int set(const struct converter *converter, struct request *request, int option, const char *text)
 {
     switch (option) {
@@ -70,7 +70,7 @@ static int set(const struct converter *converter, struct request *request, int o
     }
 }
 
-/* getopt_long's own messages start with argv[0], which may be a path. */
+/* Replaces getopt_long's own messages, which start with argv[0]: that may be a path. */
 static int reject(const struct converter *converter, int option, char **argv)
 {
     return fail(converter, 2, argv[optind - 1],
@@ -84,7 +84,7 @@ static int parse(const struct converter *converter, struct request *request, int
     int option, result = 0;
 
     memcpy(options, known, sizeof options);
-    if (converter->symbol == NULL) /* --name is the last */
+    if (converter->symbol == NULL) /* drops --name, the last one */
         options[sizeof options / sizeof *options - 2] = (struct option){0};
     opterr = 0;
     while (result == 0 && (option = getopt_long(argc, argv, ":o:hV", options, NULL)) != -1)
@@ -134,7 +134,7 @@ int convert(const struct converter *converter, int argc, char **argv)
 
     if (result != 0)
         return result == 1 ? 0 : result;
-    (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
+    (void)signal(SIGPIPE, SIG_IGN); /* makes a closed pipe a write error */
     name_source(&request);
     result = open_scene(converter, &request, &file);
     if (result != 0)

@@ -8,7 +8,7 @@
 enum { CAUGHT = 4 };
 static const int caught[CAUGHT] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/* A signal is the process's own: so is this state. */
+/* Global, since signals belong to the process. */
 volatile int signals_caught;
 static struct sigaction before[CAUGHT];
 static sigset_t mask_before;
@@ -26,7 +26,7 @@ void signals_prepare(void)
     (void)sigaction(SIGXFSZ, &ignore, NULL);
 }
 
-/* Without SA_RESTART: what waits is to be interrupted. */
+/* Without SA_RESTART, so that a signal interrupts waiting calls. */
 void signals_catch(void)
 {
     for (size_t i = 0; i < CAUGHT; i++) {
@@ -53,7 +53,7 @@ void signals_catch_waiting(void)
 
 void signals_release(void)
 {
-    if (blocked) { /* while the handlers are there: what is pending is noted, not lost */
+    if (blocked) { /* while the handlers are still installed, so that pending signals are noted */
         (void)pthread_sigmask(SIG_SETMASK, &mask_before, NULL);
         blocked = false;
     }

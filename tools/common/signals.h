@@ -1,25 +1,25 @@
-/* signals.h - the signals that end the command: it stops cleanly, then dies of them. */
+/* signals.h - clean exit on signals: the command cleans up, then ends by the same signal. */
 #ifndef TOOLS_TIA_SIGNALS_H
 #define TOOLS_TIA_SIGNALS_H
 
-/* 0, or the signal that asked to stop: what tia_viewer's `stop` looks at. */
+/* 0, or the signal that was caught; for tia_viewer's `stop`. */
 extern volatile int signals_caught;
 
-/* From the start of the program: a closed pipe or a file that grows too large is an error of
- * write, not the end. */
+/* Call at the start of the program. A closed pipe or a file beyond the size limit then makes write fail instead of
+ * ending the program. */
 void signals_prepare(void);
 
-/* SIGINT, SIGTERM, SIGHUP and SIGQUIT are from now on only noted in signals_caught, unless whoever started
- * the program has them ignored. */
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGQUIT only set signals_caught; those that the parent process ignores stay
+ * ignored. */
 void signals_catch(void);
 
-/* The same, and they come only while an input waits. */
+/* The same, and delivers them only while an input waits. */
 void signals_catch_waiting(void);
 
-/* Back to what was before. */
+/* Undoes signals_catch. */
 void signals_release(void);
 
-/* signals_release; then, after a signal, the program ends by it. Else returns `status`. */
+/* Calls signals_release. If a signal was caught, ends the program by it, otherwise returns `status`. */
 int signals_end(int status);
 
 #endif

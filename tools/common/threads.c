@@ -6,21 +6,21 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Enough for the core, whose stack depth is bounded, and for a file's compression; the default
- * of 8 MB would count against a limit of the address space. */
+/* Enough for the core, whose stack depth is bounded, and for compressing a file. The default of 8 MB could exceed a
+ * limit on the address space. */
 #define STACK_BYTES (512u * 1024u)
 
 struct threads {
     pthread_mutex_t lock;
     pthread_cond_t begin, end;
     unsigned started; /* threads besides the caller */
-    unsigned busy;    /* of them, those that may still run jobs of this round */
+    unsigned busy;    /* those of them that may still run jobs of this round */
     unsigned round;   /* counts the calls of run */
     bool quit;
     void (*job)(void *arg, unsigned index);
     void *arg;
     unsigned count;
-    atomic_uint next; /* the first job that nobody has taken */
+    atomic_uint next; /* the next job to run */
     pthread_t thread[];
 };
 
@@ -34,9 +34,8 @@ unsigned threads_processors(void)
     return count < 1 ? 1 : count > THREADS_MAX ? THREADS_MAX : count;
 }
 
-/* `next` may pass `count` by one for each thread: far from wrapping, as tia has no more than
- * TIA_SIZE_MAX^2 = 2^26 jobs. */
-static void take_jobs(struct threads *pool)
+/* `next` can exceed `count` by one per thread. It cannot wrap, since there are at most TIA_SIZE_MAX^2 = 2^26 jobs. */
+static void run_jobs(struct threads *pool)
 {
     for (;;) {
         unsigned index = atomic_fetch_add(&pool->next, 1u);
@@ -61,7 +60,7 @@ static void *work(void *arg)
         }
         seen = pool->round;
         (void)pthread_mutex_unlock(&pool->lock);
-        take_jobs(pool);
+        run_jobs(pool);
         (void)pthread_mutex_lock(&pool->lock);
         if (--pool->busy == 0) {
             (void)pthread_cond_signal(&pool->end);
@@ -71,7 +70,7 @@ static void *work(void *arg)
     return NULL;
 }
 
-/* No signal may interrupt a job; a fault in one still reaches its handler. */
+/* Blocks all signals, so that none interrupts a job, except those for faults in the job itself. */
 static void block_signals(sigset_t *before)
 {
     static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -83,7 +82,7 @@ static void block_signals(sigset_t *before)
     (void)pthread_sigmask(SIG_SETMASK, &all, before);
 }
 
-/* Threads inherit the signal mask of the one that starts them. */
+/* Blocks signals first, since new threads inherit the signal mask. */
 static void start(struct threads *pool, unsigned count)
 {
     sigset_t before;
@@ -133,7 +132,7 @@ static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, un
         (void)pthread_cond_broadcast(&pool->begin);
     }
     (void)pthread_mutex_unlock(&pool->lock);
-    take_jobs(pool);
+    run_jobs(pool);
     (void)pthread_mutex_lock(&pool->lock);
     while (pool->busy > 0) {
         (void)pthread_cond_wait(&pool->end, &pool->lock);

@@ -1,4 +1,4 @@
-/* threads.h - tia_workers (tia/port.h) on POSIX threads: the one place that starts any. */
+/* threads.h - tia_workers (tia/port.h) on POSIX threads. No other file starts threads. */
 #ifndef PORT_THREADS_H
 #define PORT_THREADS_H
 
@@ -8,20 +8,20 @@
 
 struct threads;
 
-/* How many processors this process may use, 1..THREADS_MAX. */
+/* The number of processors that this process may use, 1..THREADS_MAX. */
 unsigned threads_processors(void);
 
-/* A pool that works on `count` threads: the caller of run and count - 1 more, which take no
- * signals. With fewer threads to be had it works on those. NULL: no memory. */
+/* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. If the system gives
+ * fewer threads, the pool works with those. NULL: no memory. */
 struct threads *threads_create(unsigned count);
 
-/* On how many threads it works. */
+/* The number of threads, including the caller of run. */
 unsigned threads_count(const struct threads *pool);
 
-/* Ends the threads. NULL is fine. */
+/* Ends the threads. NULL is allowed. */
 void threads_destroy(struct threads *pool);
 
-/* Its context is the pool. Not to be called from a job, nor from two threads at once. */
+/* The context is the pool. Do not call it from a job, nor from two threads at once. */
 extern const struct tia_workers threads_workers;
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "common/image/image.h"
 
-#define REACH 2  /* a square's half width: a lone pixel of a large picture would not be seen */
+#define REACH 2  /* half the width of a square: a single pixel of a large picture would be invisible */
 #define GUTTER 4 /* white columns between two panels */
 
 bool heatmap_alloc(struct heatmap *map, unsigned width, unsigned height, unsigned core_count)
@@ -47,7 +47,7 @@ static unsigned worst_near(const struct heatmap *map, unsigned core, unsigned x,
     return worst;
 }
 
-/* A quarter of the mean of the three channels: green counts 63, the others 31. */
+/* A quarter of the mean of the three channels; green's maximum is 63, that of the others 31. */
 static tia_rgb565 dark_grey(tia_rgb565 c)
 {
     unsigned level = ((c >> 11) + (c >> 6 & 31) + (c & 31u)) / 12;

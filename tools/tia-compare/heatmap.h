@@ -10,16 +10,16 @@ struct heatmap {
     unsigned char *verdict[MEASURE_CORES]; /* enum verdict, by pixel */
 };
 
-/* Memory for a frame; false: there is none. Either way heatmap_free it. */
+/* Allocates memory for a frame; false: no memory. Call heatmap_free in either case. */
 bool heatmap_alloc(struct heatmap *map, unsigned width, unsigned height, unsigned core_count);
 void heatmap_free(struct heatmap *map);
 
-/* For struct measure, whose arg is the heatmap. */
+/* The callback of struct measure; its arg is the heatmap. */
 void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct measure_pixel *want,
                   const struct measure_pixel *got);
 
-/* Writes `path`: for each core a panel, left to right, of the reference's picture in dark grey with
- * a square on each pixel that differs. A negative tia_status and *why ([PORT_WHY]) when it fails. */
+/* Writes `path`: for each core, from left to right, the reference's picture in dark grey with a square on each pixel
+ * that differs. A negative tia_status on failure, with the reason in `why`, [PORT_WHY] bytes. */
 int heatmap_write(const struct heatmap *map, const char *path, char *why);
 
 #endif

@@ -60,7 +60,7 @@ static int mistake(const char *what, const char *why)
     return -1;
 }
 
-/* A whole number low..high, all digits. */
+/* A whole number in low..high, digits only. */
 static bool number(const char *text, uint64_t low, uint64_t high, uint64_t *out)
 {
     char *end;
@@ -175,7 +175,7 @@ static int set(struct options *options, int option, const char *text)
     }
 }
 
-/* getopt_long's own messages start with argv[0], which may be a path. */
+/* Replaces getopt_long's own messages, which start with argv[0]: that may be a path. */
 static int reject(int option, char **argv)
 {
     return mistake(argv[optind - 1], option == ':' ? "needs a value (see --help)" : "unknown option (see --help)");

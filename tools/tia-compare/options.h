@@ -6,21 +6,21 @@
 #include <stdint.h>
 
 struct options {
-    const char *keys;             /* NULL: the built-in scene as it is and after each of its keys */
+    const char *keys;             /* NULL: draw the built-in scene as it is, and after each of its keys */
     bool thesis;                  /* the built-in scene's frames */
-    unsigned random, rays_random; /* how many random scenes, of balls and for general rays */
+    unsigned random, rays_random; /* number of random scenes, for the span and the ray renderer */
     uint64_t seed;
     char **scenes; /* files, scene_count of them */
     int scene_count;
-    unsigned width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random ones their own */
+    unsigned width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random scenes choose their own */
     unsigned threads;
     bool json, summary;
     const char *heatmap;
-    double require_identical;      /* percent; negative: not asked */
-    int64_t max_flips, max_levels; /* negative: not asked */
+    double require_identical;      /* percent; negative: not given */
+    int64_t max_flips, max_levels; /* negative: not given */
 };
 
-/* 0: go on; 1: done (--help); -1: a mistake, named on standard error. */
+/* 0: continue; 1: done (--help); -1: usage error, after an error message. */
 int options_parse(struct options *options, int argc, char **argv);
 
 #endif

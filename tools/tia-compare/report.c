@@ -36,7 +36,7 @@ static void json_tallies(const struct report *report, const struct tally *tallie
     }
 }
 
-/* A frame's name may be a file's: any bytes. */
+/* Escapes a frame's name; a file's name can contain any bytes. */
 static void json_string(const char *text)
 {
     putchar('"');

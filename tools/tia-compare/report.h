@@ -6,7 +6,7 @@
 
 struct report {
     bool json, summary;
-    const struct measure *what; /* its reference and cores */
+    const struct measure *what; /* for its reference and cores */
     unsigned frames;            /* so far */
     struct tally sums[MEASURE_CORES];
 };

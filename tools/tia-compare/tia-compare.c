@@ -1,4 +1,4 @@
-/* tia-compare - how far integers are from double precision, for each pixel of a set of scenes. */
+/* tia-compare - compares integers with double precision, pixel by pixel, over a set of scenes. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -143,7 +143,7 @@ static int run_frames(struct run *run)
     return result;
 }
 
-/* The bounds are on q16, the first of the cores, over all frames together. */
+/* The limits apply to q16, the first core, over all frames together. */
 static int check_bounds(const struct run *run)
 {
     const struct options *o = &run->options;
@@ -175,7 +175,7 @@ int main(int argc, char **argv)
 
     if (result != 0)
         return result < 0 ? 2 : 0;
-    (void)signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error like others */
+    (void)signal(SIGPIPE, SIG_IGN); /* makes a closed pipe a write error */
     struct threads *pool = threads_create(run.options.threads);
     if (pool == NULL)
         return failed("threads", "out of memory");

@@ -8,7 +8,7 @@ static void write_numbers(struct unit *unit, const uint32_t *numbers, uint32_t c
         text_word(&unit->text, "%uu,", numbers[i]);
 }
 
-/* The tables of one tree; `name` and `index` make theirs. */
+/* Writes the tables of one tree, with names made from `name`. */
 static void write_tree(struct unit *unit, const struct tia_bvh_tree *tree, const char *name)
 {
     if (tree->node_count == 0)

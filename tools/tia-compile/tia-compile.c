@@ -1,4 +1,4 @@
-/* tia-compile - a scene file as const tables in C, for programs without files to read. */
+/* tia-compile - converts a scene file to const tables in C, for programs without a file system. */
 #include "common/convert.h"
 #include "unit.h"
 
@@ -13,7 +13,7 @@ static const char usage[] = "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\
                             "\n"
                             "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n";
 
-/* A hierarchy of so few objects is one box around them all: flash for nothing. */
+/* A hierarchy of so few objects is a single box around them all: a waste of flash. */
 #define FEW 4
 
 static int write_unit(const struct request *request, const struct tia_scene *scene, char *why)

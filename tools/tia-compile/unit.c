@@ -50,7 +50,7 @@ static void write_camera(struct unit *unit)
     text_print(&unit->text, "},\n");
 }
 
-/* A table of the scene and how many it holds. */
+/* Writes the scene's reference to a table, and the table's length. */
 static void refer(struct unit *unit, const char *table, const char *count, uint32_t n)
 {
     if (n == 0)
@@ -97,7 +97,7 @@ void unit_write(struct unit *unit, const char *source)
     if (scene->track_count > 0)
         text_print(&unit->text, "#include <tia/motion.h>\n");
     text_print(&unit->text, "#include <tia/scene.h>\n\n");
-    /* A definition without one would warn, in a program that asks for it, of not being declared before. */
+    /* The declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on. */
     text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
     unit_things(unit);
     unit_shapes(unit);

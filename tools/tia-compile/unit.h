@@ -1,4 +1,4 @@
-/* unit.h - a scene as a unit of C: const tables, named after the scene's symbol. */
+/* unit.h - writes a scene as a C translation unit: const tables, named after the scene's symbol. */
 #ifndef TIA_COMPILE_UNIT_H
 #define TIA_COMPILE_UNIT_H
 
@@ -13,10 +13,10 @@ struct unit {
     const struct tia_scene *scene;
 };
 
-/* Writes the whole unit. `source` is named in a comment; scene->bvh NULL leaves the hierarchy out. */
+/* Writes the whole unit. A comment names `source`. If scene->bvh is NULL, there is no hierarchy. */
 void unit_write(struct unit *unit, const char *source);
 
-/* Its parts: the tables that the scene points to. */
+/* The parts of the unit: the tables that the scene points to. */
 void unit_things(struct unit *unit); /* materials, spheres, lights, keys */
 void unit_shapes(struct unit *unit); /* shapes, transforms */
 void unit_images(struct unit *unit); /* textures and grids */
@@ -24,20 +24,20 @@ void unit_meshes(struct unit *unit);
 void unit_tracks(struct unit *unit);
 void unit_bvh(struct unit *unit);
 
-/* One light, without what separates it from the next. */
+/* Writes one light, without a separator. */
 void unit_light(struct unit *unit, const struct tia_light *light);
 
-/* What tables are made of: "static const TYPE SYMBOL_NAME[] = {", and its end. */
+/* Write "static const TYPE SYMBOL_NAME[] = {", and the end of the table. */
 __attribute__((format(printf, 3, 4))) void table_begin(struct unit *unit, const char *type, const char *name, ...);
 void table_end(struct unit *unit);
 
-/* ".FIELD = VALUE," as a word; nothing where the value is 0, which is what is left out. */
+/* Writes ".FIELD = VALUE," as a word; nothing if the value is 0, which C initialises anyway. */
 void field_number(struct unit *unit, const char *field, int64_t value);
 void field_unsigned(struct unit *unit, const char *field, uint32_t value);
 void field_vec3(struct unit *unit, const char *field, struct tia_vec3 v);
 void field_dir3(struct unit *unit, const char *field, struct tia_dir3 d);
 void field_rgb(struct unit *unit, const char *field, struct tia_rgb c);
-/* ".FIELD = SYMBOL_NAME," where count is not 0. */
+/* Writes ".FIELD = SYMBOL_NAME," if count is not 0. */
 __attribute__((format(printf, 4, 5))) void field_table(struct unit *unit, const char *field, uint32_t count,
                                                        const char *name, ...);
 

@@ -20,7 +20,7 @@ __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, con
     return -1;
 }
 
-/* ---- one part ---- */
+/* ---- a single part ---- */
 
 static uint64_t frame_bytes(const struct part *part)
 {
@@ -40,7 +40,7 @@ static int read_at(struct parts *parts, const struct part *part, int fd, void *b
     return 0;
 }
 
-/* Only regular files: parts are read in any order, and a FIFO would wait. */
+/* Only regular files: parts are read in any order, and a FIFO would block. */
 static int open_part(struct parts *parts, const struct part *part, uint64_t *length)
 {
     struct stat status;
@@ -93,7 +93,7 @@ static int read_part(struct parts *parts, struct part *part)
     return result;
 }
 
-/* ---- all of them ---- */
+/* ---- all parts together ---- */
 
 static int check_same(struct parts *parts, const struct part *part)
 {
@@ -133,8 +133,8 @@ static const struct part *part_of(const struct parts *parts, uint32_t frame, uns
     return NULL;
 }
 
-/* Parts that do not overlap and have as many rows as the film leave no gap. Where they have fewer, one is
- * looked for: at the first frame and row, or behind the end of some part. */
+/* Parts that do not overlap and together have as many rows as the film leave no gap. If they have fewer, finds a gap to
+ * report: at the first frame and row, or after the end of a part. */
 static int check_gaps(struct parts *parts)
 {
     const struct image_film *film = &parts->array[0].film;
@@ -216,7 +216,7 @@ static bool learn_colours(struct parts *parts)
     return parts->colours != NULL;
 }
 
-/* The pixel of a colour: the last one in order that is not above it. False: it is of no pixel. */
+/* Finds the pixel with the given Y, U, V by binary search. False: no pixel has it. */
 static bool find_pixel(const uint64_t *colours, uint32_t colour, tia_rgb565 *pixel)
 {
     const uint64_t *at = colours;

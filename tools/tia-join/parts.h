@@ -1,4 +1,4 @@
-/* parts.h - the parts of a film: read, and whether they fit together. */
+/* parts.h - reads the parts of a film and checks that they fit together. */
 #ifndef TIA_JOIN_PARTS_H
 #define TIA_JOIN_PARTS_H
 
@@ -16,16 +16,15 @@ struct part {
 struct parts {
     struct part *array;
     unsigned count;
-    uint64_t *colours;   /* of a .y4m: for each pixel its Y, U and V above it, in their order; NULL: not yet */
+    uint64_t *colours;   /* for .y4m: each pixel with its Y, U and V in the bits above, sorted; NULL: not yet built */
     char why[PARTS_WHY]; /* one line, after a failure */
 };
 
-/* Reads the parts' headers and checks that they are of one film, without a gap, without an overlap. 0, or -1
- * when they are not. */
+/* Reads the parts' headers and checks that they make one film, without gaps or overlaps. 0, or -1 if not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
 void parts_close(struct parts *parts);
 
-/* A whole frame's pixels from all parts that have rows of it. 0 or -1. */
+/* Reads the pixels of a whole frame from all parts that have rows of it. 0, or -1 on failure. */
 int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels);
 
 #endif

@@ -1,4 +1,4 @@
-/* tia-join - the parts of a picture or film, drawn one by one, become the whole. */
+/* tia-join - joins separately drawn parts of a picture or film. */
 #include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
@@ -33,7 +33,7 @@ struct join {
     char why[PORT_WHY];
 };
 
-/* One line, always: control characters, which a file's name may hold, become '?'. */
+/* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int refuse(int status, const char *what, const char *why)
 {
     char text[700];
@@ -74,7 +74,7 @@ static int join_frames(struct join *join, const struct image_film *film)
     struct series series = {.name = join->output, .format = join->format, .film = *film, .why = join->why};
     tia_rgb565 *pixels = malloc((size_t)film->width * film->height * sizeof *pixels);
     int result = pixels != NULL ? FINE : refuse(NOT_WRITTEN, "memory", "exhausted");
-    signals_catch(); /* they must not leave an unfinished file */
+    signals_catch(); /* a signal must not leave an unfinished file */
     for (uint32_t frame = 0; frame < film->frames && result == FINE && signals_caught == 0; frame++) {
         result = join_frame(join, &series, frame, pixels);
     }
@@ -103,7 +103,7 @@ static int join_parts(struct join *join, char *const *paths, unsigned count)
 
 /* ---- the command line ---- */
 
-static int take(struct join *join, int option, char **argv)
+static int parse_option(struct join *join, int option, char **argv)
 {
     switch (option) {
     case 'o':
@@ -153,7 +153,7 @@ int main(int argc, char **argv)
         if (option == 'h' || option == 'V') {
             return print(option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
         }
-        result = take(&join, option, argv);
+        result = parse_option(&join, option, argv);
     }
     if (result == FINE) {
         result = check(&join, argc - optind);

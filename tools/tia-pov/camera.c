@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* The width over the height of the picture, whatever POV-Ray is asked for. */
+/* The aspect ratio of the picture that POV-Ray renders. */
 #define ASPECT "* image_width/image_height"
 
 struct axes {
@@ -35,8 +35,8 @@ static void perspective(struct pov *pov, const struct axes *axes)
     text_print(&pov->text, "\n}\n\n");
 }
 
-/* A frustum's rays go from the eye through the window at the distance near; an orthographic camera's
- * start in it, and POV-Ray's location is the window's centre. */
+/* The rays of a frustum go from the eye through the window at the distance near. Those of an orthographic camera start
+ * in the window, whose centre is POV-Ray's location. */
 static void window(struct pov *pov, const struct axes *axes)
 {
     const struct tia_camera *c = &pov->scene->camera;

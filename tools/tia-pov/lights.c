@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Where a directional light is: farther than two points of a scene can be apart. */
+/* The distance of a directional light: greater than the distance of any two points of a scene. */
 #define FAR 200000.0
 /* Samples along each side of an area light. */
 static unsigned side_of(const struct tia_light *l)
@@ -12,7 +12,8 @@ static unsigned side_of(const struct tia_light *l)
     return (unsigned)ceil(sqrt(samples));
 }
 
-/* POV-Ray's 2/(1 + (d/D)^p), times a factor that its colour takes, is 1/(constant + term d^p). */
+/* POV-Ray's attenuation is 2/(1 + (d/D)^p). Chooses D and p, and returns the factor for the light's colour, so that it
+ * equals 1/(constant + term d^p). */
 static double fade(const struct tia_light *l, double *distance, int *power)
 {
     double constant = pov_q16(l->constant), term = pov_q16(l->quadratic != 0 ? l->quadratic : l->linear);
@@ -21,7 +22,7 @@ static double fade(const struct tia_light *l, double *distance, int *power)
     *distance = 0;
     if (term == 0)
         return constant != 0 ? 1 / constant : 1;
-    /* Without a constant term D is as short as one may be. */
+    /* Without a constant term, D would be 0: take a very small one. */
     *distance = constant != 0 ? pow(constant / term, 1.0 / *power) : 0.001;
     return constant != 0 ? 1 / (2 * constant) : 1 / (2 * term * pow(*distance, *power));
 }
@@ -36,7 +37,7 @@ static void write_fade(struct pov *pov, uint32_t index, double distance, int pow
         pov_note(pov, "light %u: its attenuation has no linear term here besides the quadratic one", index);
 }
 
-/* POV-Ray's samples reach the edges; moved in by half a sample they are the cells' centres. */
+/* POV-Ray's samples reach the edges; shrinking the light by one sample's width puts them at the centres of cells. */
 static void area(struct pov *pov, struct point a, struct point b, unsigned n, const char *form)
 {
     double f = 2.0 * (n - 1) / n;
@@ -120,7 +121,7 @@ static void rectangle(struct pov *pov, const struct tia_light *l)
     }
 }
 
-/* What is seen of a light, which casts no shadow itself. */
+/* Writes the visible surface of a light; it casts no shadow. */
 static void write_seen(struct pov *pov, const struct tia_light *l)
 {
     bool sides = l->kind == TIA_RECTANGLE_LIGHT;

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* POV-Ray has one colour a surface for what it scatters and for what it lets through; tia has two. What
- * is let through alone is a filter of its colour; beside scattered light it must be grey. */
+/* POV-Ray has one colour for both diffuse reflection and transmission; tia has two. Transmission alone can be a filter
+ * of its colour; together with diffuse reflection it must be grey. */
 static double transmit_of(const struct tia_material *m)
 {
     return pov_black(m->colour) ? 0 : pov_mean(pov_rgb(m->refraction));
@@ -25,7 +25,7 @@ static bool lacks(double part, double whole)
     return part > 0 && whole <= 0;
 }
 
-/* POV-Ray multiplies what is emitted by the pigment, and by what is not let through. */
+/* POV-Ray multiplies emission by the pigment and by the part that is not transmitted; this divides by both. */
 static void write_emission(struct pov *pov, const struct tia_material *m)
 {
     struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
@@ -40,7 +40,7 @@ static void write_emission(struct pov *pov, const struct tia_material *m)
     pov_triple(pov, "emission rgb", (struct point){ratio(e.x, c.x), ratio(e.y, c.y), ratio(e.z, c.z)});
 }
 
-/* kr = mirror + F refraction: POV-Ray's reflection goes from its first colour to its second by F. */
+/* kr = mirror + F refraction: POV-Ray interpolates between two reflection colours by F. */
 static void write_reflection(struct pov *pov, const struct tia_material *m)
 {
     struct point mirror = pov_rgb(m->mirror);
@@ -82,7 +82,7 @@ static void write_pigment(struct pov *pov, const struct tia_material *m)
     }
 }
 
-/* What of a material stays unsaid. */
+/* Notes the properties of a material that POV-Ray cannot express. */
 static void note_material(struct pov *pov, uint32_t index, const struct tia_material *m)
 {
     struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
@@ -137,8 +137,8 @@ void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *sh
     text_word(&pov->text, "} finish { Finish_%u } } interior { Interior_%u }", material, material);
 }
 
-/* POV-Ray's shadow rays see what all see: the pigment, at each surface. tia's have a colour of their
- * own, at each object. The two agree where nothing, or everything, passes. */
+/* POV-Ray's shadow rays are filtered by the pigment, at each surface. tia has a separate colour for them, applied once
+ * per object. The two agree if the object transmits nothing or everything. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];

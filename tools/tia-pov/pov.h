@@ -1,7 +1,7 @@
-/* pov.h - a scene in POV-Ray's language, 3.7.
+/* pov.h - writes a scene in the language of POV-Ray 3.7.
  *
- * POV-Ray's camera names its own axes, so all coordinates stay as they are: its pictures are as
- * right-handed as ours when `right` is our u. Its rotations turn like ours by the numbers.
+ * All coordinates stay the same. POV-Ray is left-handed by default, but its camera defines its own axes; with our u
+ * as `right`, the pictures are the same as ours. The numbers of rotations keep their meaning.
  */
 #ifndef TIA_POV_POV_H
 #define TIA_POV_POV_H
@@ -12,50 +12,50 @@
 
 struct pov {
     struct text text;
-    const char *path; /* of the scene in POV-Ray's language; "-": pictures have no place to go */
+    const char *path; /* of the output; "-": standard output, so pictures cannot be written beside it */
     char *why;        /* [PORT_WHY] */
     const struct tia_scene *scene;
-    char note[200]; /* the last one: it is not repeated */
-    bool failed;    /* a picture beside the scene could not be written; *why says why */
+    char note[200]; /* the last note, so as not to repeat it */
+    bool failed;    /* writing a picture beside the scene failed; `why` has the reason */
 };
 
 struct point {
     double x, y, z;
 };
 
-/* Writes the whole scene; what cannot be said is a comment there and a line on standard error. */
+/* Writes the whole scene. What POV-Ray cannot express becomes a comment, and a line on standard error. */
 void pov_write(struct pov *pov, const char *source);
 
-/* Its parts. */
+/* The parts of the scene. */
 void pov_camera(struct pov *pov);
 void pov_lights(struct pov *pov);
 void pov_materials(struct pov *pov);
 void pov_shapes(struct pov *pov);
 
-/* The material of an object of that shape, with what its texture needs to know of it: `shape` is NULL
- * for one without a shape of its own, a cell of a grid, as which it has got the coordinates of a mesh. */
+/* Writes the material for an object; its texture depends on the shape. `shape` is NULL for a cell of a grid, which is
+ * written as a mesh. */
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
-/* Whether only an object of its own, unseen, casts the right shadow for it; and that one's material. */
+/* Whether the right shadow needs a separate, invisible object; writes the material of that object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
 void pov_shadow_material(struct pov *pov, uint32_t material, bool closed);
 
-/* Whether a material has a texture. Its pigment, in tia's u, v, which lets `transmit` through: false when it
- * cannot be said. */
+/* Whether a material has a texture; writes its pigment in tia's u, v, with the given `transmit`, and returns false if
+ * POV-Ray cannot express it. */
 bool pov_textured(const struct pov *pov, uint32_t material);
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
-/* Whether it closes around a sphere: it repeats a whole number of times, checkers an even one. */
+/* Whether the texture closes around a sphere: it repeats a whole number of times; a checker, an even number. */
 bool pov_closes(const struct pov *pov, uint32_t material);
-/* Where POV-Ray looks a shape's pigment up: at the place itself where the shape is flat, else at the coordinates of
- * its own uv_mapping. And what takes a textured pigment there. */
+/* Whether POV-Ray evaluates a shape's pigment at the point itself, as on flat shapes, or in the coordinates of its own
+ * uv_mapping; writes the mapping from u, v to those. */
 bool pov_flat(const struct tia_shape *shape);
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* A mesh2 up to its material: of a mesh, a triangle, or a box with coordinates on its faces. */
+/* Write a mesh2 without its material: for a mesh, a triangle, or a box with coordinates on its faces. */
 void pov_mesh(struct pov *pov, const struct tia_mesh *mesh);
 void pov_triangle(struct pov *pov, const struct tia_triangle *triangle);
 void pov_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max);
 
-/* What POV-Ray has no words for. */
+/* Notes something that POV-Ray cannot express. */
 __attribute__((format(printf, 2, 3))) void pov_note(struct pov *pov, const char *format, ...);
 
 double pov_q16(tia_q16 value);
@@ -69,10 +69,10 @@ struct point pov_cross(struct point a, struct point b);
 struct point pov_unit(struct point a);
 double pov_mean(struct point a);
 bool pov_black(struct tia_rgb c);
-/* light.h's axes A, B of a unit normal. */
+/* The axes A and B that tia/light.h defines for a unit normal. */
 void pov_axes(struct point normal, struct point *a, struct point *b);
 
-/* "NAME <x, y, z>" as a word; NAME may be "". */
+/* Writes "NAME <x, y, z>" as a word; NAME may be "". */
 void pov_triple(struct pov *pov, const char *name, struct point p);
 
 #endif

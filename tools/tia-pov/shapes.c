@@ -21,7 +21,7 @@ static void write_plane(struct pov *pov, const struct tia_plane *p)
     text_word(&pov->text, ", %.10g", n.x * at.x + n.y * at.y + n.z * at.z);
 }
 
-/* A cylinder, or a cone of two radii. */
+/* Writes a cylinder or a cone. */
 static void write_tapered(struct pov *pov, const char *name, struct tia_vec3 base, struct tia_vec3 top, double radius,
                           const tia_q16 *base_radius)
 {
@@ -48,7 +48,7 @@ static void write_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max,
     pov_triple(pov, ",", pov_vec3(max));
 }
 
-/* The shape up to its material. */
+/* Writes the shape without its material. */
 static void write_geometry(struct pov *pov, const struct tia_shape *s)
 {
     switch (s->kind) {
@@ -152,7 +152,7 @@ static void write_object(struct pov *pov, const struct tia_shape *s)
     }
 }
 
-/* Equal neighbours along x are one box, unless each has a texture of its own. */
+/* The number of equal cells along x that can be one box; 1 if textured, since the texture repeats per cell. */
 static uint32_t run_length(const struct pov *pov, const uint8_t *cells, uint32_t count, uint32_t material)
 {
     uint32_t n = 1;

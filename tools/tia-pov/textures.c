@@ -16,7 +16,7 @@ static const struct tia_texture *texture_of(const struct pov *pov, uint32_t mate
     return &pov->scene->textures[pov->scene->materials[material].texture - 1];
 }
 
-/* The picture of a material: the texels times its colour, 16 bits a channel. */
+/* Writes the picture for a material: the texels times its colour, 16 bits per channel. */
 static int write_texels(struct text *text, const struct tia_texture *t, struct point colour)
 {
     const double factor[3] = {colour.x * 257, colour.y * 257, colour.z * 257};
@@ -30,7 +30,7 @@ static int write_texels(struct text *text, const struct tia_texture *t, struct p
     return text_close(text);
 }
 
-/* Beside FILE.pov: FILE-N.ppm. */
+/* FILE-N.ppm for FILE.pov. */
 static char *picture_path(const struct pov *pov, uint32_t material)
 {
     size_t length = strlen(pov->path);
@@ -43,7 +43,7 @@ static char *picture_path(const struct pov *pov, uint32_t material)
     return path;
 }
 
-/* A string of POV-Ray's has its backslashes and quotes behind backslashes. */
+/* Writes a string literal of POV-Ray, with backslashes before backslashes and quotes. */
 static void write_string(struct text *text, const char *string)
 {
     text_print(text, "\"");
@@ -66,7 +66,7 @@ static void write_image(struct pov *pov, uint32_t material, double transmit)
         text_word(&pov->text, "image_map { ppm ");
         write_string(&pov->text, slash != NULL ? slash + 1 : path);
         text_word(&pov->text, "gamma 1.0 %s transmit all %.10g }", t->bilinear ? "interpolate 2" : "", transmit);
-        /* Its pictures stand on y = 0, ours hang from v = 0. */
+        /* POV-Ray's pictures have their bottom at y = 0, ours their top at v = 0. */
         text_word(&pov->text, "scale <1, -1, 1>");
     }
     free(path);
@@ -83,7 +83,7 @@ static void write_checker(struct pov *pov, uint32_t material, double transmit)
         pov_triple(pov, i == 0 ? "checker rgb" : ", rgb", cell);
         text_word(&pov->text, "transmit %.10g", transmit);
     }
-    /* Its cells are cubes: the surface goes through the middle of a layer. */
+    /* POV-Ray's checkers are cubes: put the surface in the middle of a layer. */
     text_word(&pov->text, "translate <0, 0, -0.5>");
 }
 

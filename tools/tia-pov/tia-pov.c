@@ -1,4 +1,4 @@
-/* tia-pov - a scene file in POV-Ray's language, so that a stranger can draw it too. */
+/* tia-pov - converts a scene file to POV-Ray's language, so that an independent renderer can draw it. */
 #include "common/convert.h"
 #include "pov.h"
 

@@ -1,10 +1,10 @@
-/* arithmetic.h - the builds of the core that this program is linked with. */
+/* arithmetic.h - the arithmetics that this program is linked with. */
 #ifndef TOOLS_TIA_ARITHMETIC_H
 #define TOOLS_TIA_ARITHMETIC_H
 
 #include <tia/render.h>
 
-/* "q16" or "f64"; NULL when there is no such build. */
+/* The core called "q16", "f64", ...; NULL when this program does not have it. */
 const struct tia_core *arithmetic_called(const char *name);
 
 #endif

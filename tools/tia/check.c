@@ -14,7 +14,7 @@ static bool is_one_of(const char *name, const char *const *names)
     return *names != NULL;
 }
 
-/* A name that only another build has is no wrong usage: that is found out later. */
+/* A name that another build of tia knows is not a usage error; opening it fails later, with its own message. */
 static int check_names(const struct options *options)
 {
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
@@ -41,7 +41,7 @@ static int check_names(const struct options *options)
     return EXIT_FINE;
 }
 
-/* The file's format and what goes with a file. */
+/* Chooses the file's format and checks the options for files. */
 static int check_output(struct options *options)
 {
     if (options->output == NULL) {
@@ -73,7 +73,7 @@ static int check_output(struct options *options)
     return EXIT_FINE;
 }
 
-/* Parts of films and pictures are files. */
+/* Parts of films and pictures can only be files. */
 static int check_parts(const struct options *options)
 {
     const char *output = options->output;
@@ -93,7 +93,7 @@ static int check_parts(const struct options *options)
     return EXIT_FINE;
 }
 
-/* Sockets and modes are DRM's alone. */
+/* Only DRM has connectors and modes. */
 static int check_drm(struct options *options)
 {
     if (options->connector == NULL && options->mode == NULL) {
@@ -109,7 +109,7 @@ static int check_drm(struct options *options)
     return EXIT_FINE;
 }
 
-/* The scene's format, by its name if it is not given. */
+/* Chooses the scene's format by the file's name unless it is given. */
 static int check_scene(struct options *options)
 {
     const char *path = options->scene_path;

@@ -1,11 +1,10 @@
-/* check.h - whether options that are right each for itself go together. */
+/* check.h - checks that valid options go together. */
 #ifndef TOOLS_TIA_CHECK_H
 #define TOOLS_TIA_CHECK_H
 
 #include "options.h"
 
-/* EXIT_FINE, or EXIT_USAGE after one line that says what is wrong. Settles the file's format and what is
- * to be done. */
+/* EXIT_FINE, or EXIT_USAGE after an error message. Fills in the formats that are not given. */
 int check(struct options *options);
 
 #endif

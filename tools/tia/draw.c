@@ -1,4 +1,4 @@
-/* draw.c - one picture into a file, or a film's frames one after the other. */
+/* draw.c - draws a picture, or a film frame by frame, into a file. */
 #include "draw.h"
 
 #include <inttypes.h>
@@ -9,7 +9,7 @@
 #include "common/signals.h"
 #include "fail.h"
 #include "film.h"
-#include "moment.h"
+#include "film_scene.h"
 #include "picture.h"
 #include "ports.h"
 #include "stats.h"
@@ -17,15 +17,15 @@
 struct drawing {
     const struct options *options;
     struct image_film film;
-    struct moment moment;
+    struct film_scene film_scene;
     struct picture picture;
     struct series series;
-    uint64_t start_us; /* of the frame */
-    bool no_output;    /* a line of --checksum could not be written */
+    uint64_t start_us; /* when the frame was begun */
+    bool no_output;    /* writing a line of --checksum failed */
     char why[PORT_WHY];
 };
 
-static struct stats stats; /* too large for a stack */
+static struct stats stats; /* too large for the stack */
 
 static int end_frame(struct drawing *drawing, uint32_t frame)
 {
@@ -48,11 +48,11 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
     return TIA_OK;
 }
 
-/* A signal must not leave a temporary file, but where there is none, in a pipe's write, it may end the
- * program at once. */
+/* A signal must not leave a temporary file behind, so it is only noted while there is one. Without one, such as when
+ * writing to a pipe, it may end the program at once. */
 static int draw_frame(struct drawing *drawing, uint32_t frame)
 {
-    int status = moment_at(&drawing->moment, frame);
+    int status = film_scene_update(&drawing->film_scene, frame);
     if (status == TIA_OK) {
         status = series_begin(&drawing->series, frame);
     }
@@ -62,7 +62,7 @@ static int draw_frame(struct drawing *drawing, uint32_t frame)
     if (!image_temporary(drawing->series.image)) {
         signals_release();
     }
-    drawing->picture.view = drawing->moment.view;
+    drawing->picture.view = drawing->film_scene.view;
     drawing->picture.image = drawing->series.image;
     status = picture_draw(&drawing->picture);
     return status == TIA_OK && signals_caught == 0 ? end_frame(drawing, frame) : status;
@@ -87,12 +87,12 @@ static int draw_all(struct drawing *drawing)
 {
     int status = picture_begin(&drawing->picture, drawing->options, &drawing->film);
     if (status == TIA_OK) {
-        status = moment_begin(&drawing->moment, drawing->options, drawing->why);
+        status = film_scene_begin(&drawing->film_scene, drawing->options, drawing->why);
     }
     return status == TIA_OK ? draw_film(drawing) : status;
 }
 
-/* As of a display. */
+/* The same figures as for a display. */
 static void print_stats(const struct drawing *drawing)
 {
     stats.display = "file";
@@ -106,7 +106,7 @@ static void print_stats(const struct drawing *drawing)
 static int report(const struct drawing *drawing, int status)
 {
     if (signals_caught != 0) {
-        return EXIT_RUNNING; /* dies of the signal */
+        return EXIT_RUNNING; /* the caller ends the program by the signal */
     }
     if (drawing->no_output) {
         return fail_output();
@@ -134,6 +134,6 @@ int draw(const struct options *options)
     progress_end(&drawing.picture.progress);
     int result = report(&drawing, status);
     picture_end(&drawing.picture);
-    moment_end(&drawing.moment);
+    film_scene_end(&drawing.film_scene);
     return signals_end(result);
 }

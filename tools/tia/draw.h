@@ -1,10 +1,10 @@
-/* draw.h - one picture into a file. */
+/* draw.h - draws a picture or film into a file. */
 #ifndef TOOLS_TIA_DRAW_H
 #define TOOLS_TIA_DRAW_H
 
 #include "options.h"
 
-/* Draws options->output. Returns the exit status, after one line on standard error if not 0. */
+/* Draws options->output. Returns the exit status, after an error message if it is not 0. */
 int draw(const struct options *options);
 
 #endif

@@ -1,24 +1,24 @@
-/* fail.h - what the command says when something is wrong: one line, "tia: WHAT: WHY". */
+/* fail.h - error messages: one line, "tia: WHAT: WHY". */
 #ifndef TOOLS_TIA_FAIL_H
 #define TOOLS_TIA_FAIL_H
 
 /* The exit statuses. */
 enum { EXIT_FINE, EXIT_RUNNING, EXIT_USAGE, EXIT_DISPLAY, EXIT_INPUT };
 
-/* Prints "tia: " and the text on standard error, always as one line: control characters, which
- * a file's name may hold, become '?'. Returns `status`. */
+/* Prints "tia: " and the text to standard error. Control characters, as in odd file names, become '?', so that it is
+ * always one line. Returns `status`. */
 __attribute__((format(printf, 2, 3))) int fail(int status, const char *format, ...);
 
-/* For an option's value that breaks `rule`: EXIT_USAGE. */
+/* Reports an invalid value of an option; `rule` says why. Returns EXIT_USAGE. */
 int wrong(const char *option, const char *value, const char *rule);
 
-/* For a failed write to standard output: EXIT_RUNNING, errno says why. */
+/* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
 int fail_output(void);
 
-/* What a tia_status says of a drawing that gave no reason. */
+/* A tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);
 
-/* Prints such a line for what is no error. */
+/* Prints a line in the same form that is not an error. */
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);
 
 #endif

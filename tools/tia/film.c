@@ -13,13 +13,13 @@ tia_q16 film_time(const struct options *options, uint32_t frame)
     return tia_frame_time(options->time, frame, options->rate);
 }
 
-struct rotation film_turn(const struct options *options)
+struct rotation film_rotation(const struct options *options)
 {
     return (struct rotation){options->rotate, options->width ? options->width : DEFAULT_WIDTH,
                              options->height ? options->height : DEFAULT_HEIGHT};
 }
 
-/* As many as begin before the last keyframe, and one where nothing moves. */
+/* The frames that begin before the last keyframe; one if nothing moves. */
 static uint32_t count_frames(const struct options *options)
 {
     int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
@@ -34,7 +34,7 @@ static uint32_t count_frames(const struct options *options)
     return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
 }
 
-/* All that the pixels depend on besides the size: parts of one film say the same. */
+/* A CRC of everything besides the size that the pixels depend on: the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
     char text[120];
@@ -67,7 +67,7 @@ static int plan_frames(const struct options *options, struct image_film *film)
 
 int film_plan(const struct options *options, struct image_film *film)
 {
-    struct rotation rotation = film_turn(options);
+    struct rotation rotation = film_rotation(options);
     struct rotation back = rotation_inverse(&rotation);
     *film = (struct image_film){.width = back.width,
                                 .height = back.height,

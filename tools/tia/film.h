@@ -1,17 +1,17 @@
-/* film.h - which frames there are, and when. */
+/* film.h - the frames of a film: number, times, size. */
 #ifndef TOOLS_TIA_FILM_H
 #define TOOLS_TIA_FILM_H
 
 #include "options.h"
 #include "rotate.h"
 
-/* The time of frame `frame`, counted from 0 at --time: exact to the nearest 2^-16 s, whatever came before. */
+/* The time of frame `frame`; frame 0 is at --time. Rounded to the nearest 2^-16 s; errors do not add up. */
 tia_q16 film_time(const struct options *options, uint32_t frame);
 
-/* The picture's size, and how it is turned into the file. */
-struct rotation film_turn(const struct options *options);
+/* The size of the picture, and its rotation in the file. */
+struct rotation film_rotation(const struct options *options);
 
-/* What goes into the file: size, rows, frames. EXIT_FINE, or EXIT_USAGE after one line that says what is wrong. */
+/* Finds the size, rows and frames of the file. EXIT_FINE, or EXIT_USAGE after an error message. */
 int film_plan(const struct options *options, struct image_film *film);
 
 #endif

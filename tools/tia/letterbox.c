@@ -13,8 +13,8 @@ static uint16_t at_most(uint16_t value, uint16_t limit)
     return value < limit ? value : limit;
 }
 
-/* The picture as large as the user asked, or as large as the screen lets a picture be. */
-static void choose_turn(struct letterbox *letterbox)
+/* The size that the user asked for, or that of the screen. */
+static void choose_rotation(struct letterbox *letterbox)
 {
     bool swaps = rotation_swaps(letterbox->degrees);
     uint16_t width = at_most(swaps ? letterbox->mode.height : letterbox->mode.width, TIA_SIZE_MAX);
@@ -40,21 +40,21 @@ static int choose_frame(struct letterbox *letterbox)
 
 static int fit(struct letterbox *letterbox)
 {
-    choose_turn(letterbox);
-    struct rotation turned = rotation_inverse(&letterbox->rotation);
-    if (turned.width > letterbox->mode.width || turned.height > letterbox->mode.height) {
+    choose_rotation(letterbox);
+    struct rotation rotated = rotation_inverse(&letterbox->rotation);
+    if (rotated.width > letterbox->mode.width || rotated.height > letterbox->mode.height) {
         (void)snprintf(letterbox->why, PORT_WHY, "%s: a picture of %ux%u does not fit its %ux%u (use a smaller --size)",
-                       letterbox->name, turned.width, turned.height, letterbox->mode.width, letterbox->mode.height);
+                       letterbox->name, rotated.width, rotated.height, letterbox->mode.width, letterbox->mode.height);
         return TIA_ERR_UNSUPPORTED;
     }
-    letterbox->place = (struct tia_tile){(uint16_t)((letterbox->mode.width - turned.width) / 2),
-                                         (uint16_t)((letterbox->mode.height - turned.height) / 2),
-                                         (uint16_t)turned.width, (uint16_t)turned.height};
+    letterbox->place = (struct tia_tile){(uint16_t)((letterbox->mode.width - rotated.width) / 2),
+                                         (uint16_t)((letterbox->mode.height - rotated.height) / 2),
+                                         (uint16_t)rotated.width, (uint16_t)rotated.height};
     return choose_frame(letterbox);
 }
 
-/* The mode that the viewer sees. */
-static void tell_mode(const struct letterbox *letterbox, struct tia_mode *mode)
+/* The mode of the picture, as the viewer sees it. */
+static void get_picture_mode(const struct letterbox *letterbox, struct tia_mode *mode)
 {
     bool swaps = rotation_swaps(letterbox->degrees);
     *mode = letterbox->mode;
@@ -77,11 +77,11 @@ static int letterbox_open(void *ctx, struct tia_mode *mode)
         letterbox->screen->close(letterbox->screen_ctx);
         return status;
     }
-    tell_mode(letterbox, mode);
+    get_picture_mode(letterbox, mode);
     return TIA_OK;
 }
 
-/* A window that has become too small for the picture shows nothing until it is large enough. */
+/* A window that becomes too small for the picture counts as hidden until it is large enough again. */
 static int letterbox_mode(void *ctx, struct tia_mode *mode)
 {
     struct letterbox *letterbox = ctx;
@@ -97,13 +97,13 @@ static int letterbox_mode(void *ctx, struct tia_mode *mode)
         letterbox->place.width = 0;
         return TIA_HIDDEN;
     }
-    tell_mode(letterbox, mode);
+    get_picture_mode(letterbox, mode);
     return status;
 }
 
 /* ---- pixels ---- */
 
-/* Where a tile of the picture lies on the screen. */
+/* The rectangle of the screen that shows a tile of the picture. */
 static struct tia_tile on_screen(const struct letterbox *letterbox, struct tia_tile tile)
 {
     struct tia_tile place = rotation_tile(&letterbox->rotation, tile);
@@ -112,7 +112,7 @@ static struct tia_tile on_screen(const struct letterbox *letterbox, struct tia_t
     return place;
 }
 
-/* The frame's own memory under a rectangle of the screen. */
+/* The part of letterbox->frame for a rectangle of the screen. */
 static tia_rgb565 *in_frame(const struct letterbox *letterbox, struct tia_tile place)
 {
     size_t x = (size_t)(place.x - letterbox->place.x), y = (size_t)(place.y - letterbox->place.y);
@@ -137,7 +137,7 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
     return TIA_OK;
 }
 
-/* Rows of pixels, or of black where `from` is NULL, into a surface of the screen. */
+/* Copies rows of pixels, or black if `from` is NULL, to a surface of the screen. */
 static void put(const struct tia_surface *surface, struct tia_tile tile, const tia_rgb565 *from, size_t from_width)
 {
     for (unsigned y = 0; y < tile.height; y++) {
@@ -190,7 +190,7 @@ static int blacken(struct letterbox *letterbox, struct tia_tile area)
     return TIA_OK;
 }
 
-/* Around the picture, on every frame: what a display's memory holds before is not defined. */
+/* Draws black around the picture, on every frame, since a display's memory is undefined before. */
 static int draw_border(struct letterbox *letterbox)
 {
     struct tia_tile place = letterbox->place;

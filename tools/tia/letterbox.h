@@ -1,17 +1,17 @@
-/* letterbox.h - a display (tia/port.h) around another one: the picture smaller than the screen and
- * centred on black, turned, and its checksum taken on the way.
+/* letterbox.h - a display (tia/port.h) that draws on another one: it centres a smaller picture on black, rotates
+ * it, and computes its checksum.
  *
- * Without a checksum the picture is drawn straight into the other display's memory.
+ * Without a checksum, the picture is drawn straight into the other display's memory.
  */
-#ifndef TOOLS_TIA_STAGE_H
-#define TOOLS_TIA_STAGE_H
+#ifndef TOOLS_TIA_LETTERBOX_H
+#define TOOLS_TIA_LETTERBOX_H
 
 #include <tia/port.h>
 
 #include "rotate.h"
 
 struct letterbox {
-    /* What its maker fills in; all else zero. */
+    /* Set by the caller; all else zero. */
     const struct tia_display *screen;
     void *screen_ctx;
     const char *name;       /* the screen's, for messages */
@@ -20,15 +20,15 @@ struct letterbox {
     bool checksum;
     char *why; /* [PORT_WHY]: as in port/ports.h */
 
-    /* Its own. */
-    bool opened;          /* the screen could be opened, whatever became of the rest */
+    /* Private, but readable. */
+    bool opened;          /* the screen was opened, even if the letterbox was not */
     struct tia_mode mode; /* the screen's */
     struct rotation rotation;
-    struct tia_tile place; /* of the turned picture on the screen */
-    tia_rgb565 *frame;     /* with a checksum: the turned picture */
-    uint32_t crc;          /* of the frame that was presented last: the turned picture */
+    struct tia_tile place; /* of the rotated picture, on the screen */
+    tia_rgb565 *frame;     /* the rotated picture; only with a checksum */
+    uint32_t crc;          /* of the frame presented last, rotated */
 };
 
-extern const struct tia_display letterbox_display; /* its context is a struct letterbox */
+extern const struct tia_display letterbox_display; /* the context is a struct letterbox */
 
 #endif

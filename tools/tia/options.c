@@ -9,7 +9,7 @@
 #include "common/threads.h"
 #include "fail.h"
 #include "parse.h"
-#include "take.h"
+#include "parse_option.h"
 
 static const char shorts[] = ":d:o:s:k:i:n:j:hV";
 static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
@@ -38,7 +38,7 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"version", no_argument, NULL, 'V'},
                                       {NULL, 0, NULL, 0}};
 
-/* What getopt_long refused: ':' a value is missing, '?' anything else. */
+/* Reports what getopt_long refused: ':' for a missing value, '?' for anything else. */
 static int refuse(int what, char **argv)
 {
     char letter[3] = {'-', (char)optopt, '\0'};
@@ -64,7 +64,7 @@ int options_parse(struct options *options, int argc, char **argv)
                                 .threads = threads_processors()};
     opterr = 0;
     for (int option; (option = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
-        int result = option == ':' || option == '?' ? refuse(option, argv) : take(options, option, optarg);
+        int result = option == ':' || option == '?' ? refuse(option, argv) : parse_option(options, option, optarg);
         if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION) {
             return result;
         }
@@ -72,13 +72,13 @@ int options_parse(struct options *options, int argc, char **argv)
     if (optind + 1 < argc) {
         return fail(EXIT_USAGE, "%.200s: one scene at a time", argv[optind + 1]);
     }
-    options->scene_path = argv[optind]; /* NULL behind the last */
+    options->scene_path = argv[optind]; /* NULL after the last argument */
     return check(options);
 }
 
-/* ---- what the options name ---- */
+/* ---- loading the scene and its keys ---- */
 
-/* The keys that parse_keys takes, for people: "a d s w <left> ...". */
+/* Lists the keys that parse_keys accepts, for a message: "a d s w <left> ...". */
 static void name_keys(const struct tia_scene *scene, char *text, size_t size)
 {
     size_t used = 0;

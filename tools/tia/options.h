@@ -1,4 +1,4 @@
-/* options.h - what the user asked for on the command line. */
+/* options.h - the command line. */
 #ifndef TOOLS_TIA_OPTIONS_H
 #define TOOLS_TIA_OPTIONS_H
 
@@ -13,8 +13,8 @@ struct options {
     enum action action;
     const char *scene_path; /* NULL: the built-in scene */
     int scene_format;       /* enum tia_format, or SCENE_UNKNOWN */
-    struct scene_file file; /* when there is a path */
-    struct tia_scene scene; /* what is drawn: loaded, with the samples asked for */
+    struct scene_file file; /* if there is a path */
+    struct tia_scene scene; /* the scene to draw, with --samples applied */
     uint32_t samples;       /* 0: the scene's own */
     const struct tia_core *core;
     const char *display, *display_device; /* "auto" and NULL by default */
@@ -24,22 +24,22 @@ struct options {
     enum image_format format;
     uint16_t width, height; /* 0: not given */
     const char *key_text;   /* NULL: not given */
-    uint16_t *keys;         /* pressed first */
+    uint16_t *keys;         /* pressed before the first frame */
     size_t key_count;
     uint32_t frames;  /* 0: no limit */
     tia_q16 time;     /* of the first frame, seconds */
-    uint32_t rate[2]; /* frames a second: numerator, denominator */
+    uint32_t rate[2]; /* frames per second: numerator, denominator */
     bool rate_given, frame_range, tile_rows;
-    uint32_t first_frame, last_frame, first_row, last_row; /* with frame_range, tile_rows */
+    uint32_t first_frame, last_frame, first_row, last_row; /* for frame_range and tile_rows */
     uint32_t threads;
     uint32_t rotate; /* degrees, clockwise */
     bool dither, checksum, stats;
 };
 
-/* EXIT_FINE; or EXIT_USAGE, EXIT_DISPLAY, EXIT_RUNNING after one line that says what is wrong. */
+/* EXIT_FINE; or EXIT_USAGE, EXIT_DISPLAY, EXIT_RUNNING after an error message. */
 int options_parse(struct options *options, int argc, char **argv);
 
-/* Then, where something is to be drawn, reads the scene and its keys. Results as above. */
+/* Call next. Reads the scene and its keys, if there is something to draw. Results as above. */
 int options_load(struct options *options);
 
 /* Safe at any time after options_parse. */

@@ -52,7 +52,7 @@ bool parse_mode(const char *text)
 
 enum { FRACTION_DIGITS = 40 };
 
-/* 0.DIGITS in 1/65536, to nearest, halves up: the decimal digits are doubled bit by bit, exactly. */
+/* 0.DIGITS in 1/65536, rounded to nearest, ties up. Exact: doubles the decimal digits once per bit. */
 static uint32_t fraction(const char *text, size_t count)
 {
     unsigned char digits[FRACTION_DIGITS];
@@ -108,7 +108,7 @@ static const struct {
 } named[] = {{"<left>", TIA_KEY_LEFT}, {"<right>", TIA_KEY_RIGHT},  {"<up>", TIA_KEY_UP},
              {"<down>", TIA_KEY_DOWN}, {"<pgup>", TIA_KEY_PAGE_UP}, {"<pgdn>", TIA_KEY_PAGE_DOWN}};
 
-/* The length of the key's name at `text`, 0 when there is none. */
+/* The length of the key's name at `text`; 0 if there is none. */
 static size_t parse_key(const char *text, const struct tia_scene *scene, uint16_t *key)
 {
     for (size_t i = 0; i < sizeof named / sizeof named[0]; i++) {

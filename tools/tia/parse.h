@@ -1,11 +1,11 @@
-/* parse.h - the forms that the command's options take, read strictly. */
+/* parse.h - strict parsers for the values of options. */
 #ifndef TOOLS_TIA_PARSE_H
 #define TOOLS_TIA_PARSE_H
 
 #include <tia/scene.h>
 
-/* A decimal number from `min` to `max` without sign, blanks or more than what it needs behind;
- * *end (NULL: the text must end) gets what follows it. */
+/* A decimal number from `min` to `max`, without sign or blanks. *end is set to what follows; with end NULL, nothing
+ * may follow. */
 bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value);
 
 /* "640x480", each number 1..max; *end as above. */
@@ -14,14 +14,14 @@ bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *widt
 /* "preferred", "WxH" or "WxH@R" with R in hertz. */
 bool parse_mode(const char *text);
 
-/* "1.25": seconds below 32768, with at most 40 digits behind the point, to the nearest 2^-16. */
+/* "1.25": seconds below 32768, with at most 40 fractional digits, rounded to the nearest 2^-16. */
 bool parse_seconds(const char *text, tia_q16 *seconds);
 
 /* "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);
 
-/* "ad<left>" as key codes, at most one for each character; only keys that put a light of `scene`
- * or move it. *bad gets where the text is wrong. */
+/* "ad<left>" as key codes, at most one per character; accepts only keys that set or move a light of `scene`. *bad is
+ * set to the place of an error. */
 bool parse_keys(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);
 
 #endif

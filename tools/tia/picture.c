@@ -6,8 +6,8 @@
 #include "crc.h"
 #include "film.h"
 
-/* Enough pixels that the threads seldom wait for the last of them, and little memory: a band's
- * hits are some tens of bytes a pixel. A job is some full rows: the core works by rows. */
+/* A band has enough pixels that threads seldom wait for the last one to finish, and few enough for its hits, which
+ * take some tens of bytes per pixel. A job is a few full rows, since the core works by rows. */
 enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
@@ -90,7 +90,8 @@ static int draw_band(struct picture *picture)
     return atomic_load(&picture->status);
 }
 
-/* All bands, in the order that the file needs; one empty band more writes the last. */
+/* Draws all bands in the order that the file needs. Each round also writes the band before; the last round only
+ * writes. */
 int picture_draw(struct picture *picture)
 {
     unsigned count = (picture->rows + picture->band_rows - 1) / picture->band_rows;
@@ -118,7 +119,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     const struct tia_core *core = options->core;
     *picture = (struct picture){.core = core,
                                 .pixel_options = {.dither = options->dither},
-                                .rotation = film_turn(options),
+                                .rotation = film_rotation(options),
                                 .width = film->width,
                                 .first_row = film->first_row,
                                 .rows = film->rows,

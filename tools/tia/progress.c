@@ -5,7 +5,7 @@
 
 #include "common/clock.h"
 
-/* What is done within half a second needs no word; then ten times a second is smooth enough. */
+/* Shows nothing for drawings of less than half a second; then updates ten times a second. */
 enum { FIRST_US = 500000, STEP_US = 100000 };
 
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames)

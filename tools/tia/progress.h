@@ -1,4 +1,4 @@
-/* progress.h - how far a long drawing has come, on standard error when that is a terminal. */
+/* progress.h - the progress of a long drawing, on standard error if that is a terminal. */
 #ifndef TOOLS_TIA_PROGRESS_H
 #define TOOLS_TIA_PROGRESS_H
 
@@ -10,7 +10,7 @@ struct progress {
     bool terminal;
     uint64_t frame_pixels;
     uint32_t frames;
-    pthread_mutex_t lock; /* of what follows */
+    pthread_mutex_t lock; /* protects the following members */
     uint64_t done;        /* pixels */
     bool shown;
     uint64_t next_us;
@@ -18,7 +18,7 @@ struct progress {
 
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames);
 
-/* From any thread: so many pixels more are done. */
+/* Adds completed pixels; call it from any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
 
 /* Erases the line. */

@@ -1,28 +1,28 @@
-/* rotate.h - where the pixels of a picture go when it is shown turned clockwise. */
-#ifndef TOOLS_TIA_TURN_H
-#define TOOLS_TIA_TURN_H
+/* rotate.h - where the pixels of a picture go when it is rotated clockwise. */
+#ifndef TOOLS_TIA_ROTATE_H
+#define TOOLS_TIA_ROTATE_H
 
 #include <tia/render.h>
 
 struct rotation {
     unsigned degrees;       /* 0, 90, 180, 270 */
-    unsigned width, height; /* of the picture before it is turned */
+    unsigned width, height; /* of the picture before rotation */
 };
 
-/* Whether the turned picture is as wide as the picture is high. */
+/* Whether the rotation swaps width and height. */
 static inline bool rotation_swaps(unsigned degrees)
 {
     return degrees % 180 != 0;
 }
 
-/* The turn that takes the turned picture back to the picture. */
+/* The rotation that takes the rotated picture back to the original. */
 struct rotation rotation_inverse(const struct rotation *rotation);
 
-/* The rectangle of the turned picture that holds `tile` of the picture. */
+/* The rectangle of the rotated picture that shows `tile` of the original. */
 struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile);
 
-/* The surface on which the picture's pixels fall into `surface`, which is plain memory of a
- * turned tile width x height pixels in size. */
+/* A surface for drawing the original picture, rotated, into `surface`: plain memory for a rotated tile of width x
+ * height pixels. */
 struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
                                     unsigned height);
 

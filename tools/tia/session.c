@@ -89,9 +89,9 @@ void session_close(struct session *session)
     }
 }
 
-/* ---- what the viewer calls ---- */
+/* ---- callbacks of the viewer ---- */
 
-/* Its old contents may be gone: nothing needs to be copied. */
+/* Not realloc: the old contents are not needed. */
 static void *get_memory(void *ctx, size_t size)
 {
     struct session *session = ctx;
@@ -126,7 +126,8 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
 
 /* ---- the run ---- */
 
-/* Lines among the picture's own output would spoil both: a terminal gets them afterwards. */
+/* Chooses where --checksum prints. On the terminal that shows the picture, lines would spoil it: they are kept and
+ * printed afterwards. */
 static int open_lines(struct session *session)
 {
     session->lines = stdout;
@@ -176,7 +177,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .stop = &signals_caught};
 }
 
-/* The pool is made after the display was opened: opening may fork, which threads do not survive. */
+/* Creates the threads after opening the display: opening may fork, and threads do not survive that. */
 int session_run(struct session *session)
 {
     int status = TIA_ERR_MEMORY;

@@ -13,7 +13,7 @@
 
 struct session {
     const struct options *options;
-    char why[PORT_WHY];                 /* what failed last */
+    char why[PORT_WHY];                 /* the last failure */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
     void *display_ctx, *input_ctx;
@@ -23,22 +23,22 @@ struct session {
     struct lights lights;
     void *memory; /* the viewer's */
     size_t memory_bytes;
-    FILE *lines; /* for checksums: standard output, or text kept for it */
+    FILE *lines; /* for checksums: standard output, or memory until the display is closed */
     char *text;
     size_t text_bytes;
     struct stats stats;
-    char format[32]; /* the display's, after it is closed */
+    char format[32]; /* a copy of the display's, since it is printed after closing */
 };
 
-/* From here to session_end, signals come only while something waits. NULL: no memory. */
+/* Until session_end, signals are delivered only while an input or display waits. NULL: no memory. */
 struct session *session_create(const struct options *options);
 
-/* They return an exit status, and what is wrong in `why`. */
+/* Return an exit status, and the reason in session->why. */
 int session_open_input(struct session *session, const struct port_input *port);
 int session_open_display(struct session *session, const struct port_display *port);
 int session_run(struct session *session);
 
-/* Closes what is open, the display first. */
+/* Closes the display, then the input. */
 void session_close(struct session *session);
 
 /* Frees the session and returns `status`; after a signal, ends the program by it. */

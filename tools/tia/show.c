@@ -1,4 +1,4 @@
-/* show.c - chooses a display and an input and runs the interactive loop on them. */
+/* show.c - chooses a display and an input, and runs the viewer on them. */
 #include "show.h"
 
 #include <stdio.h>
@@ -44,7 +44,7 @@ static int open_input(struct session *session, const char *name)
     return port != NULL ? session_open_input(session, port) : refuse_input(session, name);
 }
 
-/* A display that covers the console needs a way out of it: keys, or an end given beforehand. */
+/* A display that takes over the console needs a way out: an input, or a limit on the frames. */
 static int choose_input(struct session *session, const struct port_display *port)
 {
     const struct options *options = session->options;
@@ -85,7 +85,7 @@ static int try_display(struct session *session, const struct port_display *port)
     return status;
 }
 
-/* What `auto` takes; the others are for those who name them. */
+/* Whether `auto` tries it; other displays must be named. */
 static bool is_automatic(const struct port_display *port)
 {
     if (strcmp(port->name, "terminal") == 0) {
@@ -97,7 +97,7 @@ static bool is_automatic(const struct port_display *port)
 static int draw_instead(const struct options *options)
 {
     struct options file = *options;
-    file.frames = 0; /* one picture, whatever the limit was */
+    file.frames = 0; /* one picture, whatever --frames says */
     file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
     file.output = file.format == IMAGE_PNG ? "tia.png" : "tia.ppm";
     int status = draw(&file);
@@ -157,7 +157,7 @@ static void print_line(void *arg, const char *text)
     (void)printf("  %s\n", text);
 }
 
-/* The other half of why a display that takes the screen can or cannot be opened. */
+/* Prints whether the console display's input can be opened, without which the display cannot be used. */
 static void print_input(const char *name)
 {
     const struct port_input *port = find_input(name);

@@ -1,13 +1,13 @@
-/* show.h - the picture on a display, changed by keys. */
+/* show.h - shows the scene on a display. */
 #ifndef TOOLS_TIA_SHOW_H
 #define TOOLS_TIA_SHOW_H
 
 #include "options.h"
 
-/* Both return the exit status, after one line on standard error if it is not 0. */
+/* Both return the exit status, after an error message if it is not 0. */
 int show(const struct options *options);
 
-/* Prints every display found, or (--connector help, --mode help) what `only` finds. */
+/* Lists every display found or, for --connector help and --mode help, those of the port `only`. */
 int show_list(const char *only);
 
 #endif

@@ -37,7 +37,7 @@ static void print_samples(const char *name, struct samples *samples)
                   p50 / 1000, p50 % 1000, p95 / 1000, p95 % 1000);
 }
 
-/* Which kernels draw: the plain C ones are the only ones so far. */
+/* The instruction set of the kernels; so far there is only plain C. */
 static const char *isa(void)
 {
     return "scalar";

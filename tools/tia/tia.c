@@ -1,4 +1,4 @@
-/* tia - draws the scene on a screen or into a file; the man page tells what it accepts. */
+/* tia - draws a scene on a screen or into a file; see tia(1). */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -12,8 +12,8 @@
 #include "options.h"
 #include "show.h"
 
-/* A program may be started with a standard descriptor closed. Then the next file opened would
- * take its number, and what is meant for people would go into the picture. */
+/* A program can be started with a standard descriptor closed. The next file opened would then get its number, and
+ * messages would go into the picture. */
 static void fill_descriptors(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {

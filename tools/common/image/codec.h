@@ -1,4 +1,4 @@
-/* codec.h - what image.c and the files of the formats share. */
+/* codec.h - the interface between image.c and the file formats. */
 #ifndef PORT_IMAGE_CODEC_H
 #define PORT_IMAGE_CODEC_H
 
@@ -7,25 +7,25 @@
 
 struct image;
 
-/* One file format. Failures of the file are kept by the sink; what these return is looked at
- * for the rest: a negative tia_status, with *why filled in. */
+/* A file format. The sink keeps write errors; these functions return a negative tia_status, with the reason in `why`,
+ * for all others. */
 struct image_codec {
     const char *name;
     bool bottom_up;
     int (*begin)(struct image *image);
     int (*row)(struct image *image, const tia_rgb565 *pixels);
     int (*end)(struct image *image);
-    void (*free)(struct image *image); /* after begin, however the picture ended */
+    void (*free)(struct image *image); /* called after begin in any case */
 };
 
 struct image {
     const struct image_codec *codec;
     struct image_film film;
-    unsigned width, height; /* of what is written of each frame */
-    uint64_t rows;          /* so far, of all frames */
+    unsigned width, height; /* of the part of each frame in the file */
+    uint64_t rows;          /* written so far, of all frames */
     int status;             /* the first error */
-    unsigned char *line;    /* room for one row: 3 bytes a pixel and padding */
-    void *state;            /* the codec's own */
+    unsigned char *line;    /* one row: 3 bytes per pixel, and padding */
+    void *state;            /* for the codec */
     struct sink sink;
 };
 
@@ -35,11 +35,11 @@ extern const struct image_codec image_codec_y4m, image_codec_part;
 extern const struct image_codec image_codec_png;
 #endif
 
-/* Little-endian bytes of `count` pixels; returns how many bytes. */
+/* Writes `count` pixels as little-endian bytes; returns the number of bytes. */
 size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count);
 
-/* Red, green and blue of `count` pixels with 8 bits each: the high bits are repeated below the
- * low ones, so that 0 stays 0 and full becomes 255. */
+/* Expands `count` pixels to red, green and blue of 8 bits each by bit replication: 0 stays 0, full intensity becomes
+ * 255. */
 void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count);
 
 #endif

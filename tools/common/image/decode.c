@@ -25,7 +25,7 @@ int image_room(struct image_texels *texels, uint64_t width, uint64_t height, uns
     return texels->rgb != NULL ? TIA_OK : TIA_ERR_MEMORY;
 }
 
-/* ---- PPM: "P6" or "P3", width, height and the value of full, then the values ---- */
+/* ---- PPM: "P6" or "P3", width, height and the maximum value, then the values ---- */
 
 struct ppm {
     const unsigned char *at, *end;
@@ -44,8 +44,8 @@ static void skip_blanks(struct ppm *ppm)
     }
 }
 
-/* A number up to 65535, or 65536 for anything else. */
-static unsigned take_number(struct ppm *ppm)
+/* Reads a number up to 65535; 65536 for anything else. */
+static unsigned read_number(struct ppm *ppm)
 {
     unsigned value = 0;
     skip_blanks(ppm);
@@ -63,7 +63,7 @@ static unsigned take_value(struct ppm *ppm, bool plain, unsigned full)
 {
     size_t bytes = full > 255 ? 2 : 1;
     if (plain) {
-        return take_number(ppm);
+        return read_number(ppm);
     }
     if ((size_t)(ppm->end - ppm->at) < bytes) {
         return 65536;
@@ -92,11 +92,11 @@ static int decode_ppm(struct image_texels *texels, const unsigned char *bytes, s
 {
     struct ppm ppm = {bytes + 2, bytes + length};
     bool plain = bytes[1] == '3';
-    unsigned width = take_number(&ppm), height = take_number(&ppm), full = take_number(&ppm);
+    unsigned width = read_number(&ppm), height = read_number(&ppm), full = read_number(&ppm);
     if (width > 65535 || height > 65535 || full == 0 || full > 65535) {
         return refuse(why, "a damaged PPM file");
     }
-    ppm.at += !plain && ppm.at < ppm.end; /* the one blank before binary values */
+    ppm.at += !plain && ppm.at < ppm.end; /* the single blank before binary values */
     int status = image_room(texels, width, height, side, most, why);
     return status == TIA_OK ? take_values(&ppm, plain, full, texels, why) : status;
 }

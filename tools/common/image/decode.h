@@ -1,4 +1,4 @@
-/* decode.h - a picture file in memory as texels: PNG, by libpng, and PPM (P3, P6). */
+/* decode.h - decodes a picture file in memory to texels: PNG, by libpng, and PPM (P3, P6). */
 #ifndef PORT_IMAGE_DECODE_H
 #define PORT_IMAGE_DECODE_H
 
@@ -9,18 +9,18 @@ struct image_texels {
     unsigned char *rgb; /* red, green, blue; row by row from the upper left; free() it */
 };
 
-/* A picture of at most `side` pixels each way and `most` bytes of texels. TIA_ERR_RANGE or TIA_ERR_MEMORY,
- * and *why, a static string. What is transparent is laid on black. */
+/* Decodes a picture of at most `side` pixels in each direction and `most` bytes of texels. TIA_ERR_RANGE or
+ * TIA_ERR_MEMORY with *why, a static string. Transparent pixels are composited on black. */
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why);
 
 #ifdef TIA_HAVE_PNG
-/* The same for a PNG alone. */
+/* The same, for PNG only. */
 int image_decode_png(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                      const char **why);
 #endif
 
-/* Room for width x height texels, if they keep those limits. */
+/* Allocates width x height texels if they are within the limits. */
 int image_room(struct image_texels *texels, uint64_t width, uint64_t height, unsigned side, size_t most,
                const char **why);
 

@@ -1,4 +1,4 @@
-/* decode_png.c - PNG by libpng's own simplified interface, which catches its jumps itself. */
+/* decode_png.c - PNG by libpng's simplified interface, which needs no setjmp. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -19,7 +19,7 @@ int image_decode_png(struct image_texels *texels, const void *bytes, size_t leng
         return TIA_ERR_RANGE;
     }
     image.format = PNG_FORMAT_RGB;
-    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* as files with 8 bits: the values as they are */
+    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* like 8-bit files: keep the values, convert no gamma */
     int status = image_room(texels, image.width, image.height, side, most, why);
     if (status == TIA_OK && png_image_finish_read(&image, &black, texels->rgb, 0, NULL) == 0) {
         free(texels->rgb);

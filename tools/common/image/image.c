@@ -67,7 +67,7 @@ static void release(struct image *image)
     free(image);
 }
 
-/* The picture with room for a row, or NULL and the reason. */
+/* Allocates the picture and memory for a row; NULL, with the reason in `why`, on failure. */
 static struct image *allocate(enum image_format format, const struct image_film *film, char *why)
 {
     struct image *image = calloc(1, sizeof *image);

@@ -1,8 +1,8 @@
-/* image.h - a picture file or a film, written a band of rows at a time, whole or not at all.
+/* image.h - writes a picture or film file, a band of rows at a time; it appears complete or not at all.
  *
- * A regular file appears under its name only when image_finish succeeds: until then its bytes
- * are in a temporary file beside it. A device, a pipe or standard output ("-") is written
- * directly. The memory needed is one row and a buffer, whatever the picture's size.
+ * A regular file gets its name only when image_finish succeeds; until then it is a temporary file in the same
+ * directory. A device, a pipe or standard output ("-") is written directly. Needs memory for one row and a buffer,
+ * whatever the picture's size.
  */
 #ifndef PORT_IMAGE_H
 #define PORT_IMAGE_H
@@ -13,45 +13,45 @@ enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, I
 
 struct image;
 
-/* A film, of which a file holds some frames, and of each some rows: all of one frame for a picture. */
+/* The frames of a film, and the rows of each, that a file has. A picture is all of one frame. */
 struct image_film {
     unsigned width, height;   /* of a whole frame */
     unsigned first_row, rows; /* in the file */
     uint32_t first_frame, frames;
     uint32_t all_frames; /* of the whole film */
-    uint32_t rate[2];    /* frames a second: numerator, denominator */
-    uint32_t crc;        /* of what is drawn, and how: the same for all parts of a film */
+    uint32_t rate[2];    /* frames per second: numerator, denominator */
+    uint32_t crc;        /* of the scene and the options: the same for all parts of a film */
 };
 
-/* The format called `name` ("png"), or the one that a file's name ends in ("a.PNG"). */
+/* The format called `name` ("png"), or that of a file by its extension ("a.PNG"). */
 enum image_format image_format_called(const char *name);
 enum image_format image_format_of(const char *path);
 const char *image_format_name(enum image_format format);
 
-/* Whether this build writes `format`: without libpng, there is no IMAGE_PNG. */
+/* Whether this build can write `format`: IMAGE_PNG needs libpng. */
 bool image_format_built(enum image_format format);
 
-/* Whether a file of `format` holds many frames. */
+/* Whether a file of `format` can hold many frames. */
 bool image_format_films(enum image_format format);
 
-/* Starts the picture `path`, width x height pixels. NULL: *why ([PORT_WHY], it must last as long
- * as the image) says what failed. */
+/* Starts the picture `path`, width x height pixels. NULL on failure, with the reason in `why`, [PORT_WHY] bytes that
+ * must outlive the image. */
 struct image *image_create(const char *path, enum image_format format, unsigned width, unsigned height, char *why);
 
-/* Starts a file with those frames and rows of the film: their bands follow, frame by frame. */
+/* Starts a file with the given frames and rows of a film. Write their bands frame by frame. */
 struct image *image_create_film(const char *path, enum image_format format, const struct image_film *film, char *why);
 
-/* Some formats begin with the lowest row: then the bands come from the last to the first. */
+/* Whether the format stores the bottom row first; then write the last band first. */
 bool image_bottom_up(const struct image *image);
 
-/* Whether image_discard has a file to remove: a program that is stopped must call it then. */
+/* Whether there is a temporary file; then a program must call image_discard before it ends early. */
 bool image_temporary(const struct image *image);
 
-/* The next `count` whole rows, top row first, close together in `pixels`. Errors are kept: it
- * suffices to look at the result of image_finish. */
+/* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are kept; checking image_finish is
+ * enough. */
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 
-/* Ends the picture and frees `image`; on failure nothing stays, and *why says why. */
+/* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 void image_discard(struct image *image);
 

@@ -23,7 +23,7 @@ static bool makes_sense(const struct image_film *film)
            film->frames <= film->all_frames - film->first_frame && film->rate[0] >= 1 && film->rate[1] >= 1;
 }
 
-/* What was read must print as it was: no other spelling is a part. */
+/* Printing what was read must give the same line again: only one spelling is valid. */
 static size_t check_spelling(const struct image_film *film, const char *line, const char *again, size_t printed)
 {
     return makes_sense(film) && strncmp(line, again, printed) == 0 ? printed : 0;
@@ -62,7 +62,7 @@ size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
     return check_spelling(film, line, again, image_y4m_print(again, film));
 }
 
-/* ---- writing one ---- */
+/* ---- writing a part ---- */
 
 static void nothing(struct image *image)
 {

@@ -1,4 +1,4 @@
-/* plain.c - the formats that need no library: PPM, BMP and bare RGB565. */
+/* plain.c - the formats that need no library: PPM, BMP and raw RGB565. */
 #include <stdio.h>
 
 #include "codec.h"
@@ -42,7 +42,7 @@ static int ppm_row(struct image *image, const tia_rgb565 *pixels)
 const struct image_codec image_codec_ppm = {
     .name = "ppm", .begin = ppm_begin, .row = ppm_row, .end = done, .free = nothing};
 
-/* ---- RGB565, little endian, row by row ---- */
+/* ---- RGB565, little-endian, row by row ---- */
 
 size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
 {
@@ -61,11 +61,11 @@ static int raw_row(struct image *image, const tia_rgb565 *pixels)
 
 const struct image_codec image_codec_565 = {.name = "565", .begin = done, .row = raw_row, .end = done, .free = nothing};
 
-/* ---- BMP, 16 bits a pixel with the masks of RGB565 (BI_BITFIELDS), rows from below, each
- *      padded to 4 bytes: a BITMAPFILEHEADER, a BITMAPINFOHEADER and three masks ---- */
+/* ---- BMP: a BITMAPFILEHEADER, a BITMAPINFOHEADER and three masks (BI_BITFIELDS), then 16 bits per pixel, the bottom
+ *      row first, each row padded to 4 bytes ---- */
 
 enum { BMP_FILE_HEADER = 14, BMP_INFO_HEADER = 40, BMP_HEADER = BMP_FILE_HEADER + BMP_INFO_HEADER + 3 * 4 };
-enum { BMP_BITFIELDS = 3, BMP_DOTS_PER_METRE = 2835 }; /* 2835: 72 dpi, what programs write by habit */
+enum { BMP_BITFIELDS = 3, BMP_DOTS_PER_METRE = 2835 }; /* 72 dpi, the customary value */
 
 static void put32(unsigned char *at, uint32_t value)
 {
@@ -88,7 +88,7 @@ static int bmp_begin(struct image *image)
     put32(header + 14, BMP_INFO_HEADER);
     put32(header + 18, image->width);
     put32(header + 22, image->height);
-    put32(header + 26, 1 | 16u << 16); /* one plane, 16 bits a pixel */
+    put32(header + 26, 1 | 16u << 16); /* one plane, 16 bits per pixel */
     put32(header + 30, BMP_BITFIELDS);
     put32(header + 34, bytes);
     put32(header + 38, BMP_DOTS_PER_METRE);

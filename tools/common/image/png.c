@@ -1,4 +1,4 @@
-/* png.c - PNG by libpng: 8-bit RGB, with a note (sBIT) that 5, 6 and 5 of the bits count. */
+/* png.c - PNG by libpng: 8-bit RGB, with an sBIT chunk for 5, 6 and 5 significant bits. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -9,8 +9,7 @@
 #include "codec.h"
 #include "ports.h"
 
-/* Every call of libpng may end in png_failed, which jumps back to the setjmp of the function
- * that made the call. */
+/* Any call of libpng can end in png_failed, which jumps back to the setjmp in the calling function. */
 struct png_state {
     png_structp png;
     png_infop info;

@@ -8,7 +8,7 @@
 
 enum { DIGITS_MOST = 9 };
 
-/* The first %d or %0Nd: *length gets its length, *digits N. NULL when there is none. */
+/* Finds the first %d or %0Nd; sets *length to its length, *digits to N. NULL if there is none. */
 static const char *find_pattern(const char *name, int *length, int *digits)
 {
     for (const char *at = strchr(name, '%'); at != NULL; at = strchr(at + 1, '%')) {

@@ -11,7 +11,7 @@
 
 #include "ports.h"
 
-/* Keeps the first failure's reason: later ones only follow from it. */
+/* Keeps the reason of the first failure, since it causes the later ones. */
 static int fail(struct sink *sink, int error)
 {
     if (!sink->failed) {
@@ -21,8 +21,8 @@ static int fail(struct sink *sink, int error)
     return TIA_ERR_DEVICE;
 }
 
-/* A free name in the directory of `path`: short, because `path` itself may have the longest
- * name that the file system takes. */
+/* Creates a file with an unused name in the directory of `path`. A short name, because the file system may not accept
+ * one longer than that of `path`. */
 static int create_beside(struct sink *sink)
 {
     const char *slash = strrchr(sink->path, '/');
@@ -52,8 +52,7 @@ static int open_directly(struct sink *sink)
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
-/* The name that the picture gets in the end. A symbolic link stays one: the file that it names
- * is replaced. */
+/* Finds the final path. A symbolic link stays a link: the file that it points to is replaced. */
 static int find_path(struct sink *sink, bool exists)
 {
     sink->path = exists ? realpath(sink->name, NULL) : strdup(sink->name);
@@ -136,8 +135,8 @@ int sink_commit(struct sink *sink)
     if (!sink->failed) {
         (void)drain(sink);
     }
-    /* Without fsync, a full disk may be told after the rename, and a crash may leave a name
-     * without contents. Only files are asked: pipes and devices refuse it. */
+    /* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file.
+     * Only for regular files: pipes and devices refuse it. */
     if (!sink->failed && sink->temporary != NULL && fsync(sink->fd) != 0) {
         (void)fail(sink, errno);
     }

@@ -1,4 +1,4 @@
-/* sink.h - bytes on their way into a file that appears whole or not at all. */
+/* sink.h - writes bytes to a file that appears complete or not at all. */
 #ifndef PORT_IMAGE_SINK_H
 #define PORT_IMAGE_SINK_H
 
@@ -8,7 +8,7 @@
 struct sink {
     int fd;           /* -1: none */
     char *path;       /* the file's final name; NULL: written directly */
-    char *temporary;  /* its name until then */
+    char *temporary;  /* the name until then */
     const char *name; /* for messages */
     char *why;
     size_t used;
@@ -16,10 +16,10 @@ struct sink {
     unsigned char buffer[65536];
 };
 
-/* TIA_OK, or TIA_ERR_DEVICE and *why. `name` must last as long as the sink. */
+/* TIA_OK, or TIA_ERR_DEVICE with the reason in `why`. `name` must outlive the sink. */
 int sink_open(struct sink *sink, const char *name, char *why);
 int sink_write(struct sink *sink, const void *bytes, size_t count);
-/* Both end the sink; after a failure nothing of it stays. */
+/* Both end the sink; after a failure no file is left. */
 int sink_commit(struct sink *sink);
 void sink_discard(struct sink *sink);
 

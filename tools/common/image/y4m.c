@@ -1,4 +1,4 @@
-/* y4m.c - YUV4MPEG2 films, as mjpegtools and ffmpeg read them: for each frame all Y, all U, all V (4:4:4). */
+/* y4m.c - YUV4MPEG2 films, as mjpegtools and ffmpeg read them: 4:4:4, the planes Y, U and V of each frame. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "part.h"
 #include "ports.h"
 
-/* The planes that wait while rows of Y are written. */
+/* The planes U and V, kept while rows of Y are written. */
 struct y4m_state {
     unsigned char *u, *v;
 };
@@ -49,8 +49,8 @@ static int begin(struct image *image)
     return sink_write(&image->sink, header, length);
 }
 
-/* ITU-R BT.601 with Y in 16..235, U and V in 16..240: coefficients in 1/256, to nearest. White and black are
- * exact, and the sums stay within 0..65535: the 128s of U and V are added before the division. */
+/* ITU-R BT.601 with Y in 16..235, U and V in 16..240, and coefficients rounded to 1/256. White and black are exact. The
+ * offset 128 of U and V is added before the division, so that the sums stay in 0..65535. */
 uint32_t image_y4m_colour(tia_rgb565 pixel)
 {
     unsigned char rgb[3];

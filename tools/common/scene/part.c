@@ -12,7 +12,7 @@ struct scene_part {
     bool is_image;
     struct whole text;
     struct image_texels texels;
-    char name[]; /* as the scene has it */
+    char name[]; /* as written in the scene */
 };
 
 char *part_path(const struct scene_file *file, const char *name)
@@ -39,7 +39,7 @@ static void release(struct scene_part *part)
     free(part);
 }
 
-/* The picture in place of its file's bytes. */
+/* Replaces the bytes of a picture file by its texels. */
 static int decode(struct scene_part *part, size_t most, const char **why)
 {
     int status = image_decode(&part->texels, part->text.bytes, part->text.length, TIA_TEXTURE_MAX, most, why);
@@ -65,7 +65,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     return status;
 }
 
-/* The file called `name`, fetched when it is asked for the first time. */
+/* Finds the file called `name`; loads it the first time. */
 static int fetch(struct scene_file *file, const char *name, bool is_image, struct scene_part **found, const char **why)
 {
     struct scene_part *part = *found = find(file, name, is_image);

@@ -1,4 +1,4 @@
-/* part.h - the files that a scene names: found beside it, fetched once, kept as long as it. */
+/* part.h - the files that a scene refers to, relative to its own: loaded once, kept until scene_close. */
 #ifndef PORT_SCENE_PART_H
 #define PORT_SCENE_PART_H
 
@@ -8,7 +8,7 @@
 int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why);
 int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why);
 
-/* The path of what the scene calls `name`; free() it. NULL: no memory. */
+/* The path of the file that the scene calls `name`; free() it. NULL: no memory. */
 char *part_path(const struct scene_file *file, const char *name);
 
 void part_free_all(struct scene_file *file);

@@ -9,7 +9,7 @@
 #include "part.h"
 #include "whole.h"
 
-/* The first guess; tia_read says how much it needs. A file's bytes become at most some tens each. */
+/* A first guess; tia_read then returns how much it needs. A byte of the file takes some tens of bytes at most. */
 #define MEMORY_FIRST ((size_t)1 << 16)
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
@@ -31,8 +31,8 @@ int scene_format_of(const char *path)
     return dot != NULL ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
 }
 
-/* The core's CRC takes pixels: of two bytes each, the first the low one. An odd last byte gets a zero; the
- * length before it all keeps such data apart. */
+/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte gets a zero. The length goes first: it
+ * distinguishes that from a real zero. */
 uint32_t scene_crc(uint32_t crc, const void *bytes, size_t length)
 {
     const unsigned char *from = bytes;
@@ -82,8 +82,8 @@ static int read_text(struct scene_file *file, struct whole *text)
     return status;
 }
 
-/* "FILE:LINE:COLUMN: WHAT", FILE as it can be opened from here. */
-static int tell_error(struct scene_file *file, const struct tia_read_error *error)
+/* Sets "FILE:LINE:COLUMN: WHAT", where FILE is a path that can be opened from here. */
+static int set_error(struct scene_file *file, const struct tia_read_error *error)
 {
     char *named = error->file[0] != '\0' ? part_path(file, error->file) : NULL;
     const char *path = named != NULL ? named : shown(file);
@@ -96,7 +96,7 @@ static int tell_error(struct scene_file *file, const struct tia_read_error *erro
     return TIA_ERR_RANGE;
 }
 
-/* With as much memory as the reader says that it needs: it knows after the first try. */
+/* Tries with a first guess of the memory, then with what the reader needs. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
@@ -116,7 +116,7 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
         status = tia_read(&reader, &file->scene, file->memory, size, &need);
         size = need > size ? need : size * 2;
     }
-    return status == TIA_ERR_MEMORY ? exhausted(file) : status != TIA_OK ? tell_error(file, &reader.error) : TIA_OK;
+    return status == TIA_ERR_MEMORY ? exhausted(file) : status != TIA_OK ? set_error(file, &reader.error) : TIA_OK;
 }
 
 static int build_boxes(struct scene_file *file)

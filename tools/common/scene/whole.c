@@ -13,7 +13,7 @@ static int failed(const char **why, int error)
     return error == ENOMEM ? TIA_ERR_MEMORY : TIA_ERR_DEVICE;
 }
 
-/* Room for at least one byte more. */
+/* Makes room for at least one more byte. */
 static bool grow(struct whole *whole, size_t *room)
 {
     if (whole->length < *room) {
@@ -50,7 +50,7 @@ static int read_all(struct whole *whole, int fd, size_t room, size_t most, const
 
 static int read_sized(struct whole *whole, int fd, size_t size, size_t most, const char **why)
 {
-    /* A byte more than there should be shows the end without growing. */
+    /* One byte more than the file's size, so that read can return 0 at its end without growing the buffer. */
     int status = read_all(whole, fd, size < most ? size + 1 : most + 1, most, why);
     if (status != TIA_OK) {
         free(whole->bytes);
@@ -80,8 +80,8 @@ static int check(const struct stat *status, size_t most, const char **why)
     return TIA_OK;
 }
 
-/* Looked at before it is opened, since opening alone may wait (a FIFO) or do something (a device); and
- * after, since the name may mean something else by then. */
+/* Checks the type before opening, since opening alone may block (a FIFO) or have effects (a device), and after it,
+ * since the name may refer to another file by then. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why)
 {
     struct stat status;

@@ -1,4 +1,4 @@
-/* whole.h - a file whole in memory. */
+/* whole.h - reads a whole file into memory. */
 #ifndef PORT_SCENE_WHOLE_H
 #define PORT_SCENE_WHOLE_H
 
@@ -9,12 +9,12 @@ struct whole {
     size_t length;
 };
 
-/* Reads the regular file `path`; anything else, which might block or never end, is refused. At most `most`
- * bytes. TIA_ERR_DEVICE (it cannot be opened or read), TIA_ERR_RANGE (it is too large), TIA_ERR_MEMORY; and
- * *why, a string that stays. */
+/* Reads the regular file `path` of at most `most` bytes. Refuses other files, which might block or never end.
+ * TIA_ERR_DEVICE (it cannot be opened or read), TIA_ERR_RANGE (it is too large) or TIA_ERR_MEMORY, with *why, a static
+ * string. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why);
 
-/* The same for an open descriptor of any kind, from where it stands. */
+/* The same for an open descriptor of any kind, from its current position. */
 int whole_read_from(struct whole *whole, int fd, size_t most, const char **why);
 
 #endif

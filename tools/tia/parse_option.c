@@ -1,4 +1,4 @@
-#include "take.h"
+#include "parse_option.h"
 
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "fail.h"
 #include "parse.h"
 
-static int take_size(struct options *options, const char *value)
+static int set_size(struct options *options, const char *value)
 {
     if (!parse_size(value, NULL, TIA_SIZE_MAX, &options->width, &options->height)) {
         return wrong("--size", value, "not a size (1x1 to 8192x8192, like 640x480)");
@@ -15,20 +15,20 @@ static int take_size(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int take_format(struct options *options, const char *value)
+static int set_format(struct options *options, const char *value)
 {
     options->format = image_format_called(value);
     return options->format != IMAGE_UNKNOWN ? EXIT_FINE
                                             : wrong("--format", value, "not png, ppm, bmp, 565, y4m or tiapart");
 }
 
-static int take_scene_format(struct options *options, const char *value)
+static int set_scene_format(struct options *options, const char *value)
 {
     options->scene_format = scene_format_called(value);
     return options->scene_format != SCENE_UNKNOWN ? EXIT_FINE : wrong("--scene-format", value, "not tia, nff or obj");
 }
 
-static int take_samples(struct options *options, const char *value)
+static int set_samples(struct options *options, const char *value)
 {
     if (!parse_number(value, NULL, 1, TIA_SAMPLES_MAX, &options->samples) ||
         (options->samples != 1 && options->samples != 4 && options->samples != 16)) {
@@ -37,7 +37,7 @@ static int take_samples(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int take_time(struct options *options, const char *value)
+static int set_time(struct options *options, const char *value)
 {
     if (!parse_seconds(value, &options->time)) {
         return wrong("--time", value, "not a number of seconds (0 to 32767.999, like 1.25)");
@@ -45,7 +45,7 @@ static int take_time(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int take_rate(struct options *options, const char *value)
+static int set_rate(struct options *options, const char *value)
 {
     options->rate_given = true;
     if (!parse_rate(value, options->rate)) {
@@ -54,8 +54,8 @@ static int take_rate(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-/* "A-B" from 0, A not above B. */
-static int take_range(const char *option, const char *value, bool *given, uint32_t *first, uint32_t *last)
+/* "A-B" with 0 <= A <= B. */
+static int set_range(const char *option, const char *value, bool *given, uint32_t *first, uint32_t *last)
 {
     const char *rest;
     *given = true;
@@ -66,7 +66,7 @@ static int take_range(const char *option, const char *value, bool *given, uint32
     return EXIT_FINE;
 }
 
-static int take_number(const char *option, const char *value, uint32_t max, uint32_t *number)
+static int set_number(const char *option, const char *value, uint32_t max, uint32_t *number)
 {
     if (!parse_number(value, NULL, 1, max, number)) {
         return fail(EXIT_USAGE, "%s '%.200s': not a number from 1 to %u", option, value, max);
@@ -74,7 +74,7 @@ static int take_number(const char *option, const char *value, uint32_t max, uint
     return EXIT_FINE;
 }
 
-static int take_rotate(struct options *options, const char *value)
+static int set_rotate(struct options *options, const char *value)
 {
     if (!parse_number(value, NULL, 0, 270, &options->rotate) || options->rotate % 90 != 0) {
         return wrong("--rotate", value, "not 0, 90, 180 or 270");
@@ -82,7 +82,7 @@ static int take_rotate(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int take_arithmetic(struct options *options, const char *value)
+static int set_arithmetic(struct options *options, const char *value)
 {
     options->core = arithmetic_called(value);
     if (options->core != NULL) {
@@ -93,7 +93,7 @@ static int take_arithmetic(struct options *options, const char *value)
 }
 
 /* Cuts "drm:/dev/dri/card1" into its name and device. */
-static void take_device(char *value, const char **name, const char **device)
+static void set_device(char *value, const char **name, const char **device)
 {
     char *colon = strchr(value, ':');
     *name = value;
@@ -103,7 +103,7 @@ static void take_device(char *value, const char **name, const char **device)
     }
 }
 
-static int take_connector(struct options *options, const char *value)
+static int set_connector(struct options *options, const char *value)
 {
     if (strcmp(value, "help") == 0) {
         options->action = ACTION_MODES;
@@ -112,7 +112,7 @@ static int take_connector(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int take_mode(struct options *options, const char *value)
+static int set_mode(struct options *options, const char *value)
 {
     if (strcmp(value, "help") == 0) {
         options->action = ACTION_MODES;
@@ -124,7 +124,7 @@ static int take_mode(struct options *options, const char *value)
 }
 
 /* Options without a value. */
-static int take_flag(struct options *options, int option)
+static int set_flag(struct options *options, int option)
 {
     switch (option) {
     case OPT_DITHER:
@@ -149,50 +149,50 @@ static int take_flag(struct options *options, int option)
     return EXIT_FINE;
 }
 
-int take(struct options *options, int option, char *value)
+int parse_option(struct options *options, int option, char *value)
 {
     switch (option) {
     case 'd':
-        take_device(value, &options->display, &options->display_device);
+        set_device(value, &options->display, &options->display_device);
         return EXIT_FINE;
     case 'i':
-        take_device(value, &options->input, &options->input_device);
+        set_device(value, &options->input, &options->input_device);
         return EXIT_FINE;
     case 'o':
         options->output = value;
         return EXIT_FINE;
     case OPT_FORMAT:
-        return take_format(options, value);
+        return set_format(options, value);
     case OPT_SCENE_FORMAT:
-        return take_scene_format(options, value);
+        return set_scene_format(options, value);
     case 's':
-        return take_size(options, value);
+        return set_size(options, value);
     case OPT_SAMPLES:
-        return take_samples(options, value);
+        return set_samples(options, value);
     case 'k':
         options->key_text = value;
         return EXIT_FINE;
     case 'n':
-        return take_number("--frames", value, UINT32_MAX, &options->frames);
+        return set_number("--frames", value, UINT32_MAX, &options->frames);
     case OPT_TIME:
-        return take_time(options, value);
+        return set_time(options, value);
     case OPT_FPS:
-        return take_rate(options, value);
+        return set_rate(options, value);
     case OPT_FRAME_RANGE:
-        return take_range("--frame-range", value, &options->frame_range, &options->first_frame, &options->last_frame);
+        return set_range("--frame-range", value, &options->frame_range, &options->first_frame, &options->last_frame);
     case OPT_TILE_ROWS:
-        return take_range("--tile-rows", value, &options->tile_rows, &options->first_row, &options->last_row);
+        return set_range("--tile-rows", value, &options->tile_rows, &options->first_row, &options->last_row);
     case 'j':
-        return take_number("--threads", value, THREADS_MAX, &options->threads);
+        return set_number("--threads", value, THREADS_MAX, &options->threads);
     case OPT_ARITHMETIC:
-        return take_arithmetic(options, value);
+        return set_arithmetic(options, value);
     case OPT_ROTATE:
-        return take_rotate(options, value);
+        return set_rotate(options, value);
     case OPT_CONNECTOR:
-        return take_connector(options, value);
+        return set_connector(options, value);
     case OPT_MODE:
-        return take_mode(options, value);
+        return set_mode(options, value);
     default:
-        return take_flag(options, option);
+        return set_flag(options, option);
     }
 }

@@ -1,0 +1,31 @@
+/* film_scene.h - the scene at the time of a frame, ready to be drawn. */
+#ifndef TOOLS_TIA_FILM_SCENE_H
+#define TOOLS_TIA_FILM_SCENE_H
+
+#include "lights.h"
+#include "options.h"
+
+struct film_scene {
+    const struct options *options;
+    const struct tia_scene *scene; /* at that time */
+    struct tia_view *view;
+    char *why; /* [PORT_WHY] */
+
+    /* Private. */
+    struct tia_scene moved;
+    void *arrays, *bvh_memory, *view_memory;
+    size_t arrays_bytes, bvh_bytes, view_bytes;
+    struct lights lights;
+};
+
+/* Sets up the scene at the time of frame 0 and presses the keys. A negative status on failure, with `why` for
+ * TIA_ERR_RANGE. */
+int film_scene_begin(struct film_scene *film, const struct options *options, char *why);
+
+/* Updates scene and view to frame number `frame`. */
+int film_scene_update(struct film_scene *film, uint32_t frame);
+
+/* Safe after a failure. */
+void film_scene_end(struct film_scene *film);
+
+#endif
