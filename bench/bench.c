@@ -1,6 +1,6 @@
-/* bench.c - milliseconds a frame on one core: a whole frame, a frame of which only the light moved,
- * and the textbook's loop in float. The three take turns, so that a machine whose speed drifts
- * treats them alike; the median of each and of their ratios is printed. */
+/* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
+ * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
+ * the median of each and of their ratios. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <tia/tia.h>
@@ -36,7 +36,7 @@ static void *memory(size_t size)
     return p;
 }
 
-/* The thesis scene with its first light, above left. */
+/* The built-in scene with the light of key a, above left. */
 static void prepare(struct frame *f, uint16_t width, uint16_t height)
 {
     size_t view_size, hits_size;

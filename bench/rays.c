@@ -27,7 +27,7 @@ static void must(int status)
     }
 }
 
-/* One frame, from the scene on; ms. */
+/* Milliseconds for one frame, including tia_view_init. */
 static double draw(const struct tia_core *core, const struct tia_scene *scene)
 {
     size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, area);
@@ -79,7 +79,7 @@ static void measure(const char *path)
     scene_close(&file);
 }
 
-/* A scene file of a megabyte: spheres in rows. */
+/* Measures reading a scene file of a megabyte: spheres in rows. */
 static void measure_reading(void)
 {
     const size_t most = 1 << 20;

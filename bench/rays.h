@@ -1,4 +1,4 @@
-/* rays.h - general rays: sphere flakes of 10 to 7381 mirrors, and how long scene files take to read. */
+/* rays.h - the ray renderer: sphere flakes of 10 to 7381 mirrors; and reading scene files. */
 #ifndef BENCH_RAYS_H
 #define BENCH_RAYS_H
 

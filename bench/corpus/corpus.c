@@ -8,7 +8,7 @@
 
 #define GROUND 10000
 
-/* Small sizes more often than large ones: some 350,000 pixels a scene on average. */
+/* Small sizes more often than large ones: on average some 350,000 pixels per scene. */
 static void random_size(uint64_t *state, struct corpus_scene *out)
 {
     static const uint16_t sizes[][2] = {{320, 240}, {320, 240}, {321, 243}, {400, 300}, {400, 300},  {480, 270},
@@ -29,15 +29,15 @@ static void random_camera(uint64_t *state, struct tia_camera *camera)
     camera->fov = dice_between(state, TIA_Q16(10), TIA_Q16(90));
 }
 
-/* How far from the axis a thing at `distance` may be to stay in sight, in units, roughly:
- * tan(fov/2) is near fov/115 degrees up to 60 and larger beyond. */
+/* Roughly how far from the axis an object at `distance` can be and stay in view: tan(fov/2) is about fov/115 up to 60
+ * degrees, and larger beyond. */
 static tia_q16 sight(const struct tia_camera *camera, tia_q16 distance)
 {
     return (tia_q16)((int64_t)distance * (camera->fov >> 16) / 115);
 }
 
-/* In the picture and before the eye; half of the balls lie on the ground, whose top is y = 0, at
- * least as far off as the ground comes into sight. */
+/* Places a ball in view. Half of the balls lie on the ground, whose top is y = 0, at least as far away as the nearest
+ * visible ground. */
 static void place_ball(uint64_t *state, const struct tia_camera *camera, struct tia_sphere *ball)
 {
     tia_q16 r = ball->radius, distance = dice_between(state, r + TIA_Q16_ONE, r + TIA_Q16(50));
@@ -54,7 +54,7 @@ static void place_ball(uint64_t *state, const struct tia_camera *camera, struct 
         ball->centre.y = r;
 }
 
-/* Exactly touching the ball before it, beside, above or behind it. */
+/* Places a ball beside, above or behind the previous one, exactly touching it. */
 static void touch(uint64_t *state, const struct tia_sphere *before, struct tia_sphere *ball)
 {
     tia_q16 reach = before->radius + ball->radius;
@@ -92,7 +92,7 @@ static void random_balls(uint64_t *state, struct corpus_scene *out, bool clear, 
     out->scene.sphere_count = out->scene.material_count = count;
 }
 
-/* Above the ground, many in sight; some cannot be seen. */
+/* Above the ground, many of them in view; some have radius 0. */
 static void random_lights(uint64_t *state, struct corpus_scene *out)
 {
     const struct tia_vec3 *eye = &out->scene.camera.eye;

@@ -1,6 +1,4 @@
-/* corpus.h - the scenes that accuracy is measured on: the built-in one, and random ones that are the
- * same on every machine.
- */
+/* corpus.h - the scenes for measuring accuracy: the built-in one, and random ones, the same on every machine. */
 #ifndef PORT_COMMON_CORPUS_H
 #define PORT_COMMON_CORPUS_H
 
@@ -9,7 +7,7 @@
 #define CORPUS_BALLS 8
 #define CORPUS_LIGHTS 3
 
-/* A scene and the arrays that it points to: not to be copied. */
+/* A scene and the arrays that it points to; do not copy it. */
 struct corpus_scene {
     struct tia_scene scene;
     unsigned width, height;
@@ -20,12 +18,11 @@ struct corpus_scene {
 
 /* Random scene number `index` of the series `seed`: a ground of radius 10000, 1 to 8 balls of radius
  * 0.25 to 6 that may touch and overlap, 1 to 3 lights, an eye 0.5 to 60 above the ground, a field of
- * view of 10 to 90 degrees, an image of 320x240 to 1920x1080. In every fourth scene some balls let
- * light through, in every fifth some glow. tia_scene_check accepts all of them. */
+ * view of 10 to 90 degrees, an image of 320x240 to 1920x1080. In every fourth scene some balls are
+ * transparent to light, in every fifth some glow. tia_scene_check accepts all of them. */
 void corpus_random(struct corpus_scene *out, uint64_t seed, unsigned index);
 
-/* tia_thesis_scene after the presses of `keys`, for a width x height image. TIA_ERR_ARGUMENT when
- * one of them would quit. */
+/* tia_thesis_scene after pressing `keys`, for a width x height image. TIA_ERR_ARGUMENT if one of them quits. */
 int corpus_thesis(struct corpus_scene *out, const char *keys, unsigned width, unsigned height);
 
 #endif

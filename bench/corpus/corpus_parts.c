@@ -4,7 +4,7 @@
 
 #include "dice.h"
 
-/* An octahedron's corners and the middles of its edges, pushed out to the sphere: sqrt(1/2) = 0.70711. */
+/* An octahedron's corners and edge midpoints, moved out to the unit sphere: sqrt(1/2) = 0.70711. */
 #define EDGE 0.70711
 #define BALL_VERTICES 18
 #define BALL_FACES 32
@@ -16,7 +16,7 @@ static const struct tia_vec3 ball_vertices[BALL_VERTICES] = {
     TIA_VEC3(EDGE, 0, -EDGE), TIA_VEC3(-EDGE, 0, -EDGE), TIA_VEC3(0, EDGE, EDGE), TIA_VEC3(0, -EDGE, EDGE),
     TIA_VEC3(0, EDGE, -EDGE), TIA_VEC3(0, -EDGE, -EDGE)};
 
-/* The same as directions, not normalised. */
+/* The same, as directions that are not normalised. */
 #define DIR3(x, y, z)                                                                                                  \
     {                                                                                                                  \
         TIA_Q30(x), TIA_Q30(y), TIA_Q30(z)                                                                             \
@@ -38,7 +38,7 @@ static const struct tia_dir3 ball_normals[BALL_VERTICES] = {
             CORNER(a), CORNER(b), CORNER(c)                                                                            \
         }                                                                                                              \
     }
-/* An octant: its corners on the axes x, y, z and the middles of xy, yz, zx. */
+/* An octant: the corners on the axes x, y, z, and the midpoints of the edges xy, yz, zx. */
 #define OCTANT(x, y, z, xy, yz, zx) FACE(x, xy, zx), FACE(xy, y, yz), FACE(zx, yz, z), FACE(xy, yz, zx)
 static const struct tia_face ball_faces[BALL_FACES] = {
     OCTANT(0, 2, 4, 6, 14, 10), OCTANT(4, 2, 1, 14, 7, 11), OCTANT(1, 2, 5, 7, 16, 13), OCTANT(5, 2, 0, 16, 6, 12),
@@ -49,7 +49,7 @@ struct tia_vec3 parts_moved(struct tia_vec3 p, struct tia_vec3 v, int32_t sign)
     return (struct tia_vec3){p.x + sign * v.x, p.y + sign * v.y, p.z + sign * v.z};
 }
 
-/* v over the sum of its coordinates' sizes. */
+/* v divided by |x| + |y| + |z|. */
 static struct tia_dir3 direction_of(struct tia_vec3 v)
 {
     int64_t sum = (int64_t)abs(v.x) + abs(v.y) + abs(v.z) + 1;
@@ -155,8 +155,8 @@ void parts_random_textures(uint64_t *state, struct corpus_rays *out)
         out->texels[i] = (uint8_t)dice_between(state, 0, 255);
 }
 
-/* Vertex (x, z) of a land from -1 to 1, at most 0.2 high: a cell is 0.4 wide, the slopes are below 1/2 at the
- * vertices' neighbours and so are the normals' coordinates beside y = 1. */
+/* A height field from -1 to 1, at most 0.2 high. A cell is 0.4 wide, so slopes are below 1/2, and so are x and z of the
+ * normals, whose y is 1. */
 static void random_land(uint64_t *state, struct corpus_rays *out)
 {
     const unsigned row = CORPUS_RAYS_LAND + 1;

@@ -1,4 +1,4 @@
-/* corpus_rays.h - random scenes for general rays, the same on every machine. */
+/* corpus_rays.h - random scenes for the ray renderer, the same on every machine. */
 #ifndef PORT_COMMON_CORPUS_RAYS_H
 #define PORT_COMMON_CORPUS_RAYS_H
 
@@ -6,12 +6,12 @@
 
 #define CORPUS_RAYS_OBJECTS 12
 #define CORPUS_RAYS_LIGHTS 4
-#define CORPUS_RAYS_CELLS 6                                                       /* of a grid, along an axis */
-#define CORPUS_RAYS_LAND 5                                                        /* cells of a land along an axis */
+#define CORPUS_RAYS_CELLS 6 /* cells of a grid along an axis */
+#define CORPUS_RAYS_LAND 5  /* cells of the height field along an axis */
 #define CORPUS_RAYS_LAND_POINTS ((CORPUS_RAYS_LAND + 1) * (CORPUS_RAYS_LAND + 1)) /* its vertices */
-#define CORPUS_RAYS_TEXELS 8                                                      /* of an image, along an axis */
+#define CORPUS_RAYS_TEXELS 8                                                      /* texels of an image along an axis */
 
-/* A scene and the arrays that it points to: not to be copied. */
+/* A scene and the arrays that it points to; do not copy it. */
 struct corpus_rays {
     struct tia_scene scene;
     unsigned width, height;

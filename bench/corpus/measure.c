@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BAND_ROWS 16u /* rows to a job: a band of the widest image is some 5 MB */
+#define BAND_ROWS 16u /* rows per job: a band of the widest image takes some 5 MB */
 
-/* What one arithmetic makes of a band. */
+/* A band drawn by one arithmetic. */
 struct layer {
     tia_rgb565 *pixels;
     uint32_t *path_hash, *object;
 };
 
-/* The cores, and the reference after them. */
+/* The views of the cores, then that of the reference. */
 struct frame {
     const struct measure *what;
     const struct tia_core *cores[MEASURE_CORES + 1];

@@ -1,4 +1,4 @@
-/* measure.h - one picture drawn by several arithmetics, and how each misses a reference. */
+/* measure.h - draws a picture in several arithmetics and compares each with a reference. */
 #ifndef PORT_COMMON_MEASURE_H
 #define PORT_COMMON_MEASURE_H
 
@@ -6,28 +6,28 @@
 
 #define MEASURE_CORES 2
 
-/* What a pixel is, compared with the reference's; the larger is the worse. */
+/* The result of comparing a pixel with the reference, from best to worst. */
 enum verdict { SAME, ONE_LEVEL, MORE, FLIP };
 
-/* Pixels of one arithmetic. identical + one + more = pixels. */
+/* Counts for one arithmetic. identical + one + more = pixels. */
 struct tally {
     uint64_t pixels, identical;
-    uint64_t one;     /* the worst channel is off by one of its levels */
-    uint64_t more;    /* by more */
-    uint64_t flips;   /* another object is hit or other lights reach it, whatever its colour */
-    uint64_t stray;   /* off by more than one level and no flip */
-    uint64_t largest; /* difference of a channel, in its levels */
-    uint64_t astray;  /* the same, of pixels that are no flips */
-    uint64_t squares; /* of all channels' differences, full being 31 x 63 */
+    uint64_t one;     /* the worst channel differs by one level */
+    uint64_t more;    /* ... by more than one level */
+    uint64_t flips;   /* another path: another object is hit or other lights arrive, whatever the colour */
+    uint64_t stray;   /* differs by more than one level on the same path */
+    uint64_t largest; /* largest difference of a channel, in levels */
+    uint64_t astray;  /* the same, without flips */
+    uint64_t squares; /* sum of the squared differences of all channels, full intensity being 31 x 63 */
 };
 
 void tally_add(struct tally *sum, const struct tally *part);
 
-/* Percentage identical, and the peak signal to noise ratio in decibels (infinite without errors). */
+/* The percentage of identical pixels, and the peak signal-to-noise ratio in decibels (infinite without errors). */
 double tally_percent(const struct tally *tally);
 double tally_psnr(const struct tally *tally);
 
-/* A pixel as one arithmetic has it; object and path_hash as in render.h. */
+/* A pixel as drawn by one arithmetic; object and path_hash as in render.h. */
 struct measure_pixel {
     unsigned x, y;
     tia_rgb565 colour;
@@ -45,13 +45,13 @@ struct measure {
     void *workers_ctx;
     tia_rgb565 *picture; /* NULL, or width x height pixels for the reference's picture */
 
-    /* NULL, or called for each pixel that is not the SAME: on any thread, on several at once. */
+    /* NULL, or called for each pixel that is not SAME, on any thread, also on several at once. */
     void (*differs)(void *arg, unsigned core, enum verdict verdict, const struct measure_pixel *want,
                     const struct measure_pixel *got);
     void *arg;
 };
 
-/* Fills in a tally for each of the cores. A negative tia_status: the scene is refused, or no memory. */
+/* Fills in a tally for each core. A negative tia_status if the scene is invalid or memory runs out. */
 int measure(const struct measure *what, struct tally *tallies);
 
 #endif

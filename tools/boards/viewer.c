@@ -1,6 +1,5 @@
-/* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. What
- * happens is told on the serial line. It shows the built-in scene, or SCENE, which is linked to it:
- * the work of tia-compile. */
+/* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. It reports on the serial line.
+ * Shows the built-in scene, or SCENE, the symbol of a linked scene that tia-compile wrote. */
 #include "boards/panel_board.h"
 #include <tia/tia.h>
 
@@ -49,7 +48,7 @@ static int view(const char **why)
         .frame_done = tell_frame,
     };
     struct tia_mode mode;
-    scene.camera.samples = 1; /* a ray a pixel is what such a processor has time for */
+    scene.camera.samples = 1; /* such a processor has time for only one ray per pixel */
     int status = panel_keyboard.open(why);
     if (status == TIA_OK)
         status = panel_display.open(why, &mode);
