@@ -53,12 +53,12 @@ static int keyboard_open(void *ctx)
 static int keyboard_poll(void *ctx, struct tia_event *event)
 {
     (void)ctx;
-    int told = ps2_owed(&ps2, event);
-    while (!told && *kmi(KMI_STAT) & STAT_RXFULL)
-        told = ps2_feed(&ps2, (uint8_t)*kmi(KMI_DATA), event) || ps2_owed(&ps2, event);
-    if (told)
+    int found = ps2_owed(&ps2, event);
+    while (!found && *kmi(KMI_STAT) & STAT_RXFULL)
+        found = ps2_feed(&ps2, (uint8_t)*kmi(KMI_DATA), event) || ps2_owed(&ps2, event);
+    if (found)
         event->time_us = board_clock.now_us(NULL);
-    return told;
+    return found;
 }
 
 static int keyboard_wait(void *ctx, int timeout_ms)

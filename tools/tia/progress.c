@@ -18,7 +18,7 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
     progress->next_us = clock_now_us() + FIRST_US;
 }
 
-static void tell(const struct progress *progress, uint64_t done)
+static void print(const struct progress *progress, uint64_t done)
 {
     if (progress->frames > 1) {
         (void)fprintf(stderr, "\rdrawing: %u of %u frames, %u %% of the next",
@@ -38,7 +38,7 @@ void progress_add(struct progress *progress, uint64_t pixels)
     (void)pthread_mutex_lock(&progress->lock);
     progress->done += pixels;
     if (now >= progress->next_us && progress->done < progress->frame_pixels * progress->frames) {
-        tell(progress, progress->done);
+        print(progress, progress->done);
         progress->shown = true;
         progress->next_us = now + STEP_US;
     }
