@@ -1,43 +1,12 @@
 /* ports.h - the displays and inputs that this build has, by name.
  *
  * A port is its functions (tia/port.h), a pair that makes and ends its context, and a row in one
- * of the tables of ports.c. The reason for a failure is one line without a full stop, in the
- * form "WHAT: WHY" or "WHAT: WHY (FIX)", written to the `why` that the context was made with.
+ * of the tables of ports.c.
  */
 #ifndef PORT_PORTS_H
 #define PORT_PORTS_H
 
-#include <tia/port.h>
-
-#define PORT_WHY 256
-
-/* What the user asked of a display or an input; zero means the device's own choice. */
-struct port_wish {
-    const char *device; /* a node, or NULL: the first that works */
-    uint16_t width, height;
-    const char *connector; /* DRM: a connector's name, or NULL */
-    const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    char *why;             /* [PORT_WHY] */
-};
-
-/* One line of text about a device, for --list-displays. */
-typedef void port_line(void *arg, const char *text);
-
-struct port_display {
-    const char *name, *summary;
-    bool takes_screen; /* covers the console: must not be opened without an input */
-    const struct tia_display *ops;
-    void *(*create)(const struct port_wish *wish); /* NULL: *why says what failed */
-    void (*destroy)(void *ctx);                    /* after close */
-    void (*list)(port_line *line, void *arg);      /* each device found, modes, formats, or why it cannot be opened */
-};
-
-struct port_input {
-    const char *name, *summary;
-    const struct tia_input *ops;
-    void *(*create)(const struct port_wish *wish);
-    void (*destroy)(void *ctx);
-};
+#include "device.h"
 
 /* In the order in which `auto` tries them; the end has name NULL. */
 extern const struct port_display port_displays[];

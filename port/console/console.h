@@ -16,7 +16,7 @@
 
 #include <poll.h>
 
-#include "ports.h"
+#include "device.h"
 
 enum console_state {
     CONSOLE_FREE, /* no display of this program has taken the screen: grab nothing */

@@ -2,7 +2,7 @@
 #ifndef PORT_COMMON_NODE_H
 #define PORT_COMMON_NODE_H
 
-#include "ports.h"
+#include "device.h"
 
 /* A descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group 'video')". */
 int node_open(const char *path, int flags, char why[PORT_WHY]);

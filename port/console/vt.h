@@ -4,7 +4,7 @@
 
 #include <linux/vt.h>
 
-#include "ports.h"
+#include "device.h"
 
 struct vt {
     int fd;           /* -1: there is none */

@@ -4,7 +4,7 @@
 #ifndef PORT_DRM_DRM_H
 #define PORT_DRM_DRM_H
 
-#include "ports.h"
+#include "device.h"
 
 extern const struct tia_display port_drm_display;
 void *port_drm_create(const struct port_wish *wish);

@@ -4,7 +4,7 @@
 
 #include <xf86drmMode.h>
 
-#include "ports.h"
+#include "device.h"
 
 /* A card's connectors and encoders; elements may be NULL. */
 struct drm_parts {

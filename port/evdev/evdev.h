@@ -7,7 +7,7 @@
 #ifndef PORT_EVDEV_H
 #define PORT_EVDEV_H
 
-#include "ports.h"
+#include "device.h"
 
 extern const struct tia_input port_evdev_input;
 void *port_evdev_create(const struct port_wish *wish);

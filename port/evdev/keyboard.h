@@ -9,8 +9,8 @@
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
 
+#include "device.h"
 #include "keys.h"
-#include "ports.h"
 
 #define KEYBOARD_EVENTS 64
 

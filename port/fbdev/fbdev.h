@@ -3,7 +3,7 @@
 #ifndef PORT_FBDEV_FBDEV_H
 #define PORT_FBDEV_FBDEV_H
 
-#include "ports.h"
+#include "device.h"
 
 extern const struct tia_display port_fbdev_display;
 void *port_fbdev_create(const struct port_wish *wish);

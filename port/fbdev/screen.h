@@ -4,8 +4,8 @@
 
 #include <linux/fb.h>
 
+#include "device.h"
 #include "pixels/expand.h"
-#include "ports.h"
 
 struct fb_screen {
     int fd; /* -1: not open */

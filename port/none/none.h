@@ -2,7 +2,7 @@
 #ifndef PORT_NONE_H
 #define PORT_NONE_H
 
-#include "ports.h"
+#include "device.h"
 
 extern const struct tia_display port_none_display;
 void *port_none_create(const struct port_wish *wish);

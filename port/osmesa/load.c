@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "device.h"
 #include "gl.h"
-#include "ports.h"
 
 int gl_fail(struct gl_screen *screen, int status, const char *format, ...)
 {

@@ -11,7 +11,7 @@
 #ifndef PORT_OSMESA_H
 #define PORT_OSMESA_H
 
-#include "ports.h"
+#include "device.h"
 
 extern const struct tia_display port_osmesa_display;
 

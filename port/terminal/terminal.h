@@ -2,7 +2,7 @@
 #ifndef PORT_TERMINAL_H
 #define PORT_TERMINAL_H
 
-#include "ports.h"
+#include "device.h"
 
 /* The terminal of standard output. wish.device may name another one. */
 extern const struct tia_display port_terminal_display;

@@ -1,0 +1,41 @@
+/* device.h - what a display or an input of this program is, besides its functions (tia/port.h).
+ *
+ * The reason for a failure is one line without a full stop, in the form "WHAT: WHY" or
+ * "WHAT: WHY (FIX)", written to the `why` that the context was made with.
+ */
+#ifndef PORT_DEVICE_H
+#define PORT_DEVICE_H
+
+#include <tia/port.h>
+
+#define PORT_WHY 256
+
+/* What the user asked of a display or an input; zero means the device's own choice. */
+struct port_wish {
+    const char *device; /* a node, or NULL: the first that works */
+    uint16_t width, height;
+    const char *connector; /* DRM: a connector's name, or NULL */
+    const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
+    char *why;             /* [PORT_WHY] */
+};
+
+/* One line of text about a device, for --list-displays. */
+typedef void port_line(void *arg, const char *text);
+
+struct port_display {
+    const char *name, *summary;
+    bool takes_screen; /* covers the console: must not be opened without an input */
+    const struct tia_display *ops;
+    void *(*create)(const struct port_wish *wish); /* NULL: *why says what failed */
+    void (*destroy)(void *ctx);                    /* after close */
+    void (*list)(port_line *line, void *arg);      /* each device found, modes, formats, or why it cannot be opened */
+};
+
+struct port_input {
+    const char *name, *summary;
+    const struct tia_input *ops;
+    void *(*create)(const struct port_wish *wish);
+    void (*destroy)(void *ctx);
+};
+
+#endif
