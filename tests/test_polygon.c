@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "read/nff/polygon.h"
+#include "read/polygon.h"
 
 #define MOST POLYGON_MAX
 

@@ -2,7 +2,7 @@
 #ifndef TIA_SRC_READ_NFF_H
 #define TIA_SRC_READ_NFF_H
 
-#include "polygon.h"
+#include "read/polygon.h"
 #include "read/readers.h"
 
 enum view { VIEW_V = 1, VIEW_FROM = 2, VIEW_AT = 4, VIEW_UP = 8, VIEW_ANGLE = 16, VIEW_ALL = 31 };

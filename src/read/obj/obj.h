@@ -2,7 +2,7 @@
 #ifndef TIA_SRC_READ_OBJ_H
 #define TIA_SRC_READ_OBJ_H
 
-#include "read/nff/polygon.h"
+#include "read/polygon.h"
 #include "read/readers.h"
 #include "read/text/names.h"
 

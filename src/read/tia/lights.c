@@ -1,5 +1,5 @@
 /* lights.c - lights, and the keys that set them. */
-#include "read/job.h"
+#include "job.h"
 #include <tia/port.h>
 
 struct light_line {

@@ -1,5 +1,5 @@
 /* materials.c - materials and textures. */
-#include "read/job.h"
+#include "job.h"
 
 struct material_line {
     struct tia_material material;

@@ -1,5 +1,5 @@
 /* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0 */
-#include "read/job.h"
+#include "job.h"
 
 enum moving { CAMERA, LIGHT, SHAPE };
 

@@ -1,5 +1,6 @@
 /* shapes.c - the shapes, one statement each. */
-#include "read/job.h"
+#include "job.h"
+
 #include "scene/shapes/description.h"
 
 struct shape_line {

@@ -1,5 +1,5 @@
 /* view.c - the statements camera, samples, background and depth. */
-#include "read/job.h"
+#include "job.h"
 
 #define EYE                                                                                                            \
     {.word = "eye", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_camera, eye)},                      \
