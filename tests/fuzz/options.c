@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "bytes.h"
+#include "tia/arguments.h"
 #include "tia/fail.h"
 #include "tia/film.h"
-#include "tia/options.h"
 
 #define ARGUMENTS 24
 
@@ -29,7 +29,7 @@ static void must_plan(struct options *o)
 {
     struct image_film film;
 
-    if (options_load(o) != EXIT_FINE || o->action != ACTION_DRAW || film_plan(o, &film) != EXIT_FINE)
+    if (arguments_load(o) != EXIT_FINE || o->action != ACTION_DRAW || film_plan(o, &film) != EXIT_FINE)
         return;
     MUST(!o->key_count || o->keys);
     MUST(film.width && film.width <= TIA_SIZE_MAX && film.height && film.height <= TIA_SIZE_MAX);
@@ -51,13 +51,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (char *word = strtok(text, "\n"); word && argc <= ARGUMENTS; word = strtok(NULL, "\n"))
         argv[argc++] = word;
     optind = 0; /* glibc: start anew */
-    status = options_parse(&options, argc, argv);
+    status = arguments_parse(&options, argc, argv);
     MUST(status == EXIT_FINE || status == EXIT_USAGE || status == EXIT_DISPLAY || status == EXIT_RUNNING);
     if (status == EXIT_FINE && options.action != ACTION_HELP && options.action != ACTION_VERSION)
         must_keep_limits(&options);
     if (status == EXIT_FINE && !options.scene_path && options.action <= ACTION_DRAW)
         must_plan(&options);
-    options_free(&options);
+    arguments_free(&options);
     free(text);
     return 0;
 }

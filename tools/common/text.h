@@ -2,7 +2,7 @@
 #ifndef PORT_COMMON_TEXT_H
 #define PORT_COMMON_TEXT_H
 
-#include "common/image/sink.h"
+#include "sink.h"
 
 struct text {
     struct sink sink;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "common/checksum.h"
 #include "common/image/series.h"
 #include "fail.h"
 
@@ -42,7 +43,7 @@ static uint32_t identify(const struct options *options)
     int length = snprintf(text, sizeof text, "%s %d %u %u %d %u/%u", options->core->name, options->dither,
                           (unsigned)options->rotate, (unsigned)options->samples, (int)options->time,
                           (unsigned)options->rate[0], (unsigned)options->rate[1]);
-    return scene_crc(scene_crc(options->file.crc, text, (size_t)length), keys, strlen(keys));
+    return checksum_bytes(checksum_bytes(options->file.crc, text, (size_t)length), keys, strlen(keys));
 }
 
 static int plan_frames(const struct options *options, struct image_film *film)

@@ -36,15 +36,6 @@ struct options {
     bool dither, checksum, stats;
 };
 
-/* EXIT_FINE; or EXIT_USAGE, EXIT_DISPLAY, EXIT_RUNNING after an error message. */
-int options_parse(struct options *options, int argc, char **argv);
-
-/* Call next. Reads the scene and its keys, if there is something to draw. Results as above. */
-int options_load(struct options *options);
-
-/* Safe at any time after options_parse. */
-void options_free(struct options *options);
-
 extern const char options_help[];
 
 #endif

@@ -6,10 +6,10 @@
 
 #include <tia/tia.h>
 
+#include "arguments.h"
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
-#include "options.h"
 #include "show.h"
 
 /* A program can be started with a standard descriptor closed. The next file opened would then get its number, and
@@ -54,13 +54,13 @@ int main(int argc, char **argv)
     struct options options;
     fill_descriptors();
     signals_prepare();
-    int status = options_parse(&options, argc, argv);
+    int status = arguments_parse(&options, argc, argv);
     if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW)) {
-        status = options_load(&options);
+        status = arguments_load(&options);
     }
     if (status == EXIT_FINE) {
         status = act(&options);
     }
-    options_free(&options);
+    arguments_free(&options);
     return status;
 }

@@ -2,8 +2,8 @@
 #ifndef PORT_IMAGE_CODEC_H
 #define PORT_IMAGE_CODEC_H
 
-#include "image.h"
-#include "sink.h"
+#include "common/sink.h"
+#include "film.h"
 
 struct image;
 

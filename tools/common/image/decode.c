@@ -3,26 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "decode_png.h"
+
 static int refuse(const char **why, const char *what)
 {
     *why = what;
     return TIA_ERR_RANGE;
-}
-
-int image_room(struct image_texels *texels, uint64_t width, uint64_t height, unsigned side, size_t most,
-               const char **why)
-{
-    if (width == 0 || height == 0) {
-        return refuse(why, "an empty picture");
-    }
-    if (width > side || height > side || width * height > most / 3) {
-        return refuse(why, "too large a picture");
-    }
-    texels->width = (unsigned)width;
-    texels->height = (unsigned)height;
-    texels->rgb = malloc((size_t)(width * height * 3));
-    *why = "memory: exhausted";
-    return texels->rgb != NULL ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 /* ---- PPM: "P6" or "P3", width, height and the maximum value, then the values ---- */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "decode.h"
+#include "decode_png.h"
 
 int image_decode_png(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                      const char **why)

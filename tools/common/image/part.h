@@ -11,7 +11,7 @@
 #ifndef PORT_IMAGE_PART_H
 #define PORT_IMAGE_PART_H
 
-#include "image.h"
+#include "film.h"
 
 #define IMAGE_PART_HEADER 160 /* bytes, enough for the line and its end */
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/checksum.h"
 #include "common/image/decode.h"
 #include "whole.h"
 
@@ -56,7 +57,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     int status = path != NULL ? whole_read(&part->text, path, left, why) : TIA_ERR_MEMORY;
     free(path);
     if (status == TIA_OK) {
-        file->crc = scene_crc(file->crc, part->text.bytes, part->text.length);
+        file->crc = checksum_bytes(file->crc, part->text.bytes, part->text.length);
     }
     if (status == TIA_OK && part->is_image) {
         status = decode(part, left, why);

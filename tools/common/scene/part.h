@@ -2,7 +2,7 @@
 #ifndef PORT_SCENE_PART_H
 #define PORT_SCENE_PART_H
 
-#include "scene.h"
+#include "file.h"
 
 /* The reader's callbacks (tia/read.h); ctx is the scene file. */
 int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why);

@@ -6,6 +6,7 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "common/checksum.h"
 #include "part.h"
 #include "whole.h"
 
@@ -29,30 +30,6 @@ int scene_format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
     return dot != NULL ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
-}
-
-/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte gets a zero. The length goes first: it
- * distinguishes that from a real zero. */
-uint32_t scene_crc(uint32_t crc, const void *bytes, size_t length)
-{
-    const unsigned char *from = bytes;
-    uint64_t count = length;
-    tia_rgb565 pairs[1024];
-    for (unsigned i = 0; i < 4; i++) {
-        pairs[i] = (tia_rgb565)(count >> 16 * i & 0xffffu);
-    }
-    crc = tia_crc32(crc, pairs, 4);
-    while (length > 0) {
-        size_t some = length < sizeof pairs ? length : sizeof pairs, n = (some + 1) / 2;
-        for (size_t i = 0; i < n; i++) {
-            unsigned high = 2 * i + 1 < some ? from[2 * i + 1] : 0;
-            pairs[i] = (tia_rgb565)(from[2 * i] | high << 8);
-        }
-        crc = tia_crc32(crc, pairs, n);
-        from += some;
-        length -= some;
-    }
-    return crc;
 }
 
 static const char *shown(const struct scene_file *file)
@@ -138,7 +115,7 @@ int scene_open(struct scene_file *file, const char *path, int format)
     if (status != TIA_OK) {
         return status;
     }
-    file->crc = scene_crc(0, text.bytes, text.length);
+    file->crc = checksum_bytes(0, text.bytes, text.length);
     status = read_scene(file, &text, format);
     free(text.bytes);
     if (status == TIA_OK) {

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "arguments.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -53,7 +53,7 @@ static int refuse(int what, char **argv)
     return fail(EXIT_USAGE, "%.200s: unknown option (tia -h lists them)", name);
 }
 
-int options_parse(struct options *options, int argc, char **argv)
+int arguments_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.scene_format = SCENE_UNKNOWN,
                                 .scene = tia_thesis_scene,
@@ -110,7 +110,7 @@ static int load_keys(struct options *options)
     return EXIT_FINE;
 }
 
-int options_load(struct options *options)
+int arguments_load(struct options *options)
 {
     if (options->scene_path != NULL) {
         int status = scene_open(&options->file, options->scene_path, options->scene_format);
@@ -125,7 +125,7 @@ int options_load(struct options *options)
     return load_keys(options);
 }
 
-void options_free(struct options *options)
+void arguments_free(struct options *options)
 {
     free(options->keys);
     options->keys = NULL;

@@ -1,6 +1,6 @@
 /* sink.h - writes bytes to a file that appears complete or not at all. */
-#ifndef PORT_IMAGE_SINK_H
-#define PORT_IMAGE_SINK_H
+#ifndef TOOLS_SINK_H
+#define TOOLS_SINK_H
 
 #include <stdbool.h>
 #include <stddef.h>

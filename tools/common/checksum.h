@@ -1,0 +1,11 @@
+/* checksum.h - a number by which bytes are known again. */
+#ifndef TOOLS_CHECKSUM_H
+#define TOOLS_CHECKSUM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* CRC-32 of bytes; start with 0 and pass the result on. */
+uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length);
+
+#endif

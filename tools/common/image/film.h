@@ -1,0 +1,19 @@
+/* film.h - what is in a picture file. */
+#ifndef TOOLS_IMAGE_FILM_H
+#define TOOLS_IMAGE_FILM_H
+
+#include <tia/fixed.h>
+
+enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART };
+
+/* The frames of a film, and the rows of each, that a file has. A picture is all of one frame. */
+struct image_film {
+    unsigned width, height;   /* of a whole frame */
+    unsigned first_row, rows; /* in the file */
+    uint32_t first_frame, frames;
+    uint32_t all_frames; /* of the whole film */
+    uint32_t rate[2];    /* frames per second: numerator, denominator */
+    uint32_t crc;        /* of the scene and the options: the same for all parts of a film */
+};
+
+#endif

@@ -1,0 +1,25 @@
+/* file.h - a scene, and what was fetched for it. */
+#ifndef TOOLS_SCENE_FILE_H
+#define TOOLS_SCENE_FILE_H
+
+#include <tia/tia.h>
+
+#define SCENE_WHY 1024
+#define SCENE_TEXT_MOST ((size_t)256 << 20)  /* bytes of the scene's own text */
+#define SCENE_NAMED_MOST ((size_t)512 << 20) /* of all that it refers to: libraries, and texels of images */
+
+struct scene_part; /* a file that the scene refers to */
+
+struct scene_file {
+    struct tia_scene scene;
+    uint32_t crc;        /* of the text and all files that it refers to; equal for equal scenes */
+    char why[SCENE_WHY]; /* after a failure: one line, "FILE:LINE:COLUMN: WHAT" or "FILE: WHAT" */
+
+    /* Private. */
+    const char *path;
+    void *memory, *boxes;
+    struct scene_part *parts;
+    size_t named_bytes;
+};
+
+#endif

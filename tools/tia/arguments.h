@@ -1,0 +1,16 @@
+/* arguments.h - from the command line to options. */
+#ifndef TOOLS_TIA_ARGUMENTS_H
+#define TOOLS_TIA_ARGUMENTS_H
+
+#include "options.h"
+
+/* EXIT_FINE; or EXIT_USAGE, EXIT_DISPLAY, EXIT_RUNNING after an error message. */
+int arguments_parse(struct options *options, int argc, char **argv);
+
+/* Call next. Reads the scene and its keys, if there is something to draw. Results as above. */
+int arguments_load(struct options *options);
+
+/* Safe at any time after arguments_parse. */
+void arguments_free(struct options *options);
+
+#endif
