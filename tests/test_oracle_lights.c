@@ -1,6 +1,7 @@
 /* The oracle's lights, textures and cameras against values worked out by hand. */
 #include "check.h"
 #include "oracle/light.h"
+#include "oracle/oracle.h"
 #include "oracle/rays.h"
 
 #define NEAR_BY(got, want, by)                                                                                         \

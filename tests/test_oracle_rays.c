@@ -2,6 +2,7 @@
 #include "check.h"
 #include "corpus/corpus.h"
 #include "oracle/light.h"
+#include "oracle/oracle.h"
 #include "oracle/rays.h"
 
 #define NEAR_BY(got, want, by)                                                                                         \

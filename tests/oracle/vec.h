@@ -2,7 +2,7 @@
 #ifndef TESTS_ORACLE_VEC_H
 #define TESTS_ORACLE_VEC_H
 
-#include "oracle.h"
+#include "pixel.h"
 
 #include <math.h>
 

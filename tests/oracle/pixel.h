@@ -1,0 +1,23 @@
+/* pixel.h - what the oracle finds out of a pixel. */
+#ifndef TESTS_ORACLE_PIXEL_H
+#define TESTS_ORACLE_PIXEL_H
+
+#include <tia/render.h>
+
+struct oracle_vec {
+    double x, y, z;
+};
+
+/* What one pixel shows and why. */
+struct oracle_pixel {
+    tia_rgb565 colour;
+    uint32_t object;    /* an object's index, the number of objects + the index of a light, or TIA_NO_OBJECT */
+    uint32_t sphere;    /* the same as if lights could not be seen */
+    uint32_t path_hash; /* as tia_options.path_hash */
+    double linear[3];   /* r, g, b before clamping; by general rays the mean of the clamped samples */
+    double depth;       /* distance from the eye; infinite for the background */
+    double margin;      /* how near 31c + 0.5 or 63c + 0.5 of any channel is to an integer, that is how
+                           large an error in units of one level can be without changing the colour */
+};
+
+#endif
