@@ -7,7 +7,7 @@
  */
 #include "against.h"
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "corpus/corpus.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * and small pictures of thousands of scenes drawn from all magnitudes. */
 #include "against.h"
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 
 #include <stdlib.h>
 

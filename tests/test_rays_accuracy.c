@@ -10,7 +10,7 @@
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "corpus/corpus_rays.h"
 
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include <tia/render.h>
 
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 
 enum { W = 97, H = 61, PIXELS = W * H, LIGHTS = 4, GUARD = 0xa5 };
 

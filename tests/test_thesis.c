@@ -2,7 +2,7 @@
  * oracle's. */
 #include "against.h"
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "corpus/corpus.h"
 
 static struct threads *pool;

@@ -1,5 +1,5 @@
 /* The thread pool: every job once, on the threads asked for, deaf to signals, gone afterwards. */
-#include "common/threads.h"
+#include "common/thread_pool.h"
 
 #include <dirent.h>
 #include <pthread.h>

@@ -9,7 +9,7 @@
 #include <tia/tia.h>
 
 #include "common/scene/scene.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 
 enum { THESIS = 256, RANDOM, SEED, JSON, SUMMARY, HEATMAP, IDENTICAL, FLIPS, RAYS_RANDOM, LEVELS };
 

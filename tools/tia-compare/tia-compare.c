@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common/scene/scene.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "corpus/corpus.h"
 #include "corpus/corpus_rays.h"
 #include "heatmap.h"

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "fail.h"
 #include "parse.h"
 #include "parse_option.h"

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "arithmetic.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "fail.h"
 #include "parse.h"
 

@@ -6,7 +6,7 @@
 #include <stdatomic.h>
 
 #include "common/image/image.h"
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "options.h"
 #include "progress.h"
 #include "rotate.h"

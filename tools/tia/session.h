@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "common/threads.h"
+#include "common/thread_pool.h"
 #include "letterbox.h"
 #include "lights.h"
 #include "options.h"

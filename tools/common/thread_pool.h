@@ -1,6 +1,6 @@
-/* threads.h - tia_workers (tia/port.h) on POSIX threads. No other file starts threads. */
-#ifndef PORT_THREADS_H
-#define PORT_THREADS_H
+/* thread_pool.h - tia_workers (tia/port.h) on POSIX threads. No other file starts threads. */
+#ifndef TOOLS_THREAD_POOL_H
+#define TOOLS_THREAD_POOL_H
 
 #include <tia/port.h>
 
