@@ -63,13 +63,20 @@ def floating(prefix, objects, unit):
     return found
 
 
+def unprefixed(prefix, objects):
+    """Global symbols that could meet another's of the same name in a program: those without tia_."""
+    lines = (line.split() for line in run(prefix + "nm", "-P", "--defined-only", "--extern-only", *objects).splitlines())
+    return sorted({words[0] for words in lines if len(words) >= 2 and not words[0].startswith("tia_")})
+
+
 def report(case, faults, what):
     more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
     print(f"FAIL {case}: {what}: {faults[0]}{more}" if faults else f"ok {case}")
 
 
 def check(name, prefix, objects, unit):
-    """The three properties that object files show."""
+    """The properties that object files show."""
+    report(f"{name}: global symbols begin with tia_", unprefixed(prefix, objects), "there is")
     report(f"{name}: no foreign symbols", undefined(prefix, objects), "undefined")
     report(f"{name}: no writable data", writable(prefix, objects), "in")
     if unit:
