@@ -6,6 +6,7 @@
 #include <tia/bvh.h>
 
 #include "check.h"
+#include "random.h"
 
 #define ONE 65536
 #define MOST 20000
@@ -18,18 +19,10 @@ static struct tia_mesh meshes[3];
 static struct tia_transform transform;
 static struct tia_scene scene;
 
-static uint32_t seed = 1;
-
-static uint32_t any(void)
-{
-    seed = seed * 1664525 + 1013904223;
-    return seed ^ seed >> 15;
-}
-
 /* In -most..most. */
 static tia_q16 number(int32_t most)
 {
-    return (tia_q16)((int64_t)(any() % (2 * (uint32_t)most)) - most);
+    return (tia_q16)((int64_t)(random_u32() % (2 * (uint32_t)most)) - most);
 }
 
 static struct tia_vec3 point(int32_t most)
@@ -42,7 +35,7 @@ static inline void set_spheres(uint32_t count)
 {
     scene = (struct tia_scene){.spheres = spheres, .sphere_count = count};
     for (uint32_t i = 0; i < count; i++)
-        spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(any() % (3 * ONE)), 0};
+        spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
 /* What was built, and the memory that it is in. */
@@ -83,7 +76,7 @@ static inline void set_mesh(struct tia_mesh *mesh, uint32_t first, uint32_t coun
     for (uint32_t i = 0; i < count; i++) {
         vertices[first + i] = point(20 * ONE);
         for (int k = 0; k < 3; k++)
-            faces[first + i].corner[k] = (struct tia_corner){any() % count, TIA_NO_INDEX, TIA_NO_INDEX};
+            faces[first + i].corner[k] = (struct tia_corner){random_u32() % count, TIA_NO_INDEX, TIA_NO_INDEX};
     }
 }
 

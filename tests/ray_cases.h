@@ -7,22 +7,7 @@
 
 #include "check.h"
 #include "prepared.h"
-
-static uint64_t ray_seed = 88172645463325252u;
-
-static inline uint64_t random_bits(void)
-{
-    ray_seed ^= ray_seed << 13;
-    ray_seed ^= ray_seed >> 7;
-    ray_seed ^= ray_seed << 17;
-    return ray_seed;
-}
-
-/* -1..1 */
-static inline long double random_real(void)
-{
-    return (long double)(int64_t)random_bits() / 9223372036854775808.0L;
-}
+#include "random.h"
 
 /* A coordinate of any size from 2^-16 up to `most`. */
 static inline tia_q16 random_q16(long double most)

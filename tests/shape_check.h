@@ -13,6 +13,7 @@
 
 #include "check.h"
 #include "prepared.h"
+#include "random.h"
 
 #ifdef __SIZEOF_FLOAT128__
 __extension__ typedef __float128 real;
@@ -127,15 +128,9 @@ static inline struct vec position(struct tia_vec3 v)
 }
 
 /* ---- chance ---- */
-static uint64_t chance_state = 1;
-
 static inline double chance(void) /* -1..1 */
 {
-    uint64_t z = chance_state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return ldexp((double)(int64_t)(z ^ z >> 31), -63);
+    return random_double();
 }
 
 static inline double between(double a, double b)

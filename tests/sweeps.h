@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "corpus/dice.h"
 #include "math/integer.h"
 
 #define TWO_TO_32 (UINT64_C(1) << 32)
@@ -31,15 +32,6 @@ static inline void sweep_widen(struct sweep_range *range, double error)
 {
     range->low = error < range->low ? error : range->low;
     range->high = error > range->high ? error : range->high;
-}
-
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static inline uint64_t sweep_random(uint64_t *state)
-{
-    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
 }
 
 /* r is the root of x, rounded down. x - r^2 <= 2r is x < (r+1)^2 without its overflow. */
@@ -64,7 +56,7 @@ static inline uint64_t sweep_sqrt64_random(uint64_t seed, uint64_t count)
 {
     uint64_t bad = 0, state = seed;
     for (uint64_t i = 0; i < count; i++) {
-        uint64_t x = sweep_random(&state);
+        uint64_t x = dice_next(&state);
         x >>= x & 63;
         bad = sweep_count(!sweep_is_root(x, tia_sqrt64(x)), x, bad);
     }
@@ -154,7 +146,7 @@ static inline uint64_t sweep_normalise(uint64_t seed, uint64_t count, struct swe
 {
     uint64_t bad = 0, state = seed;
     for (uint64_t i = 0; i < count; i++) {
-        uint64_t xy = sweep_random(&state), zs = sweep_random(&state);
+        uint64_t xy = dice_next(&state), zs = dice_next(&state);
         int32_t x = (int32_t)xy >> (zs & 31), y = (int32_t)(xy >> 32) >> (zs >> 5 & 31);
         int32_t z = (int32_t)(zs >> 32) >> (zs >> 10 & 31);
         if (!(x | y | z))

@@ -4,6 +4,7 @@
 #include <tia/bvh.h>
 
 #include "check.h"
+#include "random.h"
 
 #define ONE 65536
 #define STEPS 720
@@ -15,12 +16,9 @@ static struct tia_shape shape;
 static struct tia_mesh mesh;
 static struct tia_grid grid;
 
-static uint32_t seed = 1;
-
 static double any(double least, double most)
 {
-    seed = seed * 1664525 + 1013904223;
-    return least + (most - least) * (seed >> 8) / (1 << 24);
+    return least + (most - least) * (random_double() + 1) / 2;
 }
 
 static tia_q16 q16(double x)

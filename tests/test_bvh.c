@@ -192,7 +192,7 @@ TEST(ends_of_the_numbers)
     for (uint32_t i = 0; i < 1000; i++) {
         spheres[i].centre = (struct tia_vec3){i & 1 ? INT32_MAX - 5000 : INT32_MIN + 5000,
                                               i & 2 ? INT32_MAX - 5000 : INT32_MIN + 5000, number(INT32_MAX - 70000)};
-        spheres[i].radius = 64 + (tia_q16)(any() % 4900);
+        spheres[i].radius = 64 + (tia_q16)(random_u32() % 4900);
     }
     spheres[30].radius = 5000; /* no room for the margin */
     spheres[40].radius = 4998;

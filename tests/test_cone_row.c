@@ -1,29 +1,18 @@
 /* cone_row_span against brute force: the cone's inequality at every pixel, in 128 bits. */
 #include "check.h"
+#include "random.h"
 #include "render/span/cone_row.h"
 
 #ifdef __SIZEOF_INT128__
 
 __extension__ typedef __int128 wide128;
 
-static uint64_t random_state = 1;
-
-/* SplitMix64 */
-static uint64_t next(void)
-{
-    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return z ^ (z >> 31);
-}
-
 /* An integer in -most..most, of any magnitude. */
 static int64_t any(int64_t most)
 {
-    uint64_t size = next() % (uint64_t)(most + 1) >> next() % 40;
+    uint64_t size = random_bits() % (uint64_t)(most + 1) >> random_bits() % 40;
 
-    return next() & 1 ? (int64_t)size : -(int64_t)size;
+    return random_bits() & 1 ? (int64_t)size : -(int64_t)size;
 }
 
 /* L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
@@ -52,7 +41,7 @@ static void check_slice(const struct cone_row *s)
     empties += !pixels;
     partials += pixels && pixels < s->count;
     for (int k = 0; k < 12; k++) {
-        int near = (int)(next() % 5) - 2, first = (int)(next() % (unsigned)s->count);
+        int near = (int)(random_bits() % 5) - 2, first = (int)(random_bits() % (unsigned)s->count);
         struct span guess = {0, 0}; /* none; good; nearly good; bad; everything */
         if (k > 0)
             guess = k < 3   ? want
@@ -88,8 +77,10 @@ static void tia_check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int6
 static void check_random(int count, int cases)
 {
     for (int i = 0; i < cases; i++) {
-        int64_t lx = any(FAR), ly = any(FAR), lz = -any(FAR), r = 64 + (int64_t)(next() % FAR >> next() % 24);
-        int64_t row = (int64_t)(next() % 8192) - 4096, depth = 1 + (int64_t)(next() % 60000 >> next() % 16);
+        int64_t lx = any(FAR), ly = any(FAR), lz = -any(FAR),
+                r = 64 + (int64_t)(random_bits() % FAR >> random_bits() % 24);
+        int64_t row = (int64_t)(random_bits() % 8192) - 4096,
+                depth = 1 + (int64_t)(random_bits() % 60000 >> random_bits() % 16);
         tia_check_sphere(count, lx, ly, lz, r, row, depth);
     }
 }
@@ -98,9 +89,9 @@ static void check_random(int count, int cases)
 static void check_aimed(int count, int cases)
 {
     for (int i = 0; i < cases; i++) {
-        int64_t depth = 1 + (int64_t)(next() % 9000), row = (int64_t)(next() % 400) - 200;
-        int64_t at = (int64_t)(next() % (2 * (unsigned)count)) - count;
-        int64_t lz = 10 + (int64_t)(next() % (FAR / 8)), r = 64 + (int64_t)((uint64_t)lz >> next() % 14);
+        int64_t depth = 1 + (int64_t)(random_bits() % 9000), row = (int64_t)(random_bits() % 400) - 200;
+        int64_t at = (int64_t)(random_bits() % (2 * (unsigned)count)) - count;
+        int64_t lz = 10 + (int64_t)(random_bits() % (FAR / 8)), r = 64 + (int64_t)((uint64_t)lz >> random_bits() % 14);
         int64_t lx = lz * at / depth, ly = lz * row / depth + any(r);
         if (lx < FAR && lx > -FAR && ly < FAR && ly > -FAR)
             tia_check_sphere(count, lx, ly, -lz, r, row, depth);
@@ -163,9 +154,9 @@ TEST(from_inside)
     s.slope = -1;
     CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).end, 6);
     for (int i = 0; i < 20000; i++) {
-        int64_t r = 64 + (int64_t)(next() % FAR);
-        tia_check_sphere(1 + (int)(next() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
-                         1 + (int64_t)(next() % 999));
+        int64_t r = 64 + (int64_t)(random_bits() % FAR);
+        tia_check_sphere(1 + (int)(random_bits() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
+                         1 + (int64_t)(random_bits() % 999));
     }
 }
 

@@ -1,5 +1,6 @@
 /* Quantising: plain and with Bayer's matrix, which is built here by its recursion. */
 #include "check.h"
+#include "random.h"
 #include "render/dither.h"
 
 static unsigned matrix[8][8]; /* row, column */
@@ -103,15 +104,13 @@ static void check_dithered(struct tia_rgb colour)
 
 TEST(a_dithered_colour_is_right_on_average)
 {
-    uint32_t state = 1;
-
     check_dithered((struct tia_rgb){0, 0, 0});
     check_dithered((struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE});
     check_dithered((struct tia_rgb){TIA_Q30_ONE - 1, 1, TIA_Q30_ONE / 2});
     for (int i = 0; i < 300; i++) {
         tia_q30 c[3];
         for (int k = 0; k < 3; k++)
-            c[k] = (tia_q30)((state = state * 1664525 + 1013904223) >> 2);
+            c[k] = (tia_q30)(random_u32() >> 2);
         check_dithered((struct tia_rgb){c[0], i % 3 ? c[1] : c[0], i % 3 ? c[2] : c[0]}); /* some grey */
     }
 }

@@ -4,6 +4,7 @@
 #include "against.h"
 #include "check.h"
 #include "common/thread_pool.h"
+#include "random.h"
 
 #include <stdlib.h>
 
@@ -237,41 +238,29 @@ TEST(odd_sizes)
         compare_both(sizes[i][0], sizes[i][1]);
 }
 
-static uint64_t random_state;
-
-/* SplitMix64 */
-static uint64_t next(void)
-{
-    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
 /* A value of any magnitude from 2^-16 to 2^bits, either sign. */
 static tia_q16 any(unsigned bits)
 {
-    int32_t size = (int32_t)(next() >> 33 >> (next() % (15 + bits) + 15 - bits));
+    int32_t size = (int32_t)(random_bits() >> 33 >> (random_bits() % (15 + bits) + 15 - bits));
 
-    return next() & 1 ? -size : size;
+    return random_bits() & 1 ? -size : size;
 }
 
 static void wild_scene(unsigned index)
 {
     random_state = index;
-    start(1 + (double)(next() % 169));
+    start(1 + (double)(random_bits() % 169));
     scene.camera.eye = (struct tia_vec3){any(12), any(12), any(12)};
-    scene.sphere_count = 1 + (uint32_t)(next() % 8);
+    scene.sphere_count = 1 + (uint32_t)(random_bits() % 8);
     for (uint32_t i = 0; i < scene.sphere_count; i++) {
         struct tia_vec3 c = {any(11), any(11), any(11)};
         tia_q16 away = any(12), radius = any(12);
         spheres[i].centre = (struct tia_vec3){scene.camera.eye.x + c.x, scene.camera.eye.y + c.y,
                                               scene.camera.eye.z - (away < 0 ? -away : away)};
         spheres[i].radius = TIA_RADIUS_MIN + (radius < 0 ? -radius : radius);
-        spheres[i].material = next() % 4;
+        spheres[i].material = random_bits() % 4;
     }
-    scene.light_count = (uint32_t)(next() % 4);
+    scene.light_count = (uint32_t)(random_bits() % 4);
     for (uint32_t i = 0; i < scene.light_count; i++) {
         tia_q16 radius = any(8);
         lights[i] = (struct tia_light){

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "random.h"
 #include "terminal/colour.h"
 #include "terminal/encode.h"
 #include "terminal_model.h"
@@ -123,23 +124,15 @@ static void check_shown(const struct picture *p)
                       model_pixel(&p->model, x, y), wanted(p, x, y));
 }
 
-static unsigned next_random(void)
-{
-    static uint64_t state = 88172645463325252u;
-
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(state >> 33);
-}
-
 /* Random changes of random pixels, some of them to what they are. */
 static void scribble(struct picture *p, unsigned count)
 {
     static const tia_rgb565 few[] = {0xffff, 0x0000, 0xf800, 0x07e0, 0x001f};
 
     while (count-- > 0) {
-        unsigned r = next_random();
-        tia_rgb565 colour = r % 3 == 0 ? (tia_rgb565)next_random() : few[next_random() % 5];
-        p->pixels[next_random() % (p->width * p->height)] = colour;
+        unsigned r = random_u32();
+        tia_rgb565 colour = r % 3 == 0 ? (tia_rgb565)random_u32() : few[random_u32() % 5];
+        p->pixels[random_u32() % (p->width * p->height)] = colour;
     }
 }
 
@@ -153,7 +146,7 @@ static void check_pictures(bool direct)
         for (unsigned frame = 0; frame < 30; frame++) {
             (void)show(&p);
             check_shown(&p);
-            scribble(&p, next_random() % (p.width * p.height / (1 + frame) + 2));
+            scribble(&p, random_u32() % (p.width * p.height / (1 + frame) + 2));
         }
         picture_free(&p);
     }

@@ -9,6 +9,7 @@
 
 #include "check.h"
 #include "memory/memory.h"
+#include "random.h"
 
 enum { WIDTH = 23, HEIGHT = 17, EDGE = 1 };
 
@@ -250,11 +251,8 @@ TEST(a_screen_may_change_its_size)
 TEST(checksums_join)
 {
     unsigned char bytes[3000];
-    uint32_t seed = 1;
-    for (size_t i = 0; i < sizeof bytes; i++) {
-        seed = seed * 1664525u + 1013904223u;
-        bytes[i] = (unsigned char)(seed >> 24);
-    }
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (unsigned char)random_bits();
     CHECK_EQ(slow_crc(0, (const unsigned char *)"123456789", 9), 0xcbf43926u);
     uint32_t whole = slow_crc(0, bytes, sizeof bytes);
     for (size_t cut = 0; cut <= sizeof bytes; cut += 125) {

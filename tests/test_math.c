@@ -27,8 +27,8 @@ TEST(round_shift_to_nearest_ties_up)
     CHECK_EQ(tia_round_shift((INT64_C(1) << 62) - 1, 62), 1);
     CHECK_EQ(tia_round_shift(1 - (INT64_C(1) << 62), 63), 0);
     for (int i = 0; i < 200000; i++) {
-        unsigned s = 1 + (unsigned)(sweep_random(&state) % 62);
-        int64_t unit = INT64_C(1) << s, x = (int64_t)sweep_random(&state) >> (2 + sweep_random(&state) % 60);
+        unsigned s = 1 + (unsigned)(dice_next(&state) % 62);
+        int64_t unit = INT64_C(1) << s, x = (int64_t)dice_next(&state) >> (2 + dice_next(&state) % 60);
         x -= i & 1 ? 0 : x % unit;                /* half of them whole ... */
         x += i % 4 == 2 && s < 62 ? unit / 2 : 0; /* ... or ties */
         int64_t whole = x / unit, rest = x % unit;
@@ -151,8 +151,8 @@ TEST(wide_products)
     const size_t count = sizeof edges / sizeof *edges;
     uint64_t state = 5, high, low;
     for (size_t i = 0; i < 100000; i++) {
-        uint64_t a = i < count * count ? edges[i / count] : sweep_random(&state) >> (state & 63);
-        uint64_t b = i < count * count ? edges[i % count] : sweep_random(&state) >> (state & 63);
+        uint64_t a = i < count * count ? edges[i / count] : dice_next(&state) >> (state & 63);
+        uint64_t b = i < count * count ? edges[i % count] : dice_next(&state) >> (state & 63);
         struct tia_wide p = tia_wide_product(a, b), halves = tia_wide_product_by_halves(a, b);
         paper_product(a, b, &high, &low);
         CHECK(p.high == high && p.low == low);
@@ -169,7 +169,7 @@ TEST(products_compared)
     CHECK_EQ(tia_cmp_products(0, UINT64_MAX, 0, 1), 0);
     for (int i = 0; i < 100000; i++) {
         /* (n - 1)(n + 1) < n^2, (n - 2)(n + 3) > n^2 for n > 6: apart by 1 in 128 bits */
-        uint64_t n = (sweep_random(&state) >> (state & 31)) | 8, m = n < UINT64_MAX - 3 ? n : n - 3;
+        uint64_t n = (dice_next(&state) >> (state & 31)) | 8, m = n < UINT64_MAX - 3 ? n : n - 3;
         CHECK_EQ(tia_cmp_products(m - 1, m + 1, m, m), -1);
         CHECK_EQ(tia_cmp_products(m, m, m - 1, m + 1), 1);
         CHECK_EQ(tia_cmp_products(m - 2, m + 3, m, m), 1);

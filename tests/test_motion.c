@@ -3,6 +3,7 @@
 #include <tia/motion.h>
 
 #include "check.h"
+#include "random.h"
 
 #define ONE 65536
 #define KEYS 6
@@ -10,14 +11,6 @@
 static struct tia_keyframe keys[KEYS];
 static struct tia_track track;
 static struct tia_scene scene;
-
-static uint32_t seed = 1;
-
-static uint32_t any(void)
-{
-    seed = seed * 1664525 + 1013904223;
-    return seed ^ seed >> 15;
-}
 
 static void set_up(enum tia_target target, bool smooth)
 {
@@ -84,16 +77,17 @@ TEST(random_tracks)
 {
     for (int n = 0; n < 4000; n++) {
         set_up(TIA_MOVES_EYE, n & 1);
-        track.key_count = 1 + any() % KEYS;
-        tia_q16 time = (tia_q16)(any() % ONE), most = (tia_q16)(1u << (8 + any() % 20));
-        unsigned fine = any() % 24;
+        track.key_count = 1 + random_u32() % KEYS;
+        tia_q16 time = (tia_q16)(random_u32() % ONE), most = (tia_q16)(1u << (8 + random_u32() % 20));
+        unsigned fine = random_u32() % 24;
         for (uint32_t i = 0; i < track.key_count; i++) {
             keys[i].time = time;
-            time += 1 + (tia_q16)(any() % (uint32_t)most);
-            keys[i].value = (struct tia_vec3){(tia_q16)any() >> fine, (tia_q16)any() >> fine, (tia_q16)any() >> fine};
+            time += 1 + (tia_q16)(random_u32() % (uint32_t)most);
+            keys[i].value = (struct tia_vec3){(tia_q16)random_u32() >> fine, (tia_q16)random_u32() >> fine,
+                                              (tia_q16)random_u32() >> fine};
         }
         for (int i = 0; i < 20; i++)
-            check_time((tia_q16)(any() % (uint32_t)time));
+            check_time((tia_q16)(random_u32() % (uint32_t)time));
         for (uint32_t i = 0; i < track.key_count; i++)
             check_time(keys[i].time);
         check_time(INT32_MIN);

@@ -2,6 +2,7 @@
  * boundaries, rounded ones by the size, the sign and the mean of their errors. */
 #include "check.h"
 #include "num/num.h"
+#include "random.h"
 
 #include <math.h>
 
@@ -10,24 +11,6 @@
 #ifdef __SIZEOF_INT128__
 
 __extension__ typedef __int128 wide128;
-
-static uint64_t random_state = 1;
-
-/* SplitMix64 */
-static uint64_t next(void)
-{
-    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
-/* A number below 2^bits of any length. */
-static uint64_t any(unsigned bits)
-{
-    return next() >> (64 - bits) >> next() % bits;
-}
 
 /* result 2^s is `exact` to nearest, ties up. */
 static bool nearest(wide128 result, wide128 exact, unsigned s)
@@ -40,13 +23,14 @@ static bool nearest(wide128 result, wide128 exact, unsigned s)
 TEST(products_are_rounded_to_nearest)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_u a = (num_u)any(32), b = (num_u)any(32), c = (num_u)any(31), d = (num_u)any(31);
-        num_u cosine = (num_u)(next() % ((uint64_t)NUM_ONE + 1));
+        num_u a = (num_u)random_short(32), b = (num_u)random_short(32), c = (num_u)random_short(31),
+              d = (num_u)random_short(31);
+        num_u cosine = (num_u)(random_bits() % ((uint64_t)NUM_ONE + 1));
         CHECK(nearest(num_mul_top(a, b), (wide128)a * b, 32));
         CHECK(nearest(num_colour_product(c, d), (wide128)c * d, 30));
         CHECK(nearest(num_lambert(cosine, UINT32_C(1) << 31), (wide128)cosine << 31, 31));
         CHECK(nearest(num_lambert(c, d >> 1), (wide128)c * (d >> 1), 31));
-        int s = 1 + (int)(next() % 62);
+        int s = 1 + (int)(random_bits() % 62);
         CHECK(nearest(num_bias_product(c, d, s), (wide128)c * d, (unsigned)s));
     }
     CHECK_EQ(num_colour_product(NUM_ONE, NUM_ONE), NUM_ONE);
@@ -57,9 +41,9 @@ TEST(products_are_rounded_to_nearest)
 TEST(shifts_are_rounded_to_nearest)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide x = (num_wide)any(62);
-        unsigned s = (unsigned)(next() % 63);
-        x = next() & 1 ? -x : x;
+        num_wide x = (num_wide)random_short(62);
+        unsigned s = (unsigned)(random_bits() % 63);
+        x = random_bits() & 1 ? -x : x;
         CHECK(nearest(num_shift(x, -(int)s), x, s));
     }
     CHECK_EQ(num_shift(-3, 5), -96);
@@ -108,8 +92,8 @@ TEST(quotients)
     double sum = 0;
 
     for (int i = 0; i < ROUNDS; i++) {
-        num_u b = (num_u)any(31) + 1, a = (num_u)any(31);
-        int bits = num_bits(a) - num_bits(b), s = 63 + bits - 30 + (int)(next() % 10);
+        num_u b = (num_u)random_short(31) + 1, a = (num_u)random_short(31);
+        int bits = num_bits(a) - num_bits(b), s = 63 + bits - 30 + (int)(random_bits() % 10);
         long double exact = ldexpl((long double)a / b, 63 - s);
         long double error = num_quotient(a, b, s) - exact;
         CHECK_MSG(fabsl(error) <= 1.5L, "%u/%u, %d: off by %Lg", (unsigned)a, (unsigned)b, s, error);
@@ -121,7 +105,7 @@ TEST(quotients)
 TEST(normals)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide x = (num_wide)any(63) | 1;
+        num_wide x = (num_wide)random_short(63) | 1;
         struct num_normal n = num_normal(x);
         CHECK(n.mantissa == (num_uwide)x << 2 * n.half && n.mantissa >> 62 != 0);
         long double exact = ldexpl(1 / sqrtl((long double)n.mantissa), 63);
@@ -135,7 +119,7 @@ TEST(normals)
 TEST(a_cone_has_its_edge)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide m = (num_wide)any(30) + 2, n = (num_wide)any(30) + 2;
+        num_wide m = (num_wide)random_short(30) + 2, n = (num_wide)random_short(30) + 2;
         CHECK(num_inside_cone(m * n, m * m, n * n));
         CHECK(!num_inside_cone(m * n - 1, m * m, n * n));
         CHECK(!num_inside_cone(m * n, m * m + 1, n * n));
@@ -147,9 +131,10 @@ TEST(a_cone_has_its_edge)
 TEST(products_are_compared_exactly)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide a = (num_wide)any(62), b = (num_wide)any(62), c = (num_wide)any(62) + 1, d = (num_wide)any(62);
-        a = next() & 1 ? -a : a;
-        d = next() & 1 ? -d : d;
+        num_wide a = (num_wide)random_short(62), b = (num_wide)random_short(62), c = (num_wide)random_short(62) + 1,
+                 d = (num_wide)random_short(62);
+        a = random_bits() & 1 ? -a : a;
+        d = random_bits() & 1 ? -d : d;
         CHECK_EQ(num_product_above(a, b, c, d), (wide128)a * b > (wide128)c * d);
         CHECK(!num_product_above(a, c, c, a));
         CHECK(num_product_above(a + 1, c, c, a));
@@ -159,8 +144,8 @@ TEST(products_are_compared_exactly)
 TEST(the_nearer_of_two_scales)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_u t = (num_u)any(31), u = (num_u)any(31);
-        int e = (int)(next() % 60), f = e + (int)(next() % 67) - 33;
+        num_u t = (num_u)random_short(31), u = (num_u)random_short(31);
+        int e = (int)(random_bits() % 60), f = e + (int)(random_bits() % 67) - 33;
         CHECK_EQ(num_nearer(t, e, u, f), ldexp(t, -e) < ldexp(u, -f));
         CHECK(!num_nearer(t, e, t, e));
     }
@@ -172,11 +157,11 @@ TEST(the_nearer_of_two_scales)
 TEST(what_covers)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide d = (num_wide)any(60) + (1 << 20), k = (num_wide)any(60) + (1 << 20);
-        num_u swell = (num_u)any(20);
+        num_wide d = (num_wide)random_short(60) + (1 << 20), k = (num_wide)random_short(60) + (1 << 20);
+        num_u swell = (num_u)random_short(20);
         struct num_normal n = num_normal(d);
         long double root = sqrtl((long double)d * (long double)k * (1 + ldexpl(swell, -32)));
-        int e = 2 * (int)(next() % 3);
+        int e = 2 * (int)(random_bits() % 3);
         root = ldexpl(root, e / 2);
         if (root < (1 << 30) || root > 4e18L)
             continue;
@@ -190,12 +175,12 @@ TEST(what_covers)
 TEST(the_bias)
 {
     for (int i = 0; i < ROUNDS; i++) {
-        num_wide r = (num_wide)any(31) + 64;
+        num_wide r = (num_wide)random_short(31) + 64;
         num_u inverse = num_inverse(r);
         int bits = num_bits(r);
         CHECK(fabs(num_bias(inverse, bits) - ldexp(8.0 / (double)r, 32)) <= 1);
-        num_wide x = (num_wide)any(50);
-        x = next() & 1 ? -x : x;
+        num_wide x = (num_wide)random_short(50);
+        x = random_bits() & 1 ? -x : x;
         double exact = (double)x * 8.0 / (double)r; /* exponent 30 */
         CHECK_MSG(fabs((double)num_bias_of(x, inverse, bits, 30) - exact) <= 0.51 + fabs(exact) * 0x1p-28,
                   "%jd over %jd", (intmax_t)x, (intmax_t)r);

@@ -1,6 +1,7 @@
 /* The numbers of general rays in integers, each operation against what num_ray.h states. */
 #include "check.h"
 #include "num/num_ray.h"
+#include "random.h"
 
 #include <math.h>
 
@@ -11,24 +12,12 @@
 __extension__ typedef __int128 exact;
 __extension__ typedef __float128 real; /* 113 bits */
 
-static uint64_t random_state = 1;
-
-/* SplitMix64 */
-static uint64_t next(void)
-{
-    uint64_t z = random_state += UINT64_C(0x9E3779B97F4A7C15);
-
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
 /* A number below 2^bits of any length and sign. */
 static int64_t any(unsigned bits)
 {
-    int64_t n = (int64_t)(next() >> (64 - bits) >> next() % bits);
+    int64_t n = (int64_t)random_short(bits);
 
-    return next() & 1 ? -n : n;
+    return random_bits() & 1 ? -n : n;
 }
 
 static exact square(struct num_point p)
@@ -130,8 +119,8 @@ TEST(quotients)
 TEST(powers_and_turns)
 {
     for (int i = 0; i < ROUNDS / 10; i++) {
-        num_unit d = (num_unit)(next() >> 2);
-        tia_q16 e = (tia_q16)(next() >> 33 >> next() % 16);
+        num_unit d = (num_unit)(random_bits() >> 2);
+        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 16);
         long double want = powl((long double)d / 0x1p62L, (long double)e / 65536);
         long double off = fabsl((long double)num_power(d, e) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-44L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);

@@ -1,6 +1,7 @@
 /* The oracle against values worked out by hand: what it says is worth as much as these. */
 #include "check.h"
 #include "oracle/oracle.h"
+#include "random.h"
 
 #include <math.h>
 
@@ -96,20 +97,9 @@ TEST(analytic_hits_by_pencil)
     CHECK(!oracle_sphere_analytic((struct oracle_vec){0, 0, -26}, ahead, centre, 5, &t));
 }
 
-static uint64_t random_state;
-
-/* xorshift64*; uniform in [-1, 1) */
-static double uniform(void)
-{
-    random_state ^= random_state >> 12;
-    random_state ^= random_state << 25;
-    random_state ^= random_state >> 27;
-    return (double)(random_state * UINT64_C(0x2545F4914F6CDD1D) >> 11) / 4503599627370496.0 - 1.0;
-}
-
 static struct oracle_vec random_direction(void)
 {
-    struct oracle_vec d = {uniform(), uniform(), uniform()};
+    struct oracle_vec d = {random_double(), random_double(), random_double()};
     double length = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
 
     return (struct oracle_vec){d.x / length, d.y / length, d.z / length};

@@ -1,6 +1,7 @@
 /* The oracle's closed shapes against what is inside of them, found by walking along rays. */
 #include "check.h"
 #include "oracle/shape.h"
+#include "random.h"
 
 static struct tia_transform transforms[1];
 
@@ -36,15 +37,6 @@ static const struct tia_shape closed[] = {
      .cone = {TIA_VEC3(0, -1, 0), TIA_VEC3(0, 1, 0), TIA_Q16(1.5), TIA_Q16(0.5), true}},
     {.kind = TIA_BOX, .transform = 1, .box = {TIA_VEC3(-1, -0.5, -1.5), TIA_VEC3(1, 0.5, 1.5)}}};
 
-static uint64_t random_state;
-
-/* -1..1, by Knuth's generator. */
-static double random_number(void)
-{
-    random_state = random_state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (double)(int64_t)(random_state >> 11) / 4503599627370496.0 - 1;
-}
-
 static bool inside_at(const struct tia_shape *shape, struct ray r, double t)
 {
     struct oracle_vec p = sub(at(r, t), position(transforms[0].position)), s = position(transforms[0].scale);
@@ -79,14 +71,14 @@ TEST(hits_are_where_the_inside_begins_and_ends)
     for (int i = 0; i < 4000; i++) {
         struct tia_transform *t = &transforms[0];
         t->rotation =
-            (struct tia_vec3){(tia_q16)(random_number() * TIA_Q16(180)), (tia_q16)(random_number() * TIA_Q16(180)),
-                              (tia_q16)(random_number() * TIA_Q16(180))};
-        t->scale = (struct tia_vec3){(tia_q16)((random_number() + 1.5) * TIA_Q16(1)),
-                                     (tia_q16)((random_number() + 1.5) * TIA_Q16(1)), TIA_Q16(1)};
+            (struct tia_vec3){(tia_q16)(random_double() * TIA_Q16(180)), (tia_q16)(random_double() * TIA_Q16(180)),
+                              (tia_q16)(random_double() * TIA_Q16(180))};
+        t->scale = (struct tia_vec3){(tia_q16)((random_double() + 1.5) * TIA_Q16(1)),
+                                     (tia_q16)((random_double() + 1.5) * TIA_Q16(1)), TIA_Q16(1)};
         t->position = (struct tia_vec3)TIA_VEC3(0.5, -0.25, 0);
         double spread = i % 3 ? 6 : 1;
-        struct oracle_vec from = {spread * random_number(), spread * random_number(), spread * random_number()};
-        struct oracle_vec to = {random_number(), random_number(), random_number()};
+        struct oracle_vec from = {spread * random_double(), spread * random_double(), spread * random_double()};
+        struct oracle_vec to = {random_double(), random_double(), random_double()};
         hits += walk(&closed[i % 4], (struct ray){from, unit(sub(to, from))});
     }
     CHECK_MSG(hits > 2000, "only %u hits", hits);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "random.h"
 #include "read/polygon.h"
 
 #define MOST POLYGON_MAX
@@ -10,14 +11,10 @@
 static struct polygon_corner corners[MOST];
 static double plane[MOST][2]; /* the polygon where it was made, before it was put into space */
 static uint32_t triangles[MOST][3], triangle_count;
-static uint64_t seed = 88172645463325252u;
 
 static uint32_t random_below(uint32_t limit)
 {
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return (uint32_t)(seed >> 33) % limit;
+    return random_u32() % limit;
 }
 
 /* How the plane's x and y are put into space: along which axes, swapped, with which slope of the third. */

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "random.h"
 #include "read/text/names.h"
 
 static struct tia_read_error error;
@@ -135,7 +136,6 @@ static void check_direction(int64_t x, int64_t y, int64_t z)
 
 TEST(directions_have_length_1)
 {
-    uint64_t n = 99;
     int64_t v[3];
 
     check_direction(0, -5, 0);
@@ -145,7 +145,7 @@ TEST(directions_have_length_1)
     check_direction((INT64_C(1) << 33) - 1, (INT64_C(1) << 33) - 1, 1);
     for (int i = 0; i < 30000; i++) {
         for (int j = 0; j < 3; j++) {
-            n = n * UINT64_C(6364136223846793005) + 1442695040888963407;
+            uint64_t n = random_bits();
             v[j] = (int64_t)(n >> (1 + (unsigned)i % 50)) * (n & 1 << 10 ? 1 : -1);
         }
         check_direction(v[0], v[1], v[2]);

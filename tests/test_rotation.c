@@ -4,18 +4,16 @@
 #include <math.h>
 
 #include "check.h"
+#include "random.h"
 
 #define ONE (INT64_C(1) << 62)
 #define RIGHT (90 * 65536)
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-static uint32_t seed = 1;
-
 static tia_q16 any_angle(void)
 {
-    seed = seed * 1664525 + 1013904223;
-    return (tia_q16)(seed ^ seed >> 15);
+    return (tia_q16)random_u32();
 }
 
 /* Against an angle reduced exactly; long double must have the bits to judge 2^-59. */

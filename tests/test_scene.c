@@ -1,4 +1,5 @@
 /* tia_scene_check: every field just inside and just outside its range, and what the fault says. */
+#include "random.h"
 #include "refusals.h"
 
 #define BALLS 3
@@ -205,7 +206,6 @@ static uint64_t square(int64_t a)
 /* |centre - eye| + radius < 2^31 squared, where nothing can overflow. */
 TEST(random_distances)
 {
-    uint64_t state = 1;
     int inside = 0;
 
     set_up();
@@ -214,7 +214,7 @@ TEST(random_distances)
     for (int i = 0; i < 200000; i++) {
         int32_t v[7];
         for (int k = 0; k < 7; k++)
-            v[k] = (int32_t)((state = state * UINT64_C(6364136223846793005) + 1442695040888963407) >> 33) - (1 << 30);
+            v[k] = (int32_t)(random_u32() >> 1) - (1 << 30);
         scene.camera.eye = (struct tia_vec3){v[0], v[1], v[2]};
         lights[0].centre = (struct tia_vec3){v[3], v[4], v[5]};
         lights[0].radius = v[6] < 0 ? -v[6] | 64 : v[6] | 64;

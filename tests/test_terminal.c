@@ -1,5 +1,6 @@
 /* test_terminal.c - keys from a terminal's bytes. */
 #include "check.h"
+#include "random.h"
 #include "terminal/decode.h"
 
 #include <tia/port.h>
@@ -171,14 +172,6 @@ TEST(a_broken_sequence_ends)
     TYPINGS(rows, false);
 }
 
-static unsigned next_random(void)
-{
-    static uint64_t state = 88172645463325252u;
-
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (unsigned)(state >> 33);
-}
-
 /* Bytes that sequences are made of, in any order: no key is made up, and Ctrl-C always counts. */
 TEST(any_bytes_at_all)
 {
@@ -186,7 +179,7 @@ TEST(any_bytes_at_all)
     struct decoder d = {0};
 
     for (unsigned i = 0; i < 1000000; i++) {
-        unsigned r = next_random();
+        unsigned r = random_u32();
         uint16_t key = decode_byte(&d, (uint8_t)(r % 8 ? common[r / 8 % (sizeof common - 1)] : (int)(r / 8 % 256)));
         CHECK_MSG(key <= TIA_KEY_OTHER && (key < 0x80 || key >= TIA_KEY_LEFT), "byte %u: key %u", i, key);
         if (i % 100 == 0)

@@ -3,24 +3,15 @@
 
 #include "check.h"
 #include "math/wide.h"
+#include "random.h"
 
 __extension__ typedef __int128 exact;
-
-static uint64_t state = 88172645463325252u;
-
-static uint64_t bits(void)
-{
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return state;
-}
 
 /* Any length of bits up to `most`, any sign. */
 static int64_t some(int most)
 {
-    int64_t n = (int64_t)(bits() >> (64 - 1 - bits() % (unsigned)most));
-    return bits() & 1 ? n : -n;
+    int64_t n = (int64_t)(random_bits() >> (64 - 1 - random_bits() % (unsigned)most));
+    return random_bits() & 1 ? n : -n;
 }
 
 static exact value(wide a)
@@ -32,7 +23,7 @@ TEST(sums_and_products_are_exact)
 {
     for (int i = 0; i < 200000; i++) {
         int64_t a = some(62), b = some(62), c = some(62), d = some(62);
-        unsigned s = 1 + (unsigned)(bits() % 60);
+        unsigned s = 1 + (unsigned)(random_bits() % 60);
         wide ab = wide_product(a, b), cd = wide_product(c, d);
         CHECK(value(ab) == (exact)a * b);
         CHECK(value(wide_sum(ab, cd)) == (exact)a * b + (exact)c * d);
@@ -70,7 +61,7 @@ TEST(quotients_err_by_half_a_unit_and_a_little)
 {
     for (int i = 0; i < 300000; i++) {
         int64_t a = some(62), b = some(62);
-        int e = (int)(bits() % 63);
+        int e = (int)(random_bits() % 63);
         if (!b)
             continue;
         exact most = (exact)1 << 62, wanted = a * ((exact)1 << e) / b, got = wide_quotient(a, b, e);

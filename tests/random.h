@@ -1,0 +1,36 @@
+/* random.h - what a test draws by chance, the same in every run: SplitMix64, which draws the corpus too. */
+#ifndef TESTS_RANDOM_H
+#define TESTS_RANDOM_H
+
+#include "corpus/dice.h"
+
+static uint64_t random_state = 1;
+
+static inline uint64_t random_bits(void)
+{
+    return dice_next(&random_state);
+}
+
+static inline uint32_t random_u32(void)
+{
+    return (uint32_t)(random_bits() >> 32);
+}
+
+/* Below 2^bits, of any length. */
+static inline uint64_t random_short(unsigned bits)
+{
+    return random_bits() >> (64 - bits) >> random_bits() % bits;
+}
+
+/* -1..1 */
+static inline long double random_real(void)
+{
+    return (long double)(int64_t)random_bits() / 9223372036854775808.0L;
+}
+
+static inline double random_double(void)
+{
+    return (double)random_real();
+}
+
+#endif
