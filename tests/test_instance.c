@@ -1,2 +1,2 @@
-/* Placements in integers. */
+/* instance_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
 #include "instance_cases.h"

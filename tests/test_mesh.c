@@ -1,2 +1,2 @@
-/* Meshes in integers. */
+/* mesh_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
 #include "mesh_cases.h"

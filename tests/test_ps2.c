@@ -1,6 +1,7 @@
 /* test_ps2.c - PS/2 bytes, as a keyboard sends them, against the keys that were typed. */
 #include "check.h"
 #include "ps2/ps2.h"
+#include "random.h"
 
 /* Feeds bytes, collects events as text: "+a -a" is a press and a release, "!" a tap. */
 static struct ps2 keyboard;
@@ -155,13 +156,11 @@ TEST(keyboard_plugged_in_anew_holds_nothing)
 /* Whatever comes over the wire: presses and releases alternate for each key, nothing breaks. */
 TEST(noise)
 {
-    uint32_t random = 1;
     int balance[TIA_KEY_OTHER + 1] = {0};
     struct tia_event event;
     START();
     for (int i = 0; i < 200000; i++) {
-        random = random * 1664525u + 1013904223u;
-        int told_one = ps2_feed(&keyboard, (uint8_t)(random >> 24), &event);
+        int told_one = ps2_feed(&keyboard, (uint8_t)random_bits(), &event);
         for (; told_one; told_one = ps2_owed(&keyboard, &event)) {
             CHECK(event.key <= TIA_KEY_OTHER);
             if (event.key == TIA_KEY_OTHER || event.key == TIA_KEY_INTERRUPT || event.key == 'c')

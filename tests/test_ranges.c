@@ -6,32 +6,13 @@
 
 #define SCENES 60
 
-static void keep(void *ctx, const char *name, uint32_t crc)
-{
-    uint32_t *last = ctx;
-
-    (void)name;
-    *last = *last * 31 + crc;
-}
-
 static void draw_both(const struct tia_scene *scene, unsigned width, unsigned height, bool dither)
 {
-    uint32_t sums[2] = {0, 0};
-    struct frames_canvas both[2] = {{.core = &tia_core_q16, .report = keep, .ctx = &sums[0]},
-                                    {.core = &tia_core_chk, .report = keep, .ctx = &sums[1]}};
+    uint32_t crc = frames_checksum(&tia_core_q16, scene, width, height, dither);
 
     reports = 0;
-    for (int i = 0; i < 2; i++) {
-        bool open = frames_open(&both[i], scene, width, height);
-        CHECK(open);
-        if (open) {
-            frames_draw(&both[i], 61, 47, true, dither);
-            frames_tell(&both[i], "");
-        }
-        frames_close(&both[i]);
-    }
+    CHECK_EQ(frames_checksum(&tia_core_chk, scene, width, height, dither), crc);
     CHECK_MSG(reports == 0, "%u reports, the first %s", reports, first_report);
-    CHECK_EQ(sums[1], sums[0]);
 }
 
 TEST(thesis_scene_keeps_its_ranges)

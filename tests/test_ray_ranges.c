@@ -8,39 +8,16 @@
 #define MOST INT32_MAX
 #define ONE TIA_Q16_ONE
 
-static void keep(void *ctx, const char *name, uint32_t crc)
-{
-    uint32_t *last = ctx;
-
-    (void)name;
-    *last = crc;
-}
-
-static uint32_t draw(const struct tia_core *core, const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    uint32_t crc = 0;
-    struct frames_canvas canvas = {.core = core, .report = keep, .ctx = &crc};
-    bool open = frames_open(&canvas, scene, width, height);
-
-    CHECK(open);
-    if (open) {
-        frames_draw(&canvas, 61, 47, true, false);
-        frames_tell(&canvas, "");
-    }
-    frames_close(&canvas);
-    return crc;
-}
-
 static void draw_all(const struct tia_scene *scene, unsigned width, unsigned height)
 {
     static uint64_t memory[1 << 13];
     struct tia_scene with = *scene;
-    uint32_t crc = draw(&tia_core_q16, scene, width, height);
+    uint32_t crc = frames_checksum(&tia_core_q16, scene, width, height, false);
 
     reports = 0;
-    CHECK_EQ(draw(&tia_core_chk, scene, width, height), crc);
+    CHECK_EQ(frames_checksum(&tia_core_chk, scene, width, height, false), crc);
     CHECK_EQ(tia_bvh_build(&with.bvh, memory, sizeof memory, NULL, scene), TIA_OK);
-    CHECK_EQ(draw(&tia_core_chk, &with, width, height), crc);
+    CHECK_EQ(frames_checksum(&tia_core_chk, &with, width, height, false), crc);
     CHECK_MSG(reports == 0, "%u reports, the first %s", reports, first_report);
 }
 
@@ -179,9 +156,9 @@ TEST(placed_twice)
         CHECK_EQ(tia_object_bounds(&scene, 1).max.x, MOST);
         draw_all(&scene, 24, 18);
         shapes[1].mesh = 0;
-        uint32_t both = draw(&tia_core_q16, &scene, 24, 18);
+        uint32_t both = frames_checksum(&tia_core_q16, &scene, 24, 18, false);
         scene.shape_count = 1;
-        CHECK_EQ(draw(&tia_core_q16, &scene, 24, 18), both);
+        CHECK_EQ(frames_checksum(&tia_core_q16, &scene, 24, 18, false), both);
         scene.shape_count = 2;
         shapes[1].mesh = 1;
     }
@@ -206,7 +183,7 @@ TEST(many_veils)
     scene.camera = (struct tia_camera){.eye = {0, ONE / 2, 0}, .fov = 40 * ONE, .up = {ONE, 0, 0}};
     for (int i = 0; i < 4; i++)
         expected[i] = 4 << 11 | 8 << 5 | 4;
-    CHECK_EQ(draw(&tia_core_q16, &scene, 2, 2), tia_crc32(0, expected, 4));
+    CHECK_EQ(frames_checksum(&tia_core_q16, &scene, 2, 2, false), tia_crc32(0, expected, 4));
     draw_all(&scene, 2, 2);
 }
 

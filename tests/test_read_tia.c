@@ -6,7 +6,7 @@
 
 static struct reading now;
 static int (*fetching)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
-#define scene now.scene
+static const struct tia_scene *const scene = &now.scene;
 
 static void read_text(const char *text)
 {
@@ -49,29 +49,30 @@ static bool is_rgb(struct tia_rgb c, double r, double g, double b)
 TEST(nothing_is_a_scene)
 {
     check_reads("");
-    CHECK(scene.camera.fov == TIA_Q16(25) && is_vec3(scene.camera.eye, 0, 0, 0) && is_rgb(scene.background, 0, 0, 0));
-    CHECK(scene.sphere_count == 0 && scene.shape_count == 0 && scene.light_count == 0 && !scene.depth);
-    CHECK(!scene.camera.samples && !scene.bvh);
+    CHECK(scene->camera.fov == TIA_Q16(25) && is_vec3(scene->camera.eye, 0, 0, 0) &&
+          is_rgb(scene->background, 0, 0, 0));
+    CHECK(scene->sphere_count == 0 && scene->shape_count == 0 && scene->light_count == 0 && !scene->depth);
+    CHECK(!scene->camera.samples && !scene->bvh);
     check_reads("# only a comment");
 }
 
 TEST(cameras)
 {
     check_reads("camera eye 1 2 -3.5 fov 40\nsamples 4\nbackground 0.25 0.5 1\ndepth 7");
-    CHECK(is_vec3(scene.camera.eye, 1, 2, -3.5) && scene.camera.fov == TIA_Q16(40) && scene.camera.samples == 4);
-    CHECK(scene.camera.projection == TIA_PERSPECTIVE && is_vec3(scene.camera.up, 0, 0, 0) && scene.depth == 7);
-    CHECK(is_rgb(scene.background, 0.25, 0.5, 1));
+    CHECK(is_vec3(scene->camera.eye, 1, 2, -3.5) && scene->camera.fov == TIA_Q16(40) && scene->camera.samples == 4);
+    CHECK(scene->camera.projection == TIA_PERSPECTIVE && is_vec3(scene->camera.up, 0, 0, 0) && scene->depth == 7);
+    CHECK(is_rgb(scene->background, 0.25, 0.5, 1));
     check_reads("camera perspective look 0 0 -9 eye 0 5 0");
-    CHECK(is_vec3(scene.camera.reference, 0, 0, -9) && is_vec3(scene.camera.up, 0, 1, 0));
-    CHECK(scene.camera.fov == TIA_Q16(25));
+    CHECK(is_vec3(scene->camera.reference, 0, 0, -9) && is_vec3(scene->camera.up, 0, 1, 0));
+    CHECK(scene->camera.fov == TIA_Q16(25));
     check_reads("camera frustum eye 1 0 0 look 0 0 0 up 0 0 1 window -1 2 -0.5 0.75 near 1.5\nsamples 16");
-    CHECK(scene.camera.projection == TIA_FRUSTUM && is_vec3(scene.camera.up, 0, 0, 1) && scene.camera.samples == 16);
-    CHECK(scene.camera.window.left == TIA_Q16(-1) && scene.camera.window.right == TIA_Q16(2));
-    CHECK(scene.camera.window.bottom == TIA_Q16(-0.5) && scene.camera.window.top == TIA_Q16(0.75));
-    CHECK(scene.camera.window.near == TIA_Q16(1.5));
+    CHECK(scene->camera.projection == TIA_FRUSTUM && is_vec3(scene->camera.up, 0, 0, 1) && scene->camera.samples == 16);
+    CHECK(scene->camera.window.left == TIA_Q16(-1) && scene->camera.window.right == TIA_Q16(2));
+    CHECK(scene->camera.window.bottom == TIA_Q16(-0.5) && scene->camera.window.top == TIA_Q16(0.75));
+    CHECK(scene->camera.window.near == TIA_Q16(1.5));
     check_reads("camera orthographic window 0 0 -4 4\nsamples 1");
-    CHECK(scene.camera.projection == TIA_ORTHOGRAPHIC && scene.camera.window.top == TIA_Q16(4));
-    CHECK(scene.camera.samples == 1);
+    CHECK(scene->camera.projection == TIA_ORTHOGRAPHIC && scene->camera.window.top == TIA_Q16(4));
+    CHECK(scene->camera.samples == 1);
 }
 
 TEST(materials)
@@ -83,18 +84,18 @@ TEST(materials)
         "fresnel transmission 0 0 1 emission 0.3 facing 0.2\n"
         "material b specular 1 refraction 1\nmaterial c\n"
         "texture other checker\ntexture t checker even 0.1 odd 0.2 0.3 0.4 repeat 3\n");
-    m = scene.materials;
-    CHECK(scene.material_count == 3 && is_rgb(m[0].colour, 1, 0.5, 0.25) && m[0].texture == 2);
+    m = scene->materials;
+    CHECK(scene->material_count == 3 && is_rgb(m[0].colour, 1, 0.5, 0.25) && m[0].texture == 2);
     CHECK(is_rgb(m[0].specular, 0.5, 0.5, 0.5) && m[0].exponent == TIA_Q16(10.5) && is_rgb(m[0].mirror, 0.1, 0.1, 0.1));
     CHECK(is_rgb(m[0].refraction, 0.9, 0.9, 0.9) && m[0].index == TIA_Q16(1.25) && m[0].fresnel);
     CHECK(is_rgb(m[0].transmission, 0, 0, 1) && is_rgb(m[0].emission, 0.3, 0.3, 0.3) &&
           is_rgb(m[0].facing, 0.2, 0.2, 0.2));
     CHECK(m[1].exponent == TIA_Q16(32) && m[1].index == TIA_Q16(1.5) && !m[1].texture && !m[1].fresnel);
     CHECK(is_rgb(m[2].colour, 0, 0, 0) && !m[2].exponent && !m[2].index);
-    CHECK(scene.texture_count == 2 && scene.textures[1].kind == TIA_CHECKER);
-    CHECK(is_rgb(scene.textures[0].cells[0], 1, 1, 1) && is_rgb(scene.textures[0].cells[1], 0, 0, 0));
-    CHECK(is_rgb(scene.textures[1].cells[0], 0.1, 0.1, 0.1) && is_rgb(scene.textures[1].cells[1], 0.2, 0.3, 0.4));
-    CHECK(scene.textures[0].repeat[0] == TIA_Q16_ONE && scene.textures[1].repeat[1] == TIA_Q16(3));
+    CHECK(scene->texture_count == 2 && scene->textures[1].kind == TIA_CHECKER);
+    CHECK(is_rgb(scene->textures[0].cells[0], 1, 1, 1) && is_rgb(scene->textures[0].cells[1], 0, 0, 0));
+    CHECK(is_rgb(scene->textures[1].cells[0], 0.1, 0.1, 0.1) && is_rgb(scene->textures[1].cells[1], 0.2, 0.3, 0.4));
+    CHECK(scene->textures[0].repeat[0] == TIA_Q16_ONE && scene->textures[1].repeat[1] == TIA_Q16(3));
 }
 
 static const uint8_t texels[6] = {1, 2, 3, 4, 5, 6};
@@ -122,8 +123,8 @@ TEST(images)
     fetching = fetch;
     fetched = 0;
     check_reads("texture a image \"two words.png\" bilinear repeat 2 0.5\ntexture b image \"two words.png\"");
-    t = scene.textures;
-    CHECK(scene.texture_count == 2 && t[0].kind == TIA_IMAGE && t[0].bilinear && !t[1].bilinear);
+    t = scene->textures;
+    CHECK(scene->texture_count == 2 && t[0].kind == TIA_IMAGE && t[0].bilinear && !t[1].bilinear);
     CHECK(t[0].repeat[0] == TIA_Q16(2) && t[0].repeat[1] == TIA_Q16(0.5) && t[1].repeat[1] == TIA_Q16_ONE);
     CHECK(t[1].width == 2 && t[1].height == 1 && t[1].texels == texels && fetched == 2);
     check_refused("\ntexture a image x.png", "2:17: 'x.png': no such file, expected a picture");
@@ -137,13 +138,13 @@ TEST(spheres)
     check_reads("sphere radius 3 material m\nsphere centre 0 1 2 radius 0.5 material n name still\n"
                 "sphere radius 1 material m at 5 6 7\nsphere radius 1 scale 1 2 3 material n rotate 10 20 30\n"
                 "sphere radius 2 material m scale 0.5\nmaterial n\nmaterial m");
-    CHECK(scene.sphere_count == 2 && scene.shape_count == 3 && scene.transform_count == 3);
-    CHECK(scene.spheres[0].radius == TIA_Q16(3) && scene.spheres[0].material == 1);
-    CHECK(is_vec3(scene.spheres[1].centre, 0, 1, 2) && scene.spheres[1].material == 0);
-    for (uint32_t i = 0; i < scene.shape_count; i++)
-        CHECK(scene.shapes[i].kind == TIA_SPHERE && scene.shapes[i].transform == i + 1);
-    CHECK(scene.shapes[1].material == 0 && scene.shapes[2].sphere.radius == TIA_Q16(2));
-    t = scene.transforms;
+    CHECK(scene->sphere_count == 2 && scene->shape_count == 3 && scene->transform_count == 3);
+    CHECK(scene->spheres[0].radius == TIA_Q16(3) && scene->spheres[0].material == 1);
+    CHECK(is_vec3(scene->spheres[1].centre, 0, 1, 2) && scene->spheres[1].material == 0);
+    for (uint32_t i = 0; i < scene->shape_count; i++)
+        CHECK(scene->shapes[i].kind == TIA_SPHERE && scene->shapes[i].transform == i + 1);
+    CHECK(scene->shapes[1].material == 0 && scene->shapes[2].sphere.radius == TIA_Q16(2));
+    t = scene->transforms;
     CHECK(is_vec3(t[0].position, 5, 6, 7) && is_vec3(t[0].rotation, 0, 0, 0) && is_vec3(t[0].scale, 1, 1, 1));
     CHECK(is_vec3(t[1].position, 0, 0, 0) && is_vec3(t[1].rotation, 10, 20, 30) && is_vec3(t[1].scale, 1, 2, 3));
     CHECK(is_vec3(t[2].scale, 0.5, 0.5, 0.5));
@@ -159,8 +160,8 @@ TEST(shapes)
                      "cone base 0 0 0 top 0 0 3 radii 1 0 material m at 1 0 0\n"
                      "box min -1 -2 -3 max 1 2 3 material m\n"
                      "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n");
-    s = scene.shapes;
-    CHECK(scene.shape_count == 6 && scene.sphere_count == 0);
+    s = scene->shapes;
+    CHECK(scene->shape_count == 6 && scene->sphere_count == 0);
     CHECK(s[0].kind == TIA_PLANE && is_vec3(s[0].plane.point, 0, -1, 0) && is_dir3(s[0].plane.normal, 0, 1, 0));
     CHECK(s[1].kind == TIA_DISC && is_vec3(s[1].disc.centre, 1, 2, 3) && is_dir3(s[1].disc.normal, 0, 0.6, 0.8));
     CHECK(s[1].disc.radius == TIA_Q16(1.5) && !s[1].transform);
@@ -183,8 +184,8 @@ TEST(meshes)
         "instance two material m at 0 0 -5\ninstance one material m\n"
         "mesh two # a quadrilateral\nvertex 0 0 0\n vertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
         "normal 0 0 2\nuv 0 0.5\nuv 1 0\nface 1/1/1 2/2/1 3/1/1 4/2/1\nface 4//1 2//1 1//1\nface 1/2 2/1 3/1\nend\n");
-    m = scene.meshes;
-    CHECK(scene.mesh_count == 2 && m[0].vertex_count == 3 && m[0].face_count == 1 && m[0].normal_count == 1 &&
+    m = scene->meshes;
+    CHECK(scene->mesh_count == 2 && m[0].vertex_count == 3 && m[0].face_count == 1 && m[0].normal_count == 1 &&
           m[0].uv_count == 1);
     CHECK(is_vec3(m[0].vertices[2], 0, 1, 0) && m[0].faces[0].corner[2].vertex == 2);
     CHECK(m[0].faces[0].corner[0].normal == TIA_NO_INDEX && m[0].faces[0].corner[0].uv == TIA_NO_INDEX);
@@ -197,8 +198,8 @@ TEST(meshes)
     CHECK(c[0].vertex == 3 && c[0].normal == 0 && c[0].uv == TIA_NO_INDEX);
     c = m[1].faces[3].corner;
     CHECK(c[0].uv == 1 && c[0].normal == TIA_NO_INDEX);
-    CHECK(scene.shape_count == 2 && scene.shapes[0].kind == TIA_MESH && scene.shapes[0].mesh == 1);
-    CHECK(scene.shapes[1].mesh == 0 && scene.shapes[0].transform == 1 && !scene.shapes[1].transform);
+    CHECK(scene->shape_count == 2 && scene->shapes[0].kind == TIA_MESH && scene->shapes[0].mesh == 1);
+    CHECK(scene->shapes[1].mesh == 0 && scene->shapes[0].transform == 1 && !scene->shapes[1].transform);
 }
 
 TEST(grids)
@@ -208,12 +209,12 @@ TEST(grids)
 
     check_reads("grid small size 1 1 1 cell 0.5\nrow 1\nend\n"
                 "grid g size 3 2 2 corner -1 0 1\nrow 1 0 1\nrow 0 1 0\nrow 2 2 2\nrow 0 0 255\nend\n");
-    g = scene.grids;
-    CHECK(scene.grid_count == 2 && g[0].cell == TIA_Q16(0.5) && g[0].cells[0] == 1 && is_vec3(g[0].corner, 0, 0, 0));
+    g = scene->grids;
+    CHECK(scene->grid_count == 2 && g[0].cell == TIA_Q16(0.5) && g[0].cells[0] == 1 && is_vec3(g[0].corner, 0, 0, 0));
     CHECK(g[1].size[0] == 3 && g[1].size[1] == 2 && g[1].size[2] == 2 && g[1].cell == TIA_Q16_ONE);
     CHECK(is_vec3(g[1].corner, -1, 0, 1) && memcmp(g[1].cells, cells, sizeof cells) == 0);
     check_reads(SOME "grid g size 1 1 1\nrow 1\nend\ninstance g material m scale 2");
-    CHECK(scene.shapes[0].kind == TIA_GRID && scene.shapes[0].grid == 0 && scene.shapes[0].transform == 1);
+    CHECK(scene->shapes[0].kind == TIA_GRID && scene->shapes[0].grid == 0 && scene->shapes[0].transform == 1);
 }
 
 TEST(lights)
@@ -225,9 +226,9 @@ TEST(lights)
                 "light spot at 0 5 0 direction 0 -1 0 inner 20 outer 30\n"
                 "light rectangle at 0 5 0 sides 1 0 0 0 0 2 samples 64\n"
                 "light disc at 0 5 0 direction 3 -4 0 radius 0.5\nlight sphere at 0 5 0 radius 2 samples 256\n");
-    l = scene.lights;
-    CHECK(scene.light_count == 8);
-    for (uint32_t i = 0; i < scene.light_count; i++)
+    l = scene->lights;
+    CHECK(scene->light_count == 8);
+    for (uint32_t i = 0; i < scene->light_count; i++)
         CHECK_EQ(l[i].kind, i ? i - 1 : 0);
     CHECK(is_vec3(l[0].centre, 1, 2, 3) && is_rgb(l[0].emission, 1, 1, 1) && !l[0].radius && !l[0].constant);
     CHECK(l[1].radius == TIA_Q16(3) && is_rgb(l[1].emission, 1.5, 1, 0.5) && l[1].constant == TIA_Q16_ONE);
@@ -245,8 +246,8 @@ TEST(keys)
 
     check_reads("key a light 1 at -20 20 -20 radius 3\nkey 7 light 65536 spot at 0 5 0 direction 0 -1 0 outer 30\n"
                 "key page-down light 2 ambient emission 0.5");
-    b = scene.bindings;
-    CHECK(scene.binding_count == 3 && b[0].key == 'a' && b[0].light == 0 && is_vec3(b[0].state.centre, -20, 20, -20));
+    b = scene->bindings;
+    CHECK(scene->binding_count == 3 && b[0].key == 'a' && b[0].light == 0 && is_vec3(b[0].state.centre, -20, 20, -20));
     CHECK(b[0].state.radius == TIA_Q16(3) && is_rgb(b[0].state.emission, 1, 1, 1));
     CHECK(b[1].key == '7' && b[1].light == 65535 && b[1].state.kind == TIA_SPOT_LIGHT);
     CHECK(b[2].key == TIA_KEY_PAGE_DOWN && b[2].light == 1 && b[2].state.kind == TIA_AMBIENT_LIGHT);
@@ -254,7 +255,7 @@ TEST(keys)
 
 static void tia_check_track(uint32_t i, enum tia_target target, uint32_t index, bool smooth, uint32_t keys)
 {
-    const struct tia_track *t = &scene.tracks[i];
+    const struct tia_track *t = &scene->tracks[i];
     CHECK_MSG(t->target == target && t->index == index && t->smooth == smooth && t->key_count == keys, "track %u",
               (unsigned)i);
 }
@@ -271,10 +272,10 @@ TEST(motion)
                 "animate lamp at 1: 1 1 1\nanimate sun direction 0: 1 0 0 3: 0 1 0\n"
                 "animate camera eye 0: 0 0 1\nanimate camera look smooth 1: 0 0 0\n"
                 "camera eye 0 0 1 look 0 0 -9");
-    CHECK(scene.sphere_count == 1 && scene.shape_count == 4 && scene.transform_count == 3);
-    CHECK(scene.shapes[1].transform == 2 && is_vec3(scene.shapes[1].sphere.centre, 0, 0, -5));
-    CHECK(scene.shapes[2].transform == 3 && scene.shapes[3].transform == 0);
-    CHECK(is_vec3(scene.transforms[2].scale, 1, 1, 1) && scene.track_count == 7);
+    CHECK(scene->sphere_count == 1 && scene->shape_count == 4 && scene->transform_count == 3);
+    CHECK(scene->shapes[1].transform == 2 && is_vec3(scene->shapes[1].sphere.centre, 0, 0, -5));
+    CHECK(scene->shapes[2].transform == 3 && scene->shapes[3].transform == 0);
+    CHECK(is_vec3(scene->transforms[2].scale, 1, 1, 1) && scene->track_count == 7);
     tia_check_track(0, TIA_MOVES_TRANSFORM, 1, true, 2);
     tia_check_track(1, TIA_ROTATES_TRANSFORM, 1, false, 3);
     tia_check_track(2, TIA_SCALES_TRANSFORM, 2, false, 3);
@@ -282,22 +283,22 @@ TEST(motion)
     tia_check_track(4, TIA_TURNS_LIGHT, 2, false, 2);
     tia_check_track(5, TIA_MOVES_EYE, 0, false, 1);
     tia_check_track(6, TIA_MOVES_REFERENCE, 0, true, 1);
-    const struct tia_keyframe *k = scene.tracks[1].keys;
+    const struct tia_keyframe *k = scene->tracks[1].keys;
     CHECK(k[0].time == TIA_Q16(0.5) && k[1].time == TIA_Q16_ONE && is_vec3(k[1].value, 0, 360, 0));
     CHECK(k[2].time == TIA_Q16(1.5) && is_vec3(k[2].value, 1, 2, 3));
-    k = scene.tracks[2].keys;
+    k = scene->tracks[2].keys;
     CHECK(is_vec3(k[0].value, 1, 1, 1) && is_vec3(k[1].value, 1, 2, 3) && is_vec3(k[2].value, 2, 2, 2));
-    CHECK(scene.tracks[0].keys[1].time == TIA_Q16(2) && scene.tracks[0].keys[1].value.y == TIA_Q16(3));
+    CHECK(scene->tracks[0].keys[1].time == TIA_Q16(2) && scene->tracks[0].keys[1].value.y == TIA_Q16(3));
 }
 
 TEST(a_camera_that_is_told_where_to_look)
 {
     check_reads("animate camera look 1: 1 2 -3 2: 0 0 -9\ncamera eye 0 0 5");
-    CHECK(is_vec3(scene.camera.reference, 1, 2, -3) && is_vec3(scene.camera.up, 0, 1, 0));
+    CHECK(is_vec3(scene->camera.reference, 1, 2, -3) && is_vec3(scene->camera.up, 0, 1, 0));
     check_reads("animate camera look 1: 1 2 -3 2: 0 0 -9\ncamera look 5 6 -7 up 1 0 0");
-    CHECK(is_vec3(scene.camera.reference, 5, 6, -7) && is_vec3(scene.camera.up, 1, 0, 0));
+    CHECK(is_vec3(scene->camera.reference, 5, 6, -7) && is_vec3(scene->camera.up, 1, 0, 0));
     check_reads("animate camera eye 1: 1 2 -3");
-    CHECK(is_vec3(scene.camera.up, 0, 0, 0));
+    CHECK(is_vec3(scene->camera.up, 0, 0, 0));
 }
 
 static bool is_rgb_of(struct tia_rgb a, struct tia_rgb b)
@@ -346,22 +347,22 @@ TEST(the_thesis_scene)
         return;
     check_reads(text);
     free(text);
-    check_same_camera(&scene.camera, &want->camera);
-    CHECK(is_rgb_of(scene.background, want->background) && scene.depth == want->depth && scene.bvh == want->bvh);
-    CHECK(scene.material_count == want->material_count && scene.sphere_count == want->sphere_count);
-    CHECK(scene.light_count == want->light_count && scene.binding_count == want->binding_count);
-    CHECK(!scene.shape_count && !scene.transform_count && !scene.texture_count && !scene.mesh_count);
-    CHECK(!scene.grid_count && !scene.track_count);
+    check_same_camera(&scene->camera, &want->camera);
+    CHECK(is_rgb_of(scene->background, want->background) && scene->depth == want->depth && scene->bvh == want->bvh);
+    CHECK(scene->material_count == want->material_count && scene->sphere_count == want->sphere_count);
+    CHECK(scene->light_count == want->light_count && scene->binding_count == want->binding_count);
+    CHECK(!scene->shape_count && !scene->transform_count && !scene->texture_count && !scene->mesh_count);
+    CHECK(!scene->grid_count && !scene->track_count);
     for (uint32_t i = 0; i < want->material_count; i++)
-        check_same_material(&scene.materials[i], &want->materials[i]);
+        check_same_material(&scene->materials[i], &want->materials[i]);
     for (uint32_t i = 0; i < want->sphere_count; i++) {
-        CHECK(is_vec3_of(scene.spheres[i].centre, want->spheres[i].centre));
-        CHECK(scene.spheres[i].radius == want->spheres[i].radius);
-        CHECK(scene.spheres[i].material == want->spheres[i].material);
+        CHECK(is_vec3_of(scene->spheres[i].centre, want->spheres[i].centre));
+        CHECK(scene->spheres[i].radius == want->spheres[i].radius);
+        CHECK(scene->spheres[i].material == want->spheres[i].material);
     }
     for (uint32_t i = 0; i < want->binding_count; i++) {
-        CHECK(scene.bindings[i].key == want->bindings[i].key && scene.bindings[i].light == want->bindings[i].light);
-        check_same_light(&scene.bindings[i].state, &want->bindings[i].state);
+        CHECK(scene->bindings[i].key == want->bindings[i].key && scene->bindings[i].light == want->bindings[i].light);
+        check_same_light(&scene->bindings[i].state, &want->bindings[i].state);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "common/thread_pool.h"
+#include "random.h"
 
 enum { W = 97, H = 61, PIXELS = W * H, LIGHTS = 4, GUARD = 0xa5 };
 
@@ -236,12 +237,9 @@ TEST(several_threads)
 
 /* ---- relighting ---- */
 
-static uint32_t state = 1;
-
 static tia_q16 between(int low, int high)
 {
-    state = state * 1664525 + 1013904223;
-    return (tia_q16)(low * TIA_Q16_ONE + (int64_t)(high - low) * (state >> 8) / 256);
+    return (tia_q16)(low * TIA_Q16_ONE + (int64_t)(high - low) * (random_u32() >> 8) / 256);
 }
 
 /* Many of them in sight, some inside a sphere or behind the eye. */

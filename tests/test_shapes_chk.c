@@ -1,4 +1,4 @@
-/* Shapes as rays meet them, in integers that report what leaves its range. */
+/* shape_runs.h in integers that report what leaves its range. */
 #define TIA_NUM_CHK
 #include "shape_runs.h"
 

@@ -1,4 +1,4 @@
-/* Shapes as rays meet them, in double precision. */
+/* shape_runs.h in double precision: num.h gives the same cases other numbers. */
 #ifdef TIA_HAVE_F64
 #define TIA_NUM_F64
 #include "shape_runs.h"

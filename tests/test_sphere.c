@@ -1,2 +1,2 @@
-/* Spheres in integers. */
+/* sphere_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
 #include "sphere_cases.h"

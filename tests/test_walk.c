@@ -1,2 +1,2 @@
-/* Walks in integers. */
+/* walk_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
 #include "walk_cases.h"

@@ -1,3 +1,3 @@
-/* Products by halves. */
+/* wide_cases.h with products made of halves, as on 32-bit machines. */
 #define TIA_NO_INT128
 #include "wide_cases.h"

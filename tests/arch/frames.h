@@ -77,6 +77,27 @@ static inline void frames_tell(struct frames_canvas *c, const char *name)
     c->report(c->ctx, name, tia_crc32(0, c->pixels, (size_t)c->area.width * c->area.height));
 }
 
+static inline void frames_keep(void *ctx, const char *name, uint32_t crc)
+{
+    (void)name;
+    *(uint32_t *)ctx = crc;
+}
+
+/* The checksum of one picture, drawn in tiles that do not divide it. */
+static inline uint32_t frames_checksum(const struct tia_core *core, const struct tia_scene *scene, unsigned width,
+                                       unsigned height, bool dither)
+{
+    uint32_t crc = 0;
+    struct frames_canvas canvas = {.core = core, .report = frames_keep, .ctx = &crc};
+
+    if (!frames_open(&canvas, scene, width, height))
+        abort();
+    frames_draw(&canvas, 61, 47, true, dither);
+    frames_tell(&canvas, "");
+    frames_close(&canvas);
+    return crc;
+}
+
 static inline void frames_thesis(struct frames_canvas *c, const char *keys, unsigned width, unsigned height,
                                  unsigned tile_width, unsigned tile_height, bool dither)
 {
