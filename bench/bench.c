@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <tia/tia.h>
-#include <time.h>
 
+#include "milliseconds.h"
 #include "plain.h"
 #include "rays.h"
 
@@ -18,13 +18,6 @@ struct frame {
     struct tia_hits *hits;
     struct tia_surface surface;
 };
-
-static double milliseconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static void *memory(size_t size)
 {

@@ -2,20 +2,13 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "common/scene/scene.h"
+#include "milliseconds.h"
 
 #define WIDTH 640
 #define HEIGHT 480
 #define ROUNDS 3
-
-static double milliseconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static const struct tia_tile area = {0, 0, WIDTH, HEIGHT};
 

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/inotify.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "clock.h"
 #include "console/console.h"
 #include "keyboard.h"
 
@@ -30,14 +30,6 @@ struct evdev {
     unsigned count;
     char failure[PORT_WHY]; /* why the first node failed that should have worked */
 };
-
-static uint64_t now_us(void)
-{
-    struct timespec t;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint64_t)t.tv_sec * 1000000u + (uint64_t)t.tv_nsec / 1000u;
-}
 
 /* ---- keyboards that come and go ---- */
 
@@ -134,9 +126,9 @@ static nfds_t list_descriptors(const struct evdev *evdev, struct pollfd fds[KEYB
 static void await_release(struct evdev *evdev)
 {
     struct pollfd fds[KEYBOARDS + 1];
-    uint64_t now = now_us(), end = now + RELEASE_MS * 1000u;
+    uint64_t now = clock_now_us(), end = now + RELEASE_MS * 1000u;
 
-    for (; now < end && any_pressed(evdev); now = now_us()) {
+    for (; now < end && any_pressed(evdev); now = clock_now_us()) {
         (void)poll(fds, list_descriptors(evdev, fds), (int)((end - now + 999) / 1000));
         watch_nodes(evdev);
         for (unsigned i = 0; i < evdev->count; i++)
@@ -226,7 +218,7 @@ static bool settle(struct evdev *evdev, struct tia_event *event)
 
     for (unsigned i = evdev->count; i-- > 0;) {
         while (key_state_settle(&evdev->keyboards[i].state, modifiers(evdev), &change))
-            if (tell(evdev, &change, now_us(), event))
+            if (tell(evdev, &change, clock_now_us(), event))
                 return true;
         if (evdev->keyboards[i].unplugged)
             drop_keyboard(evdev, i);

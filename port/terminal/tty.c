@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "clock.h"
 #include "console/console.h"
 #include "console/guardian.h"
 #include "console/node.h"
@@ -40,14 +40,6 @@ struct tty {
     uint8_t bytes[256]; /* read and not yet decoded: [next, count) */
     size_t next, count;
 };
-
-static uint64_t now_us(void)
-{
-    struct timespec t;
-
-    (void)clock_gettime(CLOCK_MONOTONIC, &t);
-    return (uint64_t)t.tv_sec * 1000000u + (uint64_t)t.tv_nsec / 1000u;
-}
 
 static int failed(const struct tty *tty, const char *what, const char *why)
 {
@@ -156,7 +148,7 @@ static int read_bytes(struct tty *tty)
         return 0;
     tty->next = 0;
     tty->count = (size_t)n;
-    tty->last_us = now_us();
+    tty->last_us = clock_now_us();
     return 1;
 }
 
@@ -194,7 +186,7 @@ static int tty_poll(void *ctx, struct tia_event *event)
             break;
         key = next_key(tty);
     }
-    if (key == 0 && decode_pending(&tty->decoder) && now_us() - tty->last_us >= SILENCE_US)
+    if (key == 0 && decode_pending(&tty->decoder) && clock_now_us() - tty->last_us >= SILENCE_US)
         key = decode_silence(&tty->decoder);
     *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key};
     return key != 0;
@@ -205,7 +197,7 @@ static int limit_ms(const struct tty *tty, int timeout_ms)
 {
     if (!decode_pending(&tty->decoder))
         return timeout_ms;
-    uint64_t end = tty->last_us + SILENCE_US, now = now_us();
+    uint64_t end = tty->last_us + SILENCE_US, now = clock_now_us();
     int left = end > now ? (int)((end - now + 999) / 1000) : 0;
     return timeout_ms < 0 || left < timeout_ms ? left : timeout_ms;
 }

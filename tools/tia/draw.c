@@ -4,7 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "common/clock.h"
+#include "clock.h"
 #include "common/image/series.h"
 #include "common/signals.h"
 #include "fail.h"

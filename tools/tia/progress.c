@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "common/clock.h"
+#include "clock.h"
 
 /* Shows nothing for drawings of less than half a second; then updates ten times a second. */
 enum { FIRST_US = 500000, STEP_US = 100000 };

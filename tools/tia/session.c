@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "common/clock.h"
+#include "clock.h"
 #include "common/signals.h"
 #include "fail.h"
 

@@ -117,3 +117,16 @@ int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fie
         *given = seen;
     return TIA_OK;
 }
+
+const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count)
+{
+    struct tia_word word;
+
+    (void)tia_text_peek(t, &word);
+    while (count-- > 0)
+        if (tia_word_is(&word, forms[count].word)) {
+            (void)tia_text_word(t, &word);
+            return &forms[count];
+        }
+    return forms;
+}

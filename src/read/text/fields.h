@@ -31,6 +31,17 @@ struct tia_field {
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
 
+/* A statement that has several forms, named by the word after it: "camera frustum ...". */
+struct tia_form {
+    const char *word, *what; /* of errors, as above */
+    unsigned kind;           /* what the form stands for */
+    const struct tia_field *fields;
+    unsigned count;
+};
+
+/* The form that the next word names; the first one, and the word stays unread, when it names none. */
+const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
+
 /* Read the values of one field or keyframe. */
 int tia_colour(struct tia_text *t, struct tia_rgb *out);
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);

@@ -45,12 +45,7 @@ static const struct tia_field rectangle[] = {PLACED, NUMBERS("sides", 6, side, t
 static const struct tia_field disc[] = {PLACED, DIRECTION, NUMBERS("radius", 1, radius, true), SAMPLES};
 static const struct tia_field sphere[] = {PLACED, NUMBERS("radius", 1, radius, true), SAMPLES};
 
-static const struct {
-    const char *word, *what;
-    enum tia_light_kind kind;
-    const struct tia_field *fields;
-    unsigned count;
-} kinds[] = {
+static const struct tia_form kinds[] = {
     {"point", "a point light", TIA_POINT_LIGHT, point, TIA_COUNT_OF(point)},
     {"directional", "a directional light", TIA_DIRECTIONAL_LIGHT, directional, TIA_COUNT_OF(directional)},
     {"ambient", "an ambient light", TIA_AMBIENT_LIGHT, ambient, TIA_COUNT_OF(ambient)},
@@ -60,28 +55,14 @@ static const struct {
     {"sphere", "a sphere light", TIA_SPHERE_LIGHT, sphere, TIA_COUNT_OF(sphere)},
 };
 
-/* The kind of light that the next word names; if it names none, a point light, and the word stays unread. */
-static unsigned read_kind(struct tia_text *t)
-{
-    struct tia_word word;
-    unsigned i = TIA_COUNT_OF(kinds);
-
-    (void)tia_text_peek(t, &word);
-    while (i-- > 0)
-        if (tia_word_is(&word, kinds[i].word)) {
-            (void)tia_text_word(t, &word);
-            return i;
-        }
-    return 0;
-}
-
 static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
 {
-    unsigned i = read_kind(&job->text);
+    const struct tia_form *kind = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds));
     bool skip = !nameable;
 
-    line->light = (struct tia_light){.kind = kinds[i].kind, .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};
-    return tia_fields(&job->text, kinds[i].what, kinds[i].fields + skip, kinds[i].count - skip, line, given);
+    line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind,
+                                     .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};
+    return tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
 }
 
 int tia_line_light(struct tia_job *job)

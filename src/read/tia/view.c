@@ -34,42 +34,21 @@ static const struct tia_field frustum[] = {
 
 static const struct tia_field orthographic[] = {EYE, WINDOW};
 
-static const struct {
-    const char *word, *what;
-    enum tia_projection projection;
-    const struct tia_field *fields;
-    unsigned count;
-} projections[] = {
+static const struct tia_form projections[] = {
     {"perspective", "a camera", TIA_PERSPECTIVE, perspective, TIA_COUNT_OF(perspective)},
     {"frustum", "a frustum camera", TIA_FRUSTUM, frustum, TIA_COUNT_OF(frustum)},
     {"orthographic", "an orthographic camera", TIA_ORTHOGRAPHIC, orthographic, TIA_COUNT_OF(orthographic)},
 };
 
-/* The projection that the next word names; if it names none, the first one, and the word stays unread. */
-static unsigned read_projection(struct tia_text *t)
-{
-    struct tia_word word;
-    unsigned i = TIA_COUNT_OF(projections);
-
-    (void)tia_text_peek(t, &word);
-    while (i-- > 0)
-        if (tia_word_is(&word, projections[i].word)) {
-            (void)tia_text_word(t, &word);
-            return i;
-        }
-    return 0;
-}
-
 int tia_line_camera(struct tia_job *job)
 {
     struct tia_camera *camera = &job->scene->camera;
-    unsigned i = read_projection(&job->text);
+    const struct tia_form *form = tia_form(&job->text, projections, TIA_COUNT_OF(projections));
     uint32_t given = 0;
     struct tia_word end;
 
-    camera->projection = projections[i].projection;
-    int status =
-        tia_fields(&job->text, projections[i].what, projections[i].fields, projections[i].count, camera, &given);
+    camera->projection = (enum tia_projection)form->kind;
+    int status = tia_fields(&job->text, form->what, form->fields, form->count, camera, &given);
     if (status)
         return status;
     (void)tia_text_peek(&job->text, &end);

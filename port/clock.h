@@ -1,6 +1,6 @@
 /* clock.h - tia_clock on CLOCK_MONOTONIC, which the kernel also uses for input and flip events. */
-#ifndef PORT_COMMON_CLOCK_H
-#define PORT_COMMON_CLOCK_H
+#ifndef PORT_CLOCK_H
+#define PORT_CLOCK_H
 
 #include <tia/port.h>
 
