@@ -2,7 +2,7 @@
 #ifndef TIA_RAY_SHADE_H
 #define TIA_RAY_SHADE_H
 
-#include "whitted.h"
+#include "path.h"
 
 struct shading {
     const struct tia_material *material;

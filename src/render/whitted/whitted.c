@@ -1,3 +1,5 @@
+#include "whitted.h"
+
 #include "shade.h"
 
 /* A ray on its way: what its colour will be multiplied by, and how often it was bent. */

@@ -1,0 +1,20 @@
+/* path.h - what is kept of the rays of one pixel. */
+#ifndef TIA_RAY_PATH_H
+#define TIA_RAY_PATH_H
+
+#include "render/trace/trace.h"
+
+#define PATH_BLOCKERS 8
+
+/* Rays from the eye, one after the other. */
+struct path {
+    const struct ray_view *view;
+    unsigned class; /* of the pixel, see light.h */
+    bool hashed;
+    uint32_t hash;                   /* of the path, see tia_options.path_hash */
+    uint32_t blocker[PATH_BLOCKERS]; /* what stood before each of the first lights last */
+};
+
+#define PATH_HASH UINT32_C(2166136261)
+
+#endif
