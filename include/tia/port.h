@@ -1,7 +1,7 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
  * Every function pointer must be set. A port never exits, prints, or starts threads. On failure it returns a
- * negative tia_status and keeps the reason in its context, for the program to print.
+ * negative enum tia_status and keeps the reason in its context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
@@ -42,7 +42,7 @@ struct tia_mode {
 };
 
 /* For each frame the caller acquires, fills and submits tiles until they cover the screen, then presents.
- * Each function but close returns a tia_status. */
+ * Each function but close returns an enum tia_status. */
 struct tia_display {
     /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
