@@ -1,0 +1,27 @@
+/* kind.c - what kinds of shapes share. */
+#include "shape.h"
+
+bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit)
+{
+    struct intersection intersection;
+
+    return shape->kind->intersect(shape, ray, limit, &intersection);
+}
+
+/* e x N, e the unit vector of N's smallest coordinate. */
+static struct num_dir across(struct num_dir n)
+{
+    num_unit x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+
+    if (x <= y && x <= z)
+        return (struct num_dir){0, -n.z, n.y};
+    if (y <= z)
+        return (struct num_dir){n.z, 0, -n.x};
+    return (struct num_dir){-n.y, n.x, 0};
+}
+
+void shape_axes(struct num_dir normal, struct num_dir axes[2])
+{
+    axes[0] = num_dir_normalised(across(normal));
+    axes[1] = num_dir_cross(normal, axes[0]);
+}
