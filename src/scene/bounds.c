@@ -1,204 +1,7 @@
-/* bounds.c - boxes around shapes, as large as they must be.
- *
- * A shape's point p lies in the world at position + R S p, S being the scale. Along the world's axis k the
- * part R S p is w.p with the row w of R S; so what a shape reaches along k is what it reaches along w in its
- * own axes: a sphere r |w|, a box's corner what each of its coordinates gives, a disc r |w x N| / |N|.
- *
- * Rows are kept as Q11.52, scales being at most 2^10, and sums as Q31.32. A length is rounded up to 2^-30 of
- * itself; all other roundings together stay far below the unit of 2^-16 that tia_bounds_with_margin adds.
- */
+/* bounds.c - boxes around objects. */
 #include "bounds.h"
 
-#include "math/integer.h"
-#include "math/rotation.h"
 #include "scene/shapes/description.h"
-
-/* The rows of R S and the position. */
-struct frame {
-    int64_t rows[3][3];
-    int64_t position[3];
-};
-
-/* The hull as it grows, Q31.32. */
-struct hull {
-    const struct frame *frame;
-    int64_t min[3], max[3];
-};
-
-/* mantissa 2^exponent */
-struct length {
-    uint64_t mantissa;
-    int exponent;
-};
-
-#define ONE (INT64_C(1) << 52)
-
-static const struct frame no_transform = {{{ONE, 0, 0}, {0, ONE, 0}, {0, 0, ONE}}, {0, 0, 0}};
-
-static void prepare(struct frame *frame, const struct tia_transform *t)
-{
-    const tia_q16 scale[3] = {t->scale.x, t->scale.y, t->scale.z};
-    int64_t axes[3][3];
-
-    tia_rotation_axes(t->rotation, axes);
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++)
-            frame->rows[k][i] = tia_scaled_product(axes[i][k], scale[i], 62 + 16 - 52);
-    frame->position[0] = t->position.x * (INT64_C(1) << 16);
-    frame->position[1] = t->position.y * (INT64_C(1) << 16);
-    frame->position[2] = t->position.z * (INT64_C(1) << 16);
-}
-
-static void include(struct hull *hull, int k, int64_t value, int64_t reach)
-{
-    if (value - reach < hull->min[k])
-        hull->min[k] = value - reach;
-    if (value + reach > hull->max[k])
-        hull->max[k] = value + reach;
-}
-
-/* Along the world's axis k: of Q.52 and Q.16 remains Q.32. */
-static int64_t place(const struct frame *frame, int k, struct tia_vec3 p)
-{
-    const int64_t *w = frame->rows[k];
-    return frame->position[k] + tia_scaled_product(w[0], p.x, 36) + tia_scaled_product(w[1], p.y, 36) +
-           tia_scaled_product(w[2], p.z, 36);
-}
-
-static uint64_t size_of(int64_t x)
-{
-    return (uint64_t)(x < 0 ? -x : x);
-}
-
-/* |v|, at most 2^-30 of it away: from above, or from below. v's components are below 2^62. */
-static struct length measure(const int64_t v[3], bool up)
-{
-    uint64_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]), square = 0;
-
-    if (!all)
-        return (struct length){0, 0};
-    int shift = 33 - (int)tia_clz64(all); /* 31 bits remain */
-    for (int i = 0; i < 3; i++) {
-        uint64_t size = size_of(v[i]), rest = shift > 0 && up ? (UINT64_C(1) << shift) - 1 : 0;
-        size = shift > 0 ? (size + rest) >> shift : size << -shift;
-        square += size * size; /* three of at most 2^62 */
-    }
-    uint64_t root = tia_sqrt64(square);
-    return (struct length){root + (up && root * root < square), shift};
-}
-
-/* A mantissa of 32 bits over one of 31 or 32, rounded up. */
-static struct length ratio(struct length a, struct length b)
-{
-    return (struct length){((a.mantissa << 31) + b.mantissa - 1) / b.mantissa, a.exponent - b.exponent - 31};
-}
-
-/* radius times a length as Q.52, rounded up: Q.32. */
-static int64_t stretch(tia_q16 radius, struct length length)
-{
-    struct tia_wide p = tia_wide_product((uint32_t)radius, length.mantissa);
-    int shift = 36 - length.exponent;
-
-    if (shift <= 0)
-        return (int64_t)(p.low << -shift);
-    if (shift >= 64)
-        return p.high | p.low ? 1 : 0; /* below 2^65 */
-    bool exact = !(p.low & ((UINT64_C(1) << shift) - 1));
-    return (int64_t)(p.high << (64 - shift) | p.low >> shift) + !exact;
-}
-
-void tia_hull_add_point(struct hull *hull, struct tia_vec3 p)
-{
-    for (int k = 0; k < 3; k++)
-        include(hull, k, place(hull->frame, k, p), 0);
-}
-
-void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius)
-{
-    for (int k = 0; k < 3; k++) {
-        struct length length = measure(hull->frame->rows[k], true);
-        include(hull, k, place(hull->frame, k, centre), stretch(radius, length));
-    }
-}
-
-/* The corner that lies farthest either way. */
-void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
-{
-    if (b->max.x < b->min.x)
-        return;
-    for (int k = 0; k < 3; k++) {
-        const int64_t *w = hull->frame->rows[k];
-        bool x = w[0] < 0, y = w[1] < 0, z = w[2] < 0;
-        struct tia_vec3 most = {x ? b->min.x : b->max.x, y ? b->min.y : b->max.y, z ? b->min.z : b->max.z};
-        struct tia_vec3 least = {x ? b->max.x : b->min.x, y ? b->max.y : b->min.y, z ? b->max.z : b->min.z};
-        include(hull, k, place(hull->frame, k, most), 0);
-        include(hull, k, place(hull->frame, k, least), 0);
-    }
-}
-
-/* The products w x N, of 62 bits and 33, lose 34: they cancel where the disc lies flat, and keep what counts. */
-void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
-{
-    const struct length whole = measure(normal, false);
-
-    for (int k = 0; k < 3; k++) {
-        const int64_t *w = hull->frame->rows[k];
-        int64_t cross[3];
-        for (int i = 0; i < 3; i++) {
-            int j = (i + 1) % 3, l = (i + 2) % 3;
-            cross[i] = tia_scaled_product(w[j], normal[l], 34) - tia_scaled_product(w[l], normal[j], 34);
-        }
-        struct length part = measure(cross, true);
-        part.exponent += 34;
-        include(hull, k, place(hull->frame, k, centre), stretch(radius, ratio(part, whole)));
-    }
-}
-
-/* Discs at both ends of an axis, which is shifted up to 33 bits. */
-void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
-                       tia_q16 top_radius)
-{
-    int64_t axis[3] = {(int64_t)top.x - base.x, (int64_t)top.y - base.y, (int64_t)top.z - base.z};
-    unsigned room = tia_clz64(size_of(axis[0]) | size_of(axis[1]) | size_of(axis[2])) - 31;
-
-    for (int i = 0; i < 3; i++)
-        axis[i] *= INT64_C(1) << room;
-    tia_hull_add_disc(hull, base, base_radius, axis);
-    tia_hull_add_disc(hull, top, top_radius, axis);
-}
-
-void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
-{
-#define ADD(c)                                                                                                         \
-    bounds->min.c = more->min.c < bounds->min.c ? more->min.c : bounds->min.c;                                         \
-    bounds->max.c = more->max.c > bounds->max.c ? more->max.c : bounds->max.c
-    ADD(x);
-    ADD(y);
-    ADD(z);
-#undef ADD
-}
-
-struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
-{
-    struct tia_bounds bounds = BOUNDS_NOTHING;
-
-    for (int i = 0; i < 3; i++) {
-        struct tia_vec3 p = mesh->vertices[mesh->faces[face].corner[i].vertex];
-        tia_bounds_add(&bounds, &(struct tia_bounds){p, p});
-    }
-    return bounds;
-}
-
-struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh)
-{
-    struct tia_bounds bounds = BOUNDS_NOTHING;
-
-    for (uint32_t i = 0; i < mesh->face_count; i++) {
-        struct tia_bounds face = tia_bounds_of_face(mesh, i);
-        tia_bounds_add(&bounds, &face);
-    }
-    return bounds;
-}
 
 static void around_sphere(const struct tia_sphere *s, struct bounds_wide *bounds)
 {
@@ -241,17 +44,17 @@ bool tia_bounds_in_world(const struct tia_scene *scene, uint32_t object, const s
         return true;
     }
     const struct tia_shape *shape = &scene->shapes[object - scene->sphere_count];
-    if (shape->transform)
-        prepare(&frame, &scene->transforms[shape->transform - 1]);
-    else
-        frame = no_transform;
+    tia_frame_prepare(&frame, shape->transform ? &scene->transforms[shape->transform - 1] : NULL);
     return around_shape(&frame, scene, shape, own, bounds);
 }
 
 void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
 {
+    struct frame none;
+
+    tia_frame_prepare(&none, NULL);
     *bounds = (struct bounds_wide){{0, 0, 0}, {0, 0, 0}};
-    (void)around_shape(&no_transform, scene, shape, NULL, bounds);
+    (void)around_shape(&none, scene, shape, NULL, bounds);
     for (int k = 0; k < 3; k++) {
         bounds->min[k]--;
         bounds->max[k]++;

@@ -2,7 +2,7 @@
 #ifndef TIA_CHECK_CHECK_H
 #define TIA_CHECK_CHECK_H
 
-#include "scene/bounds.h"
+#include "scene/hull.h"
 
 struct check {
     const struct tia_scene *scene;

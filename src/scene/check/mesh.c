@@ -1,5 +1,6 @@
 /* mesh.c - meshes and grids, once each, and then what the shapes make of them. */
 #include "check.h"
+#include "scene/bounds.h"
 
 /* An index of each corner, or of none. */
 static bool are_indices(uint32_t a, uint32_t b, uint32_t c, uint32_t count)

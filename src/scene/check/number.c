@@ -82,3 +82,16 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 rad
     const struct bounds_wide point = {{c.x, c.y, c.z}, {c.x, c.y, c.z}};
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);
 }
+
+/* Only what is near in each coordinate may not be. */
+bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
+{
+    int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;
+
+    for (int k = 0; k < 3; k++) {
+        if (d[k] >= TIA_RADIUS_MIN || d[k] <= -TIA_RADIUS_MIN)
+            return true;
+        d2 += d[k] * d[k];
+    }
+    return d2 >= TIA_RADIUS_MIN * TIA_RADIUS_MIN;
+}

@@ -1,4 +1,5 @@
 #include "check.h"
+#include "scene/bounds.h"
 #include "scene/shapes/description.h"
 
 int tia_check_transform(const struct check *check)
@@ -8,19 +9,6 @@ int tia_check_transform(const struct check *check)
     REQUIRE(tia_check_is_near(check, t->position, 0), "position", CHECK_FAR);
     REQUIRE(tia_check_is_scale(t->scale), "scale", "must be in 2^-10..1024");
     return TIA_OK;
-}
-
-/* Only what is near in each coordinate may not be. */
-bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
-{
-    int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;
-
-    for (int k = 0; k < 3; k++) {
-        if (d[k] >= TIA_RADIUS_MIN || d[k] <= -TIA_RADIUS_MIN)
-            return true;
-        d2 += d[k] * d[k];
-    }
-    return d2 >= TIA_RADIUS_MIN * TIA_RADIUS_MIN;
 }
 
 static int64_t least_scale(const struct tia_transform *t)

@@ -5,8 +5,8 @@
 #ifndef TIA_SHAPES_DESCRIPTION_H
 #define TIA_SHAPES_DESCRIPTION_H
 
-#include "scene/bounds.h"
 #include "scene/check/check.h"
+#include "scene/hull.h"
 
 #define SHAPE_FIELDS_MAX 8
 
