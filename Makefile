@@ -1,32 +1,68 @@
-# Makefile - tia in one file. `make help` lists the targets.
+# Makefile - `make` builds tia on all cores, `make help` lists the targets.
 #
-#   make CC=clang, make CROSS=arm-linux-gnueabi-, make CFLAGS='-O3 -march=native', make BUILD=dir
+#   make V=1             shows the commands; make -j N takes N processes instead of one a core
+#   make CC=clang, make CFLAGS='-O3 -march=native', make BUILD=dir
+#   make CROSS=aarch64-linux-gnu-    for another Linux
+#   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
 #   make F64=no          leaves the double-precision reference out (targets without an FPU)
 #   make DRM=no PNG=no OSMESA=no EGL=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
+found    = $(firstword $(wildcard $(addsuffix /$(1),$(subst :, ,$(PATH)))))
 ifeq ($(origin CC),default)
-CC      := $(CROSS)gcc
-ifeq ($(CROSS)$(shell command -v gcc),)
-CC      := cc
-endif
+CC      := $(if $(CROSS)$(call found,gcc),$(CROSS)gcc,cc)
+NATIVE  := $(if $(CROSS),,yes)
 endif
 AR      := $(CROSS)ar
 PKG_CONFIG ?= $(CROSS)pkg-config
 CFLAGS  ?= -O3 -g
 PREFIX  ?= /usr/local
 DESTDIR ?=
-VERSION := $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
+VERSION  = $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
 
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
 COMMON  := -std=c11 $(WARN) -Iinclude -MMD -MP
 CORE    := $(COMMON) -ffreestanding -iquote src
 HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -Itools -Ibench -pthread
 
-# ---- what Debian 12 has for it all; `make deps` installs what is missing, with sudo when not root ----
-DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-format libclang-rt-14-dev \
-        universal-ctags file binutils man-db libosmesa6-dev libegl-dev libgl1-mesa-dri \
+# The compiler's target when it has no operating system: then there is the library alone.
+BARE := $(if $(NATIVE),,$(filter %-elf %-eabi %-eabihf %-none,$(shell $(CC) -dumpmachine 2>/dev/null)))
+LIBRARY_GOALS := all install uninstall size clean lint deps help $(BUILD)/%
+ifneq ($(and $(BARE),$(filter-out $(LIBRARY_GOALS),$(MAKECMDGOALS))),)
+$(error $(CC) is for $(BARE), which has no operating system: there is only `make all` or `make install`)
+endif
+
+# ---- how make works here ----
+# No implicit rules of its own: a build with nothing to do takes half the time.
+MAKEFLAGS += -r
+# On all cores, unless -j says otherwise or another make gives out the jobs. Of several goals each
+# waits for the one before it: nothing is built during a test or a measurement, or cleaned during a build.
+GOALS := $(filter-out deps,$(MAKECMDGOALS))
+ifneq ($(and $(word 2,$(GOALS)),$(filter-out all tests boards $(BUILD)/%,$(GOALS))),)
+.NOTPARALLEL:
+else ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += $(addprefix -j,$(shell nproc 2>/dev/null))
+endif
+.DELETE_ON_ERROR:
+
+define newline
+
+
+endef
+
+# $(call say,WHAT,FILE) in front of a command shows a short line instead of it. V=1 and -n show the
+# command, -s neither.
+V ?= 0
+LOUD := $(or $(V:0=),$(findstring s,$(firstword -$(MAKEFLAGS))),$(findstring n,$(firstword -$(MAKEFLAGS))))
+say   = $(if $(LOUD),,@printf '  %-7s %s\n' '$(1)' '$(2)' && )
+
+# ---- what Debian 12 has for it; `make deps` installs what is missing, with sudo when not root ----
+# `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
+# any other goal: everything.
+DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
+DEPS_ALL := libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
@@ -34,44 +70,56 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
+DEPS += $(if $(filter-out run,$(or $(GOALS),all)),$(DEPS_ALL)) $(if $(filter-out run all install,$(GOALS)),$(DEPS_CHECK))
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
-DEPS_MISSING := $(shell for p in $(DEPS); do dpkg-query -W -f '$${Status}\n' $$p 2>/dev/null | \
-                        grep -q 'install ok installed' || echo $$p; done)
+DEPS_MISSING := $(filter-out $(shell dpkg-query -W -f '$${Package} $${Status}\n' $(DEPS) 2>/dev/null | \
+                                     sed -n 's/ install ok installed$$//p'),$(DEPS))
 $(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
 	@mkdir -p $(@D)
 	@if [ -n "$(DEPS_MISSING)" ]; then \
+	    command -v apt-get >/dev/null || { echo "deps: no apt-get here; Debian calls what is missing: $(DEPS_MISSING)" >&2; exit 1; }; \
 	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
-	    $$sudo apt-get update -q && \
-	    $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(DEPS_MISSING); fi
+	    echo "deps: apt-get installs $(DEPS_MISSING) ($(BUILD)/deps.log)"; \
+	    { $$sudo apt-get update -q && \
+	      $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(DEPS_MISSING); } \
+	        >$(BUILD)/deps.log 2>&1 || { tail -20 $(BUILD)/deps.log >&2; exit 1; }; fi
 	@touch $@
-FORCE:
 include $(BUILD)/deps.mk
 endif
 
 # ---- optional libraries: found by pkg-config, else their parts are left out and named ----
-F64 ?= yes
-have = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes || echo no)
+F64 ?= $(if $(BARE),no,yes)
+unless_no = $(if $(filter no,$($(1))),,$(2))
+WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
+                               $(call unless_no,OSMESA,osmesa gl) $(call unless_no,EGL,egl gl)))
+# Flags begin with -, the names of the packages that are there do not. All are asked for in one call;
+# only where one is missing they are asked for one by one.
+ifneq ($(WANTED),)
+PACKAGES := $(shell ask() { $(PKG_CONFIG) --cflags --libs "$$@" 2>/dev/null; }; \
+    if ask $(WANTED); then echo $(WANTED); else for p in $(WANTED); do ask $$p && echo $$p; done; fi)
+endif
+have = $(if $(filter-out $(PACKAGES),$(1)),no,yes)
 DRM ?= $(call have,libdrm)
 PNG ?= $(call have,libpng)
 OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
+# The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
+GL := $(filter yes,$(OSMESA) $(EGL))
+HOSTED += $(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES)))
+LIBS := $(filter-out -lOSMesa -lEGL -lGL,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
-LIBS := -lm
 ifeq ($(DRM),yes)
-HOSTED += -DTIA_HAVE_DRM $(shell $(PKG_CONFIG) --cflags libdrm)
-LIBS += $(shell $(PKG_CONFIG) --libs libdrm)
+HOSTED += -DTIA_HAVE_DRM
 else
 MISSING += "no libdrm: built without the drm display"
 endif
 ifeq ($(PNG),yes)
-HOSTED += -DTIA_HAVE_PNG $(shell $(PKG_CONFIG) --cflags libpng)
-LIBS += $(shell $(PKG_CONFIG) --libs libpng)
+HOSTED += -DTIA_HAVE_PNG
 else
 MISSING += "no libpng: built without .png files"
 endif
-# The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
-GL := $(filter yes,$(OSMESA) $(EGL))
+MISSING_RUN := $(MISSING)
 ifneq ($(GL),)
 HOSTED += -DTIA_HAVE_OSMESA $(if $(filter yes,$(OSMESA)),-DTIA_HAVE_LIBOSMESA) $(if $(filter yes,$(EGL)),-DTIA_HAVE_EGL)
 LIBS += -ldl
@@ -104,35 +152,44 @@ LIBTIA := $(BUILD)/libtia.a
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-PROGRAMS := tia tia-compare tia-join tia-compile tia-pov
+PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
-	@for m in $(MISSING); do echo "note: $$m (make deps installs it)"; done
+	@$(call name_missing,$(MISSING))
+
+name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
+ifneq ($(BARE),)
+name_missing = echo "note: no operating system on $(BARE): libtia.a alone, without the commands, the displays$(if $(LIBF64),, and the f64 reference)"
+endif
+
+# $(call compile,WHAT,options): where one source makes several objects, WHAT names the arithmetic.
+define compile
+@mkdir -p $(@D)
+$(call say,$(1),$<)$(CC) $(2) $(CFLAGS) -c -o $@ $<
+endef
+link = $(call say,LD,$@)$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 $(BUILD)/q16/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(CORE) $(CFLAGS) -c -o $@ $<
+	$(call compile,$(if $(filter $(NUM_SRC),$<),CC q16,CC),$(CORE))
 $(BUILD)/f64/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(CORE) -DTIA_NUM_F64 -fno-math-errno $(CFLAGS) -c -o $@ $<
+	$(call compile,CC f64,$(CORE) -DTIA_NUM_F64 -fno-math-errno)
 $(BUILD)/f32/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(CORE) -DTIA_NUM_F32 -fno-math-errno $(CFLAGS) -c -o $@ $<
-# The checking build: what num_chk.h does not see, sums and differences, the compiler checks.
-OVERFLOW := -fsanitize=signed-integer-overflow,shift -fno-sanitize-recover=all
-# Without the compiler's runtime for it, a fault is a trap instead of a line.
-OVERFLOW += $(if $(shell echo 'int main(int n, char **v) { return v ? n + 1 : 0; }' | \
-                $(CC) $(OVERFLOW) -x c -o /dev/null - 2>&1),-fsanitize-undefined-trap-on-error)
-$(BUILD)/chk/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(CORE) -DTIA_NUM_CHK $(OVERFLOW) $(CFLAGS) -c -o $@ $<
+	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
 $(BUILD)/host/%.o: %.c
-	@mkdir -p $(@D)
-	$(CC) $(HOSTED) $(CFLAGS) -c -o $@ $<
+	$(call compile,CC,$(HOSTED))
 $(BUILD)/tests/%.o: tests/%.c
+	$(call compile,CC,$(HOSTED) -Wno-missing-field-initializers -iquote src -iquote tests)
+# The checking build: what num_chk.h does not see, sums and differences, the compiler checks. Without
+# the compiler's runtime for it, a fault is a trap instead of a line.
+OVERFLOW := -fsanitize=signed-integer-overflow,shift -fno-sanitize-recover=all
+overflow = $(OVERFLOW) $$(cat $(BUILD)/chk/flags)
+$(BUILD)/chk/flags:
 	@mkdir -p $(@D)
-	$(CC) $(HOSTED) -Wno-missing-field-initializers -iquote src -iquote tests $(CFLAGS) -c -o $@ $<
+	@echo 'int main(int n, char **v) { return v ? n + 1 : 0; }' >$@.c; \
+	if $(CC) $(OVERFLOW) -o $@.probe $@.c 2>/dev/null; then : ; else echo -fsanitize-undefined-trap-on-error; fi >$@
+$(BUILD)/chk/%.o: %.c $(BUILD)/chk/flags
+	$(call compile,CC chk,$(CORE) -DTIA_NUM_CHK $(overflow))
 
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
@@ -143,12 +200,12 @@ $(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 %.a:
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(call say,AR,$@)$(AR) rcs $@ $^
 
 # A program is all of tools/NAME/.
 define program
 $(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$$(CC) -pthread $$(CFLAGS) $$(LDFLAGS) -o $$@ $$(filter %.o,$$^) $$(filter %.a,$$^) $$(LIBS)
+	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
@@ -156,38 +213,38 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
-$(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(OVERFLOW) $(LIBS)
+$(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
+	$(link)
 
 # Scenes as const tables: for a test, and for boards without files.
 COMPILED := every $(filter-out thesis,$(patsubst scenes/%.tia,%,$(wildcard scenes/*.tia)))
 $(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
 	@mkdir -p $(@D)
-	$(BUILD)/tia-compile $< -o $@ --name compiled_$*
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$*
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
 	@mkdir -p $(@D)
-	$(BUILD)/tia-compile $< -o $@ --name compiled_every
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_every
 $(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c
-	$(CC) $(COMMON) $(CFLAGS) -c -o $@ $<
+	$(call compile,CC,$(COMMON))
 $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive prove check-arch check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
-	tests/run $<
+	@$(run_tests) $<
 prove:
-	@tests/slow/prove
+	@$(alone) tests/slow/prove
 check-arch:
-	@tests/run tests/slow/arch
+	@$(run_tests) tests/slow/arch
 SECONDS ?= 600
 check-mutants:
-	tests/mutate
+	@$(alone) tests/mutate
 fuzz:
-	@FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
+	@$(alone) FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
 
 deps:
 	@echo "deps: all there"
@@ -195,173 +252,93 @@ deps:
 # ---- running, testing, measuring ----
 python = if command -v python3 >/dev/null; then $(1); else echo "$@: python3 not found (make deps installs it)"; fi
 
-run: all
-	$(BUILD)/tia
+# Shows the picture, then tells what it was and what to type next.
+SAID = $(BUILD)/run.said
+run: $(BUILD)/tia
+	@$(call name_missing,$(MISSING_RUN))
+	@$(BUILD)/tia -k a --stats 2>$(SAID); status=$$?; sed '/^{/d' $(SAID) >&2; [ $$status = 0 ] || exit $$status; \
+	size=$$(sed -n 's/^{.*"size": "\([^"]*\)".*/\1/p' $(SAID)); \
+	case $$(sed -n 's/^{.*"display": "\([^"]*\)".*/\1/p' $(SAID)) in \
+	file) where="into $$(sed -n 's/.*: wrote \([^ ]*\).*/\1/p' $(SAID))" to=' -o glass.png';; \
+	terminal) where='on this terminal' to=;; \
+	*) where='on the screen' to=;; esac; \
+	echo "drawn: a ball on the ground, its light above left (tia -k a), $$size, $$where"; \
+	[ "$$to" ] || echo 'keys:  a d s w, arrows, page up and down move the light; any other key quits'; \
+	echo "next:  $(BUILD)/tia scenes/glass.tia$$to    (more: ls scenes, man -l man/tia.1, make help)"
 
+# Tests see nothing of this make: those that build start one of their own.
+alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
+run_tests = $(alone) tests/run
 QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
 SLOW  := $(sort $(wildcard tests/slow/*))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
-	@tests/run $(QUICK)
+	@$(run_tests) $(QUICK)
 check: all tests
-	@tests/run $(QUICK) $(SLOW)
+	@$(run_tests) $(QUICK) $(SLOW)
 
 # Real kernel drivers in guests; the table of what they said comes last.
 .PHONY: check-vm
 $(BUILD)/vm/probe: tests/vm/probe.c
 	@mkdir -p $(@D)
-	$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
+	$(call say,LD,$@)$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
-	@tests/run tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
+	@$(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
 $(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
-	$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(link)
 bench: $(BUILD)/bench
 	@$(BUILD)/bench
 
 size: $(LIBTIA)
 	@$(CROSS)size -t $(LIBTIA)
 
-LINTED := $(sort $(foreach d,include src port tools bench tests,$(wildcard $(d)/*.[ch] $(d)/*/*.[ch] $(d)/*/*/*.[ch] $(d)/*/*/*/*.[ch])))
+LINTED = $(sort $(foreach d,include src port tools bench tests,$(wildcard $(d)/*.[ch] $(d)/*/*.[ch] $(d)/*/*/*.[ch] $(d)/*/*/*/*.[ch])))
 lint:
 	@if command -v clang-format >/dev/null; then clang-format --dry-run -Werror $(LINTED); \
 	else echo "lint: no clang-format (make deps installs it)"; fi
 
 # ---- installing ----
-INSTALL := install -D -m
+INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
+# $(call put,mode,file,place below PREFIX)
+define put
+$(call say,INSTALL,$(DESTDIR)$(PREFIX)/$(3))install -D -m $(1) $(2) $(DESTDIR)$(PREFIX)/$(3)$(newline)
+endef
 install: all
-	$(INSTALL) 755 $(BUILD)/tia $(DESTDIR)$(PREFIX)/bin/tia
-	$(INSTALL) 755 $(BUILD)/tia-join $(DESTDIR)$(PREFIX)/bin/tia-join
-	$(if $(LIBF64),$(INSTALL) 755 $(BUILD)/tia-compare $(DESTDIR)$(PREFIX)/bin/tia-compare)
-	$(INSTALL) 755 $(BUILD)/tia-compile $(DESTDIR)$(PREFIX)/bin/tia-compile
-	$(INSTALL) 755 $(BUILD)/tia-pov $(DESTDIR)$(PREFIX)/bin/tia-pov
-	$(INSTALL) 644 $(LIBTIA) $(DESTDIR)$(PREFIX)/lib/libtia.a
-	for h in include/tia/*.h; do $(INSTALL) 644 $$h $(DESTDIR)$(PREFIX)/$$h; done
-	$(INSTALL) 644 man/tia.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia.1
-	$(INSTALL) 644 man/tia-compile.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compile.1
-	$(INSTALL) 644 man/tia-pov.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-pov.1
-	$(INSTALL) 644 man/tia-scene.5 $(DESTDIR)$(PREFIX)/share/man/man5/tia-scene.5
-	$(INSTALL) 644 man/tia-join.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-join.1
-	$(if $(LIBF64),$(INSTALL) 644 man/tia-compare.1 $(DESTDIR)$(PREFIX)/share/man/man1/tia-compare.1)
-	printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
+	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
 	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
-	$(INSTALL) 644 $(BUILD)/tia.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/tia.pc
+	$(foreach p,$(INSTALLED),$(call put,755,$(BUILD)/$(p),bin/$(p))$(call put,644,man/$(p).1,share/man/man1/$(p).1))
+	$(call put,644,man/tia-scene.5,share/man/man5/tia-scene.5)
+	$(call put,644,$(LIBTIA),lib/libtia.a)
+	$(foreach h,$(wildcard include/tia/*.h),$(call put,644,$(h),$(h)))
+	$(call put,644,$(BUILD)/tia.pc,lib/pkgconfig/tia.pc)
 uninstall:
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,bin/tia bin/tia-compare bin/tia-join bin/tia-compile bin/tia-pov \
-	    lib/libtia.a lib/pkgconfig/tia.pc share/man/man1/tia.1 share/man/man1/tia-compare.1 \
-	    share/man/man1/tia-join.1 share/man/man1/tia-compile.1 share/man/man1/tia-pov.1 share/man/man5/tia-scene.5)
-	rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(wildcard include/tia/*.h))
-	-rmdir $(DESTDIR)$(PREFIX)/include/tia
+	$(call say,REMOVE,$(DESTDIR)$(PREFIX))rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(INSTALLED:%=bin/%) \
+	    $(INSTALLED:%=share/man/man1/%.1) share/man/man5/tia-scene.5 lib/libtia.a lib/pkgconfig/tia.pc $(wildcard include/tia/*.h))
+	@rmdir $(DESTDIR)$(PREFIX)/include/tia 2>/dev/null || :
 
-# ---- boards without an operating system ----
-ARM_BARE   ?= arm-none-eabi-
-RISCV_BARE ?= riscv64-unknown-elf-
-PANEL_BOARDS := versatilepb vexpress-a9
-SMALL_BOARDS := mps2-an385 microbit rv32
-versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
-vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
-mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
-microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
-rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
-BARE := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
-BARE_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
-
-BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
-PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counter.c pl11x.c pl050.c start-arm.S)
-versatilepb_SRC := $(PANEL_SRC) port/boards/versatilepb.c
-vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c
-mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
-microbit_SRC    := $(mps2-an385_SRC)
-rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
-
-# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those
-# of the core in another arithmetic lie in a folder of its name.
-bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
-define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) port/boards/$(4).ld port/boards/sections.ld
-	$$($(1)_CC) $$(BARE_LD) -T port/boards/$(4).ld -o $$@ $$(filter %.o,$$^) -lgcc
-endef
-define bare_rule
-$(BUILD)/boards/$(1)/$(2)%.o: %.c
-	@mkdir -p $$(@D)
-	$$($(1)_CC) $$(BARE) $(3) -c -o $$@ $$<
-endef
-define board
-$(call bare_rule,$(1),,)
-$(call bare_rule,$(1),f32/,-DTIA_NUM_F32)
-$(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
-$(BUILD)/boards/$(1)/%.o: %.S
-	@mkdir -p $$(@D)
-	$$($(1)_CC) -c -o $$@ $$<
-endef
-# The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
-define counted
-$(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
-	@mkdir -p $$(@D)
-	$$($(1)_CC) $$(BARE) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4) -c -o $$@ $$<
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(SMALL_SRC)))))
-endef
-# The viewer of a compiled scene, $(2).
-define shown
-$(BUILD)/boards/$(1)/shows-$(2).o: tools/boards/viewer.c
-	@mkdir -p $$(@D)
-	$$($(1)_CC) $$(BARE) -DSCENE=compiled_$(2) -c -o $$@ $$<
-$(BUILD)/boards/$(1)/scene-$(2).o: $(BUILD)/scenes/$(2).c
-	@mkdir -p $$(@D)
-	$$($(1)_CC) $$(BARE) -c -o $$@ $$<
-$(call image,$(1),$(2),,$(1),$(BUILD)/boards/$(1)/shows-$(2).o $(BUILD)/boards/$(1)/scene-$(2).o)
-endef
-# Those boards whose compiler is there; the tests name the others.
-BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(shell command -v $(firstword $($(b)_CC))),$(b)))
-$(foreach b,$(BOARDS),$(eval $(call board,$(b))))
-BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
-BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
-$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
-$(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
-$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
-$(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
-$(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
-$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
-$(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
-$(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
-	@mkdir -p $(@D)
-	$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
-IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
-COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
-
-$(BUILD)/boards/insn.so: tests/boards/insn.c
-	@mkdir -p $(@D)
-	$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
-
-.PHONY: boards check-boards size-boards count
-boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(BUILD)/boards/example \
-        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
-check: boards
-check-boards: all boards
-	@tests/run tests/slow/boards
-size: size-boards
-size-boards: boards
-	@$(call python,tests/boards/size.py $(BUILD))
-count: $(COUNTED) $(BUILD)/boards/insn.so
-	@$(call python,tests/boards/count.py $(BUILD))
+ifeq ($(BARE),)
+include port/boards/boards.mk
+endif
 
 # The pictures of README.md and docs/scenes.md, which a test compares with what is drawn.
 .PHONY: gallery
+draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all
-	for n in glass flake chess castle vase orrery; do \
-	    $(BUILD)/tia scenes/$$n.tia -s 400x300 -o docs/gallery/$$n.png || exit; done
-	$(BUILD)/tia scenes/glass.tia -s 640x360 -o docs/glass.png
-	$(BUILD)/tia -k a -s 640x360 -o docs/thesis.png
+	$(foreach n,glass flake chess castle vase orrery,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
+	$(call draw,docs/thesis.png,-k a -s 640x360)
 
 clean:
-	rm -rf $(BUILD)
+	$(call say,REMOVE,$(BUILD))rm -rf $(BUILD)
 
 help:
-	@echo "all (default)      the command, the library and tia-compare, in build/"
+	@echo "all (default)      the commands and the library, in build/, on all cores; V=1 shows how"
 	@echo "run                shows the picture"
-	@echo "deps               installs what the build and the tests use (Debian 12)"
+	@echo "deps               installs what a build can use (Debian 12); deps run: what run needs;"
+	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-arch check-boards check-vm fuzz prove    parts of check"
 	@echo "check-exhaustive check-mutants                 longer than check"

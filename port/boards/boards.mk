@@ -1,0 +1,93 @@
+# boards.mk - programs for boards without an operating system; the Makefile includes it.
+
+ARM_BARE   ?= arm-none-eabi-
+RISCV_BARE ?= riscv64-unknown-elf-
+PANEL_BOARDS := versatilepb vexpress-a9
+SMALL_BOARDS := mps2-an385 microbit rv32
+versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
+vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
+mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
+rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
+BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
+BOARD_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
+
+BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
+PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counter.c pl11x.c pl050.c start-arm.S)
+versatilepb_SRC := $(PANEL_SRC) port/boards/versatilepb.c
+vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c
+mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
+microbit_SRC    := $(mps2-an385_SRC)
+rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
+
+# $(call board_compile,board,WHAT,options)
+define board_compile
+@mkdir -p $(@D)
+$(call say,$(2),$< ($(1)))$($(1)_CC) $(3) -c -o $@ $<
+endef
+
+# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those
+# of the core in another arithmetic lie in a folder of its name.
+bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
+define image
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) port/boards/$(4).ld port/boards/sections.ld
+	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) -T port/boards/$(4).ld -o $$@ $$(filter %.o,$$^) -lgcc
+endef
+define bare_rule
+$(BUILD)/boards/$(1)/$(2)%.o: %.c
+	$$(call board_compile,$(1),CC $(patsubst %/,%,$(2)),$$(BOARD) $(3))
+endef
+define board
+$(call bare_rule,$(1),,)
+$(call bare_rule,$(1),f32/,-DTIA_NUM_F32)
+$(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
+$(BUILD)/boards/$(1)/%.o: %.S
+	$$(call board_compile,$(1),AS)
+endef
+# The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
+define counted
+$(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
+	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4))
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(SMALL_SRC)))))
+endef
+# The viewer of a compiled scene, $(2).
+define shown
+$(BUILD)/boards/$(1)/shows-$(2).o: tools/boards/viewer.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DSCENE=compiled_$(2))
+$(BUILD)/boards/$(1)/scene-$(2).o: $(BUILD)/scenes/$(2).c
+	$$(call board_compile,$(1),CC,$$(BOARD))
+$(call image,$(1),$(2),,$(1),$(BUILD)/boards/$(1)/shows-$(2).o $(BUILD)/boards/$(1)/scene-$(2).o)
+endef
+# Those boards whose compiler is there; the tests name the others.
+BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(call found,$(firstword $($(b)_CC))),$(b)))
+$(foreach b,$(BOARDS),$(eval $(call board,$(b))))
+BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
+BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
+$(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
+$(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
+$(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
+$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
+$(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
+$(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
+COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
+
+$(BUILD)/boards/insn.so: tests/boards/insn.c
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
+
+.PHONY: boards check-boards size-boards count
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(BUILD)/boards/example \
+        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
+check: boards
+check-boards: all boards
+	@$(run_tests) tests/slow/boards
+size: size-boards
+size-boards: boards
+	@$(call python,tests/boards/size.py $(BUILD))
+count: $(COUNTED) $(BUILD)/boards/insn.so
+	@$(call python,tests/boards/count.py $(BUILD))
