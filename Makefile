@@ -32,7 +32,7 @@ DEPS := gcc libc6-dev make pkg-config python3 libdrm-dev libpng-dev clang clang-
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
-        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.

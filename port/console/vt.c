@@ -106,7 +106,7 @@ static int take_modes(struct vt *vt, int leave, int enter)
 
     if (!vt_in_front(vt))
         vt->back_to = in_front(vt->fd);
-    (void)guardian_keep_vt(vt->path, vt->back_to);
+    (void)guardian_keep_vt(vt->fd, vt->path, vt->back_to);
     if (ioctl(vt->fd, VT_SETMODE, &mode) != 0) {
         guardian_forget_vt(vt->path);
         return -1;

@@ -29,9 +29,9 @@
 #define LAST_WRITES 5     /* and how often, as a signal ends a wait too */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, from within any frame. A terminal
- * without an alternate screen is cleared. The bracketed paste is tty.c's, and goes with a crash too. */
+ * without an alternate screen is cleared. */
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
-static const char leave_text[] = "\033[?2026l\033[?2004l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
+static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
@@ -145,7 +145,7 @@ static int look_at_environment(struct terminal *t)
 
 static void enter(struct terminal *t)
 {
-    (void)guardian_keep_screen(t->fd, leave_text);
+    (void)guardian_keep_text(t->fd, leave_text);
     terminal_signals_begin();
     t->resumes = terminal_resumes();
     text_add(&t->text, enter_text);
@@ -158,7 +158,9 @@ static void leave(struct terminal *t)
     for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
         (void)send_text(t, LAST_WRITE_MS);
     terminal_signals_end();
-    guardian_forget_screen(t->fd);
+    /* Else the guardian sends it when the terminal takes it. */
+    if (t->sent == t->text.count)
+        guardian_forget_text(t->fd, leave_text);
     t->entered = false;
 }
 
