@@ -67,14 +67,14 @@ TEST(listeners_enter_in_turn_and_leave_in_reverse)
     console_listen(&first);
     console_listen(&second);
     CHECK_EQ(console_state(), CONSOLE_FREE);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_listen(&first); /* again: now it is the last */
     console_close();
     CHECK_EQ(console_state(), CONSOLE_FREE);
     CHECK_MSG(strcmp(told, "+a+b-a-b") == 0, "'%s'", told);
     console_ignore(&second);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     console_ignore(&first);
     console_ignore(&first);
     console_close();
@@ -86,8 +86,8 @@ TEST(only_one_display_takes_it)
 {
     if (!no_vt())
         return;
-    CHECK_EQ(console_open(why), TIA_OK);
-    CHECK_EQ(console_open(why), TIA_ERR_DEVICE);
+    CHECK_EQ(console_open(true, why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_ERR_DEVICE);
     CHECK(strstr(why, "taken") != NULL);
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_close();
@@ -103,7 +103,7 @@ TEST(its_signals_are_its_own)
     if (!no_vt())
         return;
     (void)sigaction(SIGUSR2, &before, NULL);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     (void)raise(SIGUSR1);
     (void)raise(SIGUSR2);
     CHECK_EQ(console_wait(NULL, 0, -1), 0);

@@ -52,9 +52,11 @@ void console_switch(unsigned vt);
 
 /* Takes the console: the controlling terminal when it is a VT, else the VT in front, else none
  * (no VT in this kernel, or no right to open it: then the screen is ours and is never switched).
- * Brings it in front, stops its text and takes part in switching. The guardian (guardian.h) puts
- * it back if this process dies. TIA_ERR_DEVICE and a line in `why` when another program has it. */
-int console_open(char why[PORT_WHY]);
+ * Brings it in front and takes part in switching; `graphics` stops its text, which on some displays
+ * would be drawn over the picture. The guardian (guardian.h) puts it back if this process dies, and
+ * lets it be switched while this process is stopped. TIA_ERR_DEVICE and a line in `why` when another
+ * program has it. */
+int console_open(bool graphics, char why[PORT_WHY]);
 
 /* Puts back what console_open changed. Safe when it is not open. */
 void console_close(void);

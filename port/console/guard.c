@@ -21,6 +21,10 @@
 
 #include "console/kept.h"
 
+/* Without the need for libdrm's headers. */
+#define DRM_SET_MASTER _IO('d', 0x1e)
+#define DRM_DROP_MASTER _IO('d', 0x1f)
+
 #define LINE 0          /* the descriptor of the line in this process */
 #define PATIENCE_MS 200 /* how long the shell waits for a terminal that takes nothing */
 
@@ -44,9 +48,11 @@ static void restore_vt(const struct thing *t, int fd)
 {
     struct vt_mode mode = t->was.vt.mode;
 
-    /* Text first: a console in graphics mode whose owner is dead is not redrawn by a switch. */
-    if (ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode) != 0 && errno == EPERM && claim_terminal(fd))
-        (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
+    /* Text before the switch: a console in graphics mode whose owner is dead is not redrawn by it.
+     * The kernel draws the text when the mode changes, so it has to change. */
+    if (ioctl(fd, KDSETMODE, (long)KD_GRAPHICS) != 0 && errno == EPERM && claim_terminal(fd))
+        (void)ioctl(fd, KDSETMODE, (long)KD_GRAPHICS);
+    (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
     (void)ioctl(fd, VT_SETMODE, &mode);
     if (t->was.vt.back_to != 0)
         (void)ioctl(fd, VT_ACTIVATE, (long)t->was.vt.back_to);
@@ -218,33 +224,41 @@ static void own_consoles(char mark)
             (void)ioctl(kept[i].fd, VT_SETMODE, &mode);
 }
 
-/* The console below shall have the keyboards while it is in front. */
-static void let_go(void)
+/* Whether one of these did it. */
+static bool tell_all(enum kind kind, unsigned long request, long value)
 {
-    bool asked = false;
+    bool done = false;
 
     for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == VT && kept[i].fd >= 0 && ioctl(kept[i].fd, VT_RELDISP, 1L) == 0)
-            asked = true;
-    if (!asked)
+        if (kept[i].kind == kind && kept[i].fd >= 0 && ioctl(kept[i].fd, request, value) == 0)
+            done = true;
+    return done;
+}
+
+/* The console below shall have the screen and the keyboards while it is in front; the screen first,
+ * as the kernel draws the text when the console is let go. */
+static void let_go(void)
+{
+    bool was_master = tell_all(CARD, DRM_DROP_MASTER, 0);
+
+    if (!tell_all(VT, VT_RELDISP, 1)) { /* nobody had asked */
+        if (was_master)
+            (void)tell_all(CARD, DRM_SET_MASTER, 0);
         return;
+    }
     own_consoles(GUARD_LEFT);
-    for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == KEYBOARD)
-            (void)ioctl(kept[i].fd, EVIOCGRAB, 0);
+    (void)tell_all(KEYBOARD, EVIOCGRAB, 0);
 }
 
 static void entered(void)
 {
-    for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == VT && kept[i].fd >= 0)
-            (void)ioctl(kept[i].fd, VT_RELDISP, (long)VT_ACKACQ);
+    (void)tell_all(VT, VT_RELDISP, VT_ACKACQ);
 }
 
 /* The kernel may have asked for the console just before. */
 static void stopped(void)
 {
-    own_consoles(GUARD_OURS);
+    own_consoles(GUARD_ANSWERS);
     let_go();
 }
 
@@ -377,6 +391,16 @@ static void listen_until_the_end(void)
     }
 }
 
+/* Then the kernel takes them from the dead process. */
+static void close_cards(void)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (kept[i].kind == CARD) {
+            (void)close(kept[i].fd);
+            kept[i].fd = -1;
+        }
+}
+
 void guard(int line, pid_t parent, pid_t group)
 {
     go_away(line);
@@ -384,6 +408,7 @@ void guard(int line, pid_t parent, pid_t group)
     listen_until_the_end();
     if (kept_nothing())
         _exit(0);
+    close_cards();
     restore_terminals(group);
     /* From here on the parent of the dead process knows that it is dead. */
     if (watcher != 0)

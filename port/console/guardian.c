@@ -248,9 +248,9 @@ int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
 }
 
 /* One process has many keyboards, whose names may be long: their descriptors tell them apart. */
-static struct thing keyboard(int fd)
+static struct thing numbered(enum kind kind, int fd)
 {
-    struct thing t = {.kind = KEYBOARD, .fd = fd};
+    struct thing t = {.kind = kind, .fd = fd};
 
     (void)snprintf(t.path, sizeof t.path, "descriptor %d", fd);
     return t;
@@ -258,7 +258,14 @@ static struct thing keyboard(int fd)
 
 int guardian_keep_keyboard(int fd)
 {
-    const struct thing t = keyboard(fd);
+    const struct thing t = numbered(KEYBOARD, fd);
+
+    return keep(&t);
+}
+
+int guardian_keep_card(int fd)
+{
+    const struct thing t = numbered(CARD, fd);
 
     return keep(&t);
 }
@@ -279,7 +286,14 @@ void guardian_forget_fb(const char *path)
 
 void guardian_forget_keyboard(int fd)
 {
-    struct thing t = keyboard(fd);
+    struct thing t = numbered(KEYBOARD, fd);
+
+    forget(&t);
+}
+
+void guardian_forget_card(int fd)
+{
+    struct thing t = numbered(CARD, fd);
 
     forget(&t);
 }

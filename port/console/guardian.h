@@ -5,8 +5,8 @@
  * changing the thing and guardian_forget_... after putting it back; when nothing is left to keep
  * the guardian ends. If it dies before that, another one takes its place at once.
  *
- * It holds no display open, so that the kernel's own clean-up (of a DRM master, for one) is not
- * held up. It does hold consoles, to answer for them while this process is stopped, and keyboards.
+ * Most things it knows by name only. It holds consoles and cards open to let go of them for a
+ * process that is stopped, and keyboards to keep their grab for a while after a death.
  */
 #ifndef PORT_CONSOLE_GUARDIAN_H
 #define PORT_CONSOLE_GUARDIAN_H
@@ -25,6 +25,9 @@ int guardian_keep_terminal(int fd, const struct termios *raw);
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var);
 /* A keyboard that is grabbed: after a death the grab lasts until no key is down. */
 int guardian_keep_keyboard(int fd);
+/* A DRM device. While this process is stopped, another console can have it, if the guardian is
+ * root's. Drop the master's rights before this is forgotten: the guardian closes it a moment later. */
+int guardian_keep_card(int fd);
 /* What to write to the terminal `fd`, less than 96 bytes, as soon as it takes it. -1 also when the
  * terminal has no name. */
 int guardian_keep_text(int fd, const char *text);
@@ -35,5 +38,6 @@ void guardian_forget_terminal(int fd);
 void guardian_forget_text(int fd, const char *text);
 void guardian_forget_fb(const char *path);
 void guardian_forget_keyboard(int fd);
+void guardian_forget_card(int fd);
 
 #endif

@@ -10,7 +10,7 @@
 #include <termios.h>
 #include <time.h>
 
-enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, WATCHER };
+enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, WATCHER };
 
 #define KEPT_TEXT 96
 
@@ -20,7 +20,7 @@ struct thing {
     bool forget; /* of a message: it is kept no longer */
     char path[64];
     struct timespec made; /* TERMINAL, TEXT: the node's change time, which differs for another terminal */
-    int fd;               /* VT, KEYBOARD: this process's descriptor of it, else -1 */
+    int fd;               /* VT, KEYBOARD, CARD: this process's descriptor of it, else -1 */
     union {
         struct {
             int kd_mode;

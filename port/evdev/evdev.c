@@ -270,6 +270,9 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
+    /* Keys that were typed elsewhere while this process was stopped are not ours. */
+    if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
+        return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY)

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "console/guardian.h"
 #include "console/node.h"
 
 static bool get_pressed(const struct keyboard *keyboard, struct key_set *down)
@@ -135,6 +136,7 @@ static bool try_grab(struct keyboard *keyboard)
     keyboard->grabbed = ioctl(keyboard->fd, EVIOCGRAB, 1) == 0;
     if (!keyboard->grabbed)
         return true;
+    (void)guardian_keep_keyboard(keyboard->fd);
     write_keys(keyboard, &before, ALL, 1, 1);
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
@@ -164,6 +166,7 @@ void keyboard_release(struct keyboard *keyboard)
         write_keys(keyboard, &down, MODIFIERS, 0, 1);
     }
     keyboard->grabbed = false;
+    guardian_forget_keyboard(keyboard->fd);
     begin(keyboard);
 }
 
@@ -183,6 +186,7 @@ static void unplug(struct keyboard *keyboard)
 {
     keyboard->unplugged = true;
     keyboard->grabbed = false;
+    guardian_forget_keyboard(keyboard->fd);
     key_state_begin(&keyboard->state, &(struct key_set){{0}});
 }
 
