@@ -6,6 +6,8 @@
  */
 #include <errno.h>
 #include <fcntl.h>
+#include <langinfo.h>
+#include <locale.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,6 +103,16 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
     }
 }
 
+/* Pixels in a window of so many columns and rows. */
+static unsigned pixels_across(const struct terminal *t, unsigned columns)
+{
+    return t->grid.spaces && columns > 1 ? columns / 2 : columns;
+}
+static unsigned pixels_down(const struct terminal *t, unsigned rows)
+{
+    return t->grid.spaces ? rows : 2 * rows;
+}
+
 /* Takes the window's size now. */
 static int fit_window(struct terminal *t)
 {
@@ -109,8 +121,8 @@ static int fit_window(struct terminal *t)
     read_window(t, &columns, &rows);
     if (columns == t->columns && rows == t->rows)
         return TIA_OK;
-    uint16_t width = (uint16_t)smallest(columns, t->max_width);
-    uint16_t height = (uint16_t)smallest(2 * rows, t->max_height);
+    uint16_t width = (uint16_t)smallest(pixels_across(t, columns), t->max_width);
+    uint16_t height = (uint16_t)smallest(pixels_down(t, rows), t->max_height);
     if (canvas_resize(&t->canvas, width, height) != TIA_OK ||
         grid_resize(&t->grid, width, height, columns, rows) != TIA_OK) {
         t->columns = t->rows = 0;
@@ -133,6 +145,24 @@ static int open_window(struct terminal *t)
     return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
+/* The locale's own answer, or the name of one that is not installed here: it may come from the machine at
+ * which the terminal stands. */
+static bool locale_is_utf8(void)
+{
+    static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
+    locale_t locale = newlocale(LC_CTYPE_MASK, "", (locale_t)0);
+    const char *name = NULL;
+
+    if (locale != (locale_t)0) {
+        bool found = strcmp(nl_langinfo_l(CODESET, locale), "UTF-8") == 0;
+        freelocale(locale);
+        return found;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && (name == NULL || *name == '\0'); i++)
+        name = getenv(names[i]);
+    return name != NULL && (strcasestr(name, ".utf-8") != NULL || strcasestr(name, ".utf8") != NULL);
+}
+
 static int look_at_environment(struct terminal *t)
 {
     const char *term = getenv("TERM");
@@ -140,6 +170,7 @@ static int look_at_environment(struct terminal *t)
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return failed(t, "cannot place a cursor (set TERM if it can)");
     t->grid.direct = colour_is_direct(term, getenv("COLORTERM"));
+    t->grid.spaces = !locale_is_utf8();
     return TIA_OK;
 }
 
@@ -306,7 +337,7 @@ void port_terminal_list(port_line *line, void *arg)
         line(arg, why);
     } else {
         read_window(&t, &columns, &rows);
-        (void)snprintf(text, sizeof text, "%ux%u, %s", columns, 2 * rows,
+        (void)snprintf(text, sizeof text, "%ux%u, %s", pixels_across(&t, columns), pixels_down(&t, rows),
                        t.grid.direct ? "24-bit colours" : "256 colours (set COLORTERM=truecolor if it has more)");
         line(arg, text);
     }
