@@ -2,11 +2,10 @@
  * does to a real VT is tested in guests (tests/vm). */
 #include "check.h"
 #include "console/console.h"
+#include "without_vt.h"
 
-#include <grp.h>
 #include <signal.h>
 #include <stdbool.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 static char told[64], why[PORT_WHY];
@@ -29,35 +28,6 @@ static void leave(void *arg)
 static char first_name[] = "a", second_name[] = "b";
 static struct console_listener first = {.enter = enter, .leave = leave, .arg = first_name},
                                second = {.enter = enter, .leave = leave, .arg = second_name};
-
-/* A process of another session and without rights has no VT. A test must not take the console that
- * somebody is looking at. */
-static int in_process_without_vt(int (*run)(void))
-{
-    pid_t child;
-    int status = 1;
-
-    (void)fflush(stdout);
-    child = fork();
-    if (child == 0) {
-        (void)setsid();
-        if (geteuid() == 0 && (setgroups(0, NULL) != 0 || setgid(65534) != 0 || setuid(65534) != 0))
-            _exit(1);
-        _exit(run());
-    }
-    (void)waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-static bool no_vt(void)
-{
-    char name[PORT_WHY];
-
-    if (strncmp(console_name(name), "none: ", 6) == 0)
-        return true;
-    SKIP("it would take %s", name);
-    return false;
-}
 
 TEST(listeners_enter_in_turn_and_leave_in_reverse)
 {

@@ -131,6 +131,12 @@ static nfds_t list_descriptors(const struct evdev *evdev, struct pollfd fds[KEYB
     return count;
 }
 
+static void discard(struct evdev *evdev)
+{
+    for (unsigned i = 0; i < evdev->count; i++)
+        keyboard_discard(&evdev->keyboards[i]);
+}
+
 static void await_release(struct evdev *evdev)
 {
     struct pollfd fds[KEYBOARDS + 1];
@@ -139,8 +145,7 @@ static void await_release(struct evdev *evdev)
     for (; now < end && any_pressed(evdev); now = now_us()) {
         (void)poll(fds, list_descriptors(evdev, fds), (int)((end - now + 999) / 1000));
         watch_nodes(evdev);
-        for (unsigned i = 0; i < evdev->count; i++)
-            keyboard_discard(&evdev->keyboards[i]);
+        discard(evdev);
     }
 }
 
@@ -275,9 +280,10 @@ static int evdev_poll(void *ctx, struct tia_event *event)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
-        if (console_state() == CONSOLE_AWAY)
-            for (unsigned i = 0; i < evdev->count; i++)
-                keyboard_discard(&evdev->keyboards[i]);
+        if (console_state() == CONSOLE_AWAY) {
+            discard(evdev); /* one that comes after this would be taken for ours if it were read */
+            return 0;
+        }
         keyboard = oldest_event(evdev);
         if (!keyboard)
             return 0;
