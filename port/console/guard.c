@@ -1,5 +1,5 @@
 /* Nothing here may need a lock that another thread of the guarded process held at the fork. */
-#include "console/guard.h"
+#include "guard.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,11 +19,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "console/kept.h"
-
-/* Without the need for libdrm's headers. */
-#define DRM_SET_MASTER _IO('d', 0x1e)
-#define DRM_DROP_MASTER _IO('d', 0x1f)
+#include "kept.h"
+#include "stand_in.h"
 
 #define LINE 0          /* the descriptor of the line in this process */
 #define PATIENCE_MS 200 /* how long the shell waits for a terminal that takes nothing */
@@ -213,54 +210,7 @@ static void finish(void)
     } while (waiting > 0 && poll(fds, waiting, -1) >= 0);
 }
 
-/* ---- a process that is stopped ---- */
-
-static void own_consoles(char mark)
-{
-    struct vt_mode mode = {.mode = VT_PROCESS, .waitv = mark, .relsig = SIGUSR1, .acqsig = SIGUSR2};
-
-    for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == VT && kept[i].fd >= 0)
-            (void)ioctl(kept[i].fd, VT_SETMODE, &mode);
-}
-
-/* Whether one of these did it. */
-static bool tell_all(enum kind kind, unsigned long request, long value)
-{
-    bool done = false;
-
-    for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == kind && kept[i].fd >= 0 && ioctl(kept[i].fd, request, value) == 0)
-            done = true;
-    return done;
-}
-
-/* The console below shall have the screen and the keyboards while it is in front; the screen first,
- * as the kernel draws the text when the console is let go. */
-static void let_go(void)
-{
-    bool was_master = tell_all(CARD, DRM_DROP_MASTER, 0);
-
-    if (!tell_all(VT, VT_RELDISP, 1)) { /* nobody had asked */
-        if (was_master)
-            (void)tell_all(CARD, DRM_SET_MASTER, 0);
-        return;
-    }
-    own_consoles(GUARD_LEFT);
-    (void)tell_all(KEYBOARD, EVIOCGRAB, 0);
-}
-
-static void entered(void)
-{
-    (void)tell_all(VT, VT_RELDISP, VT_ACKACQ);
-}
-
-/* The kernel may have asked for the console just before. */
-static void stopped(void)
-{
-    own_consoles(GUARD_ANSWERS);
-    let_go();
-}
+/* ---- signals ---- */
 
 /* The watcher stops and goes on with its process. A death is not taken here: see guard(). */
 static void follow_watcher(void)
@@ -271,7 +221,9 @@ static void follow_watcher(void)
         int number = what.si_status & 0xff;
         bool stop = what.si_status >> 8 == PTRACE_EVENT_STOP && number != SIGTRAP;
         if (stop)
-            stopped();
+            stand_in_begin();
+        else
+            stand_in_end();
         (void)ptrace(stop ? PTRACE_LISTEN : PTRACE_CONT, watcher, NULL, NULL);
         what.si_pid = 0;
     }
@@ -285,9 +237,9 @@ static void take_signals(int signals)
         if (signal.ssi_signo == SIGCHLD)
             follow_watcher();
         else if (signal.ssi_signo == SIGUSR1)
-            let_go();
+            stand_in_leave();
         else
-            entered();
+            stand_in_enter();
     }
 }
 
@@ -379,15 +331,19 @@ static int open_signals(void)
 
 static void listen_until_the_end(void)
 {
-    struct pollfd fds[] = {{.fd = LINE, .events = POLLIN}, {.fd = open_signals(), .events = POLLIN}};
+    struct pollfd fds[] = {
+        {.fd = LINE, .events = POLLIN}, {.fd = open_signals(), .events = POLLIN}, {.events = POLLIN}};
 
     for (;;) {
-        if (poll(fds, 2, -1) < 0)
+        fds[2].fd = stand_in_keys();
+        if (poll(fds, 3, -1) < 0)
             continue;
         if (fds[0].revents != 0 && !take_message())
             return;
         if (fds[1].revents != 0)
             take_signals(fds[1].fd);
+        if (fds[2].fd >= 0 && fds[2].revents != 0)
+            stand_in_look();
     }
 }
 

@@ -1,4 +1,4 @@
-#include "console/guardian.h"
+#include "guardian.h"
 
 #include <errno.h>
 #include <fcntl.h>

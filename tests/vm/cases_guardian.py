@@ -42,6 +42,11 @@ def kill_both(s):
     s.guest.wait(lambda: not guardians(s), 'the end of the guardian')
 
 
+def chvt(s, number):
+    s.guest.sh('timeout 20 chvt %d' % number)
+    s.guest.wait(lambda: is_active(s, number), 'console %d' % number)
+
+
 def both_killed(s):
     """In one moment. Then a new tia finds a console that nobody has and leaves it whole; so does the
     text mode that systemd gives a getty, which a DRM display has not even taken away."""
@@ -61,11 +66,12 @@ def both_killed(s):
     other_text(s)
     s.console.forget()
     s.console.alive()
-
-
-def chvt(s, number):
-    s.guest.sh('timeout 20 chvt %d' % number)
-    s.guest.wait(lambda: is_active(s, number), 'console %d' % number)
+    # After which only the next tia can help a framebuffer.
+    kill_both(s)
+    chvt(s, 2)
+    chvt(s, 1)
+    s.guest.sh('tia %s -i none -n 1 </dev/null' % ' '.join(s.display))
+    s.console.alive(s.line)
 
 
 def types_there(s):
@@ -83,10 +89,14 @@ def stopped(s):
     types_there(s)
     chvt(s, 1)
     s.kill('CONT')
+    s.frame('a')
+    s.wait_grabbed(1)
     s.guest.tap('right')
     s.frame('a<right>')
     s.kill('STOP')
-    chvt(s, 2)
+    s.guest.press('ctrl', 'alt', 'f2')
+    s.guest.wait(lambda: is_active(s, 2), 'console 2 by keys')
+    s.guest.release('f2', 'alt', 'ctrl')
     s.kill('CONT')
     s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
     types_there(s)
