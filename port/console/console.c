@@ -22,7 +22,7 @@ static struct console {
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* A terminal that is the input wants to know of the end of a stop too. */
+/* A terminal may be the input, which has a handler of its own for SIGCONT. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -92,7 +92,7 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* A signal that the kernel did not send finds nothing to answer, and the screen stays ours. */
+/* If somebody else sent the signal there is nothing to answer, and the screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -112,8 +112,8 @@ static void answer_enter(void)
     enter();
 }
 
-/* What the kernel asked before was answered by the guardian. If that let go of the console, the
- * keyboards and the screen were somebody else's, even if it is in front again. */
+/* The guardian has answered whatever the kernel asked before. If it let go of the console, somebody
+ * else had the keyboards and the screen, even if the console is in front again. */
 static void answer_resume(void)
 {
     bool left = false;
@@ -128,8 +128,8 @@ static void answer_resume(void)
         enter();
 }
 
-/* The kernel asks for the console only while it is ours, and waits for the answer: when both have
- * been asked, the state tells which came first. */
+/* The kernel asks for the console only while it is ours, and waits for the answer: when both signals
+ * are pending, the state says which came first. */
 static void answer(void)
 {
     if (resumed)
@@ -142,7 +142,7 @@ static void answer(void)
     }
 }
 
-/* Moves signals that are pending into the flags: a wait lets none in when a descriptor is ready. */
+/* Turns pending signals into flags: a wait delivers none when a descriptor is ready. */
 static void collect_signals(void)
 {
     const struct timespec now = {0};

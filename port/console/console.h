@@ -26,7 +26,7 @@ enum console_state {
 
 enum console_state console_state(void);
 
-/* Who wants to know when the screen comes and goes. Embedded in a port's context. */
+/* Whoever wants to know when the screen comes and goes; part of a port's context. */
 struct console_listener {
     void (*enter)(void *arg); /* it has become CONSOLE_OURS */
     void (*leave)(void *arg); /* it stops being ours when this returns: let go of everything */
@@ -34,8 +34,8 @@ struct console_listener {
     struct console_listener *next; /* console.c's */
 };
 
-/* Neither calls back: look at console_state(). Listeners enter in the order in which they began to
- * listen and leave in reverse. console_ignore is safe when not listening. */
+/* Neither calls the listener: look at console_state(). Listeners enter in the order in which they
+ * were added and leave in reverse. console_ignore is safe when it was not added. */
 void console_listen(struct console_listener *listener);
 void console_ignore(struct console_listener *listener);
 

@@ -70,7 +70,7 @@ void vt_find(struct vt *vt)
         none(vt, "/dev/tty0");
         return;
     }
-    /* tty0 is whatever is in front at the time: from here on it must be this one. */
+    /* tty0 means whichever console is in front; from here on it must be this one. */
     number = in_front(fd);
     (void)close(fd);
     found(vt, -1, number, "the console in front");

@@ -16,8 +16,8 @@
 #define DIRECTORY "/dev/input"
 #define KEYBOARDS 32
 
-/* How long the end waits for a held key, the one that quits: a keyboard that repeats by itself
- * (PS/2) would type it into the shell. Longer than a key is held by mistake. */
+/* How long the end waits for the release of a held key, usually the one that quits: a keyboard that
+ * repeats by itself (PS/2) would type it into the shell. Nobody holds a key so long by mistake. */
 #define RELEASE_MS 1000
 
 struct evdev {
@@ -49,7 +49,7 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* A node may be there before the right to open it: its change of mode is watched too. */
+/* udev creates a node before it gives us the right to open it, so changes of mode are watched too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -196,7 +196,7 @@ static int evdev_open(void *ctx)
     return TIA_ERR_DEVICE;
 }
 
-/* A key that is down on two keyboards comes up with the second one. */
+/* A key held on two keyboards is released when it is up on both. */
 static bool is_told(const struct evdev *evdev, unsigned code)
 {
     for (unsigned i = 0; i < evdev->count; i++)
@@ -224,7 +224,7 @@ static struct key_modifiers modifiers(const struct evdev *evdev)
     return found;
 }
 
-/* What is missing after an unplug, a switch or an overflow. */
+/* Events that are still to be reported after an unplug, a switch or an overflow. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -252,7 +252,7 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Ctrl-Alt-Fn is for the console, whether the kernel heard it too or not. */
+/* Ctrl-Alt-Fn switches the console: the kernel does not hear a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -281,7 +281,7 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY) {
-            discard(evdev); /* one that comes after this would be taken for ours if it were read */
+            discard(evdev); /* and read nothing more: a key that comes now is not ours either */
             return 0;
         }
         keyboard = oldest_event(evdev);

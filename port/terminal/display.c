@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
  * Frames are drawn into memory; present encodes what changed and sends it in one write. What the
- * terminal does not take at once is sent when it is ready, and a signal may end that waiting: the
- * rest goes out before the next frame, since the grid counts it as shown.
+ * terminal does not take at once is sent when it is ready. A signal may end that wait; then the rest
+ * is sent before the next frame, because the grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -27,11 +27,11 @@
 
 #define DEFAULT_COLUMNS 80 /* of a terminal that does not know its size, like a serial line */
 #define DEFAULT_ROWS 24
-#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing, */
-#define LAST_WRITES 5     /* and how often, as a signal ends a wait too */
+#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing */
+#define LAST_WRITES 5     /* and how often, as signals end waits too */
 
-/* The alternate screen, no cursor, no automatic wrap; and back, from within any frame. A terminal
- * without an alternate screen is cleared. */
+/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a frame. A
+ * terminal without an alternate screen is cleared. */
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
 static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
@@ -228,7 +228,7 @@ static int draw(struct terminal *t)
     return show(t);
 }
 
-/* After a stop the window shows what the shell wrote: the last frame again. */
+/* After a stop the window shows what the shell wrote, so the last frame is drawn again. */
 static int draw_again(struct terminal *t)
 {
     t->resumes = terminal_resumes();

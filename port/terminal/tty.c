@@ -26,7 +26,7 @@
  * 50 ms allow for a network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
-/* Pasted text comes in brackets and is told from typed keys. */
+/* Bracketed paste: pasted text can be told from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
 struct tty {
@@ -100,7 +100,8 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* False when the terminal takes nothing just now. One that is read only or has hung up does without. */
+/* False when the terminal takes nothing just now. Other failures do not matter: it is read only, or
+ * has hung up. */
 static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = write(tty->fd, text, strlen(text));
@@ -115,7 +116,7 @@ static void tty_close(void *ctx)
     if (tty->fd < 0)
         return;
     if (tty->raw) {
-        /* What is not sent is left to the guardian, which can wait. */
+        /* If it cannot be sent now, the guardian sends it later. */
         if (send(tty, paste_off))
             guardian_forget_text(tty->fd, paste_off);
         (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
