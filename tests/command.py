@@ -14,6 +14,11 @@ from array import array
 from contextlib import contextmanager
 
 TIA = os.path.abspath(os.path.join(os.environ.get("BUILD", "build"), "tia"))
+# What a script starts in the background, or nohup, has signals ignored; the command leaves that so.
+for ignored in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
+    if signal.getsignal(ignored) == signal.SIG_IGN:
+        signal.signal(ignored, signal.SIG_DFL)
+
 LIMIT_S = 60            # far more than any case needs: only a hang takes that long
 
 
@@ -39,19 +44,14 @@ def tia(*args, **options):
 
 @contextmanager
 def started(*args, **options):
-    """The command while it runs; Ctrl-C reaches it, and whatever happens, nothing stays behind."""
+    """The command while it runs; whatever happens, nothing stays behind."""
     running = subprocess.Popen([TIA, *args], stdin=subprocess.DEVNULL, stderr=options.pop("stderr", subprocess.PIPE),
-                               preexec_fn=options.pop("preexec_fn", restore_interrupt), **options)
+                               **options)
     try:
         yield running
     finally:
         running.kill()
         running.communicate()
-
-
-def restore_interrupt():
-    """For preexec_fn: a shell starts what runs in the background with SIGINT ignored."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def status_of(running):
@@ -196,9 +196,9 @@ def read_png(data):
 # ---- cases ----
 
 def run_cases(cases):
-    """Each case, a function, runs in an empty directory of its own."""
+    """Each case, a function, runs in an empty directory of its own. Names on the command line choose."""
     failed = False
-    for case in cases:
+    for case in [case for case in cases if case.__name__ in sys.argv[1:] or len(sys.argv) == 1]:
         directory, home = tempfile.mkdtemp(prefix="tia-"), os.getcwd()
         os.chmod(directory, 0o755)
         os.chdir(directory)

@@ -29,7 +29,7 @@ class Screen:
     def __init__(self, columns, rows):
         self.mode = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False)
         self.fore, self.back = (255, 255, 255), (0, 0, 0)
-        self.x = self.y = self.frames = self.cells_written = 0
+        self.x = self.y = self.frames = self.cells_written = self.blocks = 0
         self.rest = b""
         self.resize(columns, rows)
 
@@ -57,6 +57,7 @@ class Screen:
         check(text in (None, b" "), f"the terminal got the text {text!r}")
         self.cells[self.y][self.x] = (self.fore if block else self.back, self.back)
         self.cells_written += 1
+        self.blocks += text is None
         self.x = min(self.x + 1, self.columns - 1)
 
     def control(self, text, final):
@@ -105,7 +106,8 @@ class Terminal:
         self.master, self.slave = pty.openpty()
         self.set_size(*size)
         self.before = termios.tcgetattr(self.slave)
-        environment = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", **(env or {})}
+        environment = {**os.environ, "TERM": "xterm-256color", "COLORTERM": "truecolor", "LC_ALL": "C.UTF-8",
+                       **(env or {})}
         for name in [name for name, value in environment.items() if value is None]:
             del environment[name]
         options = {"stdin": self.slave, "stdout": self.slave, "stderr": subprocess.PIPE, **options}

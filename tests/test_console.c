@@ -2,11 +2,10 @@
  * does to a real VT is tested in guests (tests/vm). */
 #include "check.h"
 #include "console/console.h"
+#include "without_vt.h"
 
-#include <grp.h>
 #include <signal.h>
 #include <stdbool.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 static char told[64], why[PORT_WHY];
@@ -30,35 +29,6 @@ static char first_name[] = "a", second_name[] = "b";
 static struct console_listener first = {.enter = enter, .leave = leave, .arg = first_name},
                                second = {.enter = enter, .leave = leave, .arg = second_name};
 
-/* A process of another session and without rights has no VT. A test must not take the console that
- * somebody is looking at. */
-static int in_process_without_vt(int (*run)(void))
-{
-    pid_t child;
-    int status = 1;
-
-    (void)fflush(stdout);
-    child = fork();
-    if (child == 0) {
-        (void)setsid();
-        if (geteuid() == 0 && (setgroups(0, NULL) != 0 || setgid(65534) != 0 || setuid(65534) != 0))
-            _exit(1);
-        _exit(run());
-    }
-    (void)waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
-static bool no_vt(void)
-{
-    char name[PORT_WHY];
-
-    if (strncmp(console_name(name), "none: ", 6) == 0)
-        return true;
-    SKIP("it would take %s", name);
-    return false;
-}
-
 TEST(listeners_enter_in_turn_and_leave_in_reverse)
 {
     if (!no_vt())
@@ -67,14 +37,14 @@ TEST(listeners_enter_in_turn_and_leave_in_reverse)
     console_listen(&first);
     console_listen(&second);
     CHECK_EQ(console_state(), CONSOLE_FREE);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_listen(&first); /* again: now it is the last */
     console_close();
     CHECK_EQ(console_state(), CONSOLE_FREE);
     CHECK_MSG(strcmp(told, "+a+b-a-b") == 0, "'%s'", told);
     console_ignore(&second);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     console_ignore(&first);
     console_ignore(&first);
     console_close();
@@ -86,8 +56,8 @@ TEST(only_one_display_takes_it)
 {
     if (!no_vt())
         return;
-    CHECK_EQ(console_open(why), TIA_OK);
-    CHECK_EQ(console_open(why), TIA_ERR_DEVICE);
+    CHECK_EQ(console_open(true, why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_ERR_DEVICE);
     CHECK(strstr(why, "taken") != NULL);
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_close();
@@ -103,7 +73,7 @@ TEST(its_signals_are_its_own)
     if (!no_vt())
         return;
     (void)sigaction(SIGUSR2, &before, NULL);
-    CHECK_EQ(console_open(why), TIA_OK);
+    CHECK_EQ(console_open(true, why), TIA_OK);
     (void)raise(SIGUSR1);
     (void)raise(SIGUSR2);
     CHECK_EQ(console_wait(NULL, 0, -1), 0);

@@ -1,53 +1,13 @@
 /* The guardian puts a pseudo-terminal back after each kind of death, and only then. */
-#include "check.h"
-#include "console/guardian.h"
+#include "pseudo.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdbool.h>
 #include <stdlib.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
-#include <termios.h>
 #include <time.h>
 #include <unistd.h>
-
-static int master, terminal;
-static struct termios before;
-
-static bool open_terminal(void)
-{
-    master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) {
-        SKIP("no pseudo-terminal here");
-        return false;
-    }
-    terminal = open(ptsname(master), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    CHECK(terminal >= 0 && tcgetattr(terminal, &before) == 0);
-    return terminal >= 0;
-}
-
-static void close_terminal(void)
-{
-    (void)close(terminal);
-    (void)close(master);
-}
-
-static void make_raw(void)
-{
-    struct termios raw = before;
-
-    cfmakeraw(&raw);
-    (void)tcsetattr(terminal, TCSANOW, &raw);
-}
-
-static bool is_raw(void)
-{
-    struct termios now;
-
-    return tcgetattr(terminal, &now) == 0 && (now.c_lflag & ICANON) == 0;
-}
 
 /* Runs `guarded` in a process that dies of `number` afterwards (0: ends). */
 static void in_process(void (*guarded)(void), int number)
@@ -64,15 +24,9 @@ static void in_process(void (*guarded)(void), int number)
     (void)waitpid(child, NULL, 0);
 }
 
-static void keep_and_make_raw(void)
-{
-    if (guardian_keep_terminal(terminal) == 0)
-        make_raw();
-}
-
 static void keep_and_put_back(void)
 {
-    if (guardian_keep_terminal(terminal) != 0)
+    if (keep_terminal(terminal) != 0)
         return;
     guardian_forget_terminal(terminal);
     make_raw();
@@ -85,18 +39,6 @@ static void keep_and_kill_group(void)
     keep_and_make_raw();
     (void)kill(0, SIGTERM);
     (void)kill(0, SIGKILL);
-}
-
-/* True when the terminal is cooked again within 10 s: a change of its modes is no event that one
- * could wait for. */
-static bool cooked_again(void)
-{
-    for (int i = 0; i < 1000; i++) {
-        if (!is_raw())
-            return true;
-        (void)poll(NULL, 0, 10);
-    }
-    return false;
 }
 
 static void dies_of(int number)
@@ -134,7 +76,6 @@ TEST(whole_group_killed)
     close_terminal();
 }
 
-/* After a clean end nothing is put back: what the terminal is then is somebody else's. */
 /* ---- a terminal that is gone, and another that has got its name ---- */
 
 struct pty {
@@ -236,6 +177,7 @@ TEST(another_terminal_of_the_same_name)
     close_pty(p[2]);
 }
 
+/* After a clean end nothing is put back: what the terminal is then is somebody else's. */
 TEST(told_of_a_clean_end)
 {
     if (!open_terminal())
@@ -251,8 +193,8 @@ TEST(ends_when_there_is_nothing_to_keep)
     if (!open_terminal())
         return;
     for (int i = 0; i < 3; i++) {
-        CHECK_EQ(guardian_keep_terminal(terminal), 0);
-        CHECK_EQ(guardian_keep_terminal(terminal), 0);
+        CHECK_EQ(keep_terminal(terminal), 0);
+        CHECK_EQ(keep_terminal(terminal), 0);
         guardian_forget_terminal(terminal);
         CHECK(waitpid(-1, NULL, WNOHANG) < 0);
         guardian_forget_terminal(terminal);
@@ -269,7 +211,7 @@ TEST(holds_no_descriptor_of_ours)
     if (!open_terminal())
         return;
     CHECK_EQ(pipe(ends), 0);
-    CHECK_EQ(guardian_keep_terminal(terminal), 0);
+    CHECK_EQ(keep_terminal(terminal), 0);
     (void)close(ends[1]);
     struct pollfd end = {.fd = ends[0], .events = POLLIN};
     CHECK_EQ(poll(&end, 1, 10000), 1);
@@ -283,7 +225,7 @@ TEST(what_is_no_terminal_is_not_kept)
 {
     int null = open("/dev/null", O_RDWR | O_CLOEXEC);
 
-    CHECK_EQ(guardian_keep_terminal(null), -1);
+    CHECK_EQ(keep_terminal(null), -1);
     guardian_forget_terminal(null);
     guardian_forget_vt("/dev/tty1");
     (void)close(null);

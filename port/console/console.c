@@ -17,17 +17,22 @@ static struct console {
     struct vt vt;
     struct console_listener *listeners; /* in the order in which they began to listen */
     sigset_t mask;                      /* what console_open changed */
-    struct sigaction on_leave, on_enter;
+    struct sigaction on_leave, on_enter, on_resume;
 } console = {.state = CONSOLE_FREE, .vt.fd = -1};
 
-static volatile sig_atomic_t leave_asked, enter_asked;
+static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
+/* A terminal may be the input, which has a handler of its own for SIGCONT. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
         leave_asked = 1;
-    else
+    else if (number == ENTER)
         enter_asked = 1;
+    else
+        resumed = 1;
+    if (number == SIGCONT && console.on_resume.sa_handler != SIG_DFL && console.on_resume.sa_handler != SIG_IGN)
+        console.on_resume.sa_handler(number);
 }
 
 static void switching_signals(sigset_t *set)
@@ -35,6 +40,7 @@ static void switching_signals(sigset_t *set)
     (void)sigemptyset(set);
     (void)sigaddset(set, LEAVE);
     (void)sigaddset(set, ENTER);
+    (void)sigaddset(set, SIGCONT);
 }
 
 /* ---- listeners ---- */
@@ -86,7 +92,7 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* A signal that the kernel did not send finds nothing to answer, and the screen stays ours. */
+/* If somebody else sent the signal there is nothing to answer, and the screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -106,16 +112,46 @@ static void answer_enter(void)
     enter();
 }
 
-/* The kernel asks for the console only while it is ours, and waits for the answer: when both have
- * been asked, the state tells which came first. */
+/* The guardian has answered whatever the kernel asked before. If it let go of the console, somebody
+ * else had the keyboards and the screen, even if the console is in front again. */
+static void answer_resume(void)
+{
+    bool left = false;
+
+    resumed = 0;
+    if (console.state == CONSOLE_FREE || !vt_resume(&console.vt, LEAVE, ENTER, &left))
+        return;
+    leave_asked = enter_asked = 0;
+    if (console.state == CONSOLE_OURS && (left || !vt_in_front(&console.vt)))
+        leave(CONSOLE_AWAY);
+    if (console.state == CONSOLE_AWAY && vt_in_front(&console.vt))
+        enter();
+}
+
+/* The kernel asks for the console only while it is ours, and waits for the answer: when both signals
+ * are pending, the state says which came first. */
 static void answer(void)
 {
+    if (resumed)
+        answer_resume();
     while (console.vt.fd >= 0 && (leave_asked || enter_asked)) {
         if (console.state == CONSOLE_AWAY ? enter_asked : !leave_asked)
             answer_enter();
         else
             answer_leave();
     }
+}
+
+/* Turns pending signals into flags: a wait delivers none when a descriptor is ready. */
+static void collect_signals(void)
+{
+    const struct timespec now = {0};
+    sigset_t set;
+    int number;
+
+    switching_signals(&set);
+    while ((number = sigtimedwait(&set, NULL, &now)) > 0)
+        note_signal(number);
 }
 
 int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms)
@@ -128,6 +164,8 @@ int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms)
     ready = ppoll(fds, count, timeout_ms < 0 ? NULL : &time, &none);
     if (ready < 0 && errno != EINTR)
         return TIA_ERR_DEVICE;
+    if (console.state != CONSOLE_FREE)
+        collect_signals();
     answer();
     return ready < 0 ? 0 : ready;
 }
@@ -149,19 +187,8 @@ static void take_signals(void)
     (void)sigprocmask(SIG_BLOCK, &set, &console.mask);
     (void)sigaction(LEAVE, &action, &console.on_leave);
     (void)sigaction(ENTER, &action, &console.on_enter);
-    leave_asked = enter_asked = 0;
-}
-
-/* Moves signals that are pending into the flags. */
-static void collect_signals(void)
-{
-    const struct timespec now = {0};
-    sigset_t set;
-    int number;
-
-    switching_signals(&set);
-    while ((number = sigtimedwait(&set, NULL, &now)) > 0)
-        note_signal(number);
+    (void)sigaction(SIGCONT, &action, &console.on_resume);
+    leave_asked = enter_asked = resumed = 0;
 }
 
 static void give_signals(void)
@@ -169,10 +196,11 @@ static void give_signals(void)
     collect_signals();
     (void)sigaction(LEAVE, &console.on_leave, NULL);
     (void)sigaction(ENTER, &console.on_enter, NULL);
+    (void)sigaction(SIGCONT, &console.on_resume, NULL);
     (void)sigprocmask(SIG_SETMASK, &console.mask, NULL);
 }
 
-int console_open(char why[PORT_WHY])
+int console_open(bool graphics, char why[PORT_WHY])
 {
     int status;
 
@@ -182,7 +210,7 @@ int console_open(char why[PORT_WHY])
     }
     vt_find(&console.vt);
     take_signals();
-    status = vt_take(&console.vt, LEAVE, ENTER, why);
+    status = vt_take(&console.vt, graphics, LEAVE, ENTER, why);
     if (status != TIA_OK) {
         give_signals();
         vt_close(&console.vt);

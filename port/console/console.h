@@ -26,7 +26,7 @@ enum console_state {
 
 enum console_state console_state(void);
 
-/* Who wants to know when the screen comes and goes. Embedded in a port's context. */
+/* Whoever wants to know when the screen comes and goes; part of a port's context. */
 struct console_listener {
     void (*enter)(void *arg); /* it has become CONSOLE_OURS */
     void (*leave)(void *arg); /* it stops being ours when this returns: let go of everything */
@@ -34,8 +34,8 @@ struct console_listener {
     struct console_listener *next; /* console.c's */
 };
 
-/* Neither calls back: look at console_state(). Listeners enter in the order in which they began to
- * listen and leave in reverse. console_ignore is safe when not listening. */
+/* Neither calls the listener: look at console_state(). Listeners enter in the order in which they
+ * were added and leave in reverse. console_ignore is safe when it was not added. */
 void console_listen(struct console_listener *listener);
 void console_ignore(struct console_listener *listener);
 
@@ -52,9 +52,11 @@ void console_switch(unsigned vt);
 
 /* Takes the console: the controlling terminal when it is a VT, else the VT in front, else none
  * (no VT in this kernel, or no right to open it: then the screen is ours and is never switched).
- * Brings it in front, stops its text and takes part in switching. The guardian (guardian.h) puts
- * it back if this process dies. TIA_ERR_DEVICE and a line in `why` when another program has it. */
-int console_open(char why[PORT_WHY]);
+ * Brings it in front and takes part in switching; `graphics` stops its text, which on some displays
+ * would be drawn over the picture. The guardian (guardian.h) puts it back if this process dies, and
+ * lets it be switched while this process is stopped. TIA_ERR_DEVICE and a line in `why` when another
+ * program has it. */
+int console_open(bool graphics, char why[PORT_WHY]);
 
 /* Puts back what console_open changed. Safe when it is not open. */
 void console_close(void);

@@ -2,12 +2,12 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <linux/fb.h>
 #include <linux/kd.h>
-#include <linux/vt.h>
 #include <poll.h>
+#include <pthread.h>
+#include <semaphore.h>
 #include <signal.h>
-#include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -16,177 +16,57 @@
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <termios.h>
 #include <unistd.h>
 
-enum kind { NOTHING, VT, TERMINAL, SCREEN, FB };
+#include "console/guard.h"
+#include "console/kept.h"
 
-/* A thing that is kept: how to find it, and how it was. Also the message that says so. */
-struct thing {
-    enum kind kind;
-    bool forget; /* of a message: it is kept no longer */
-    char path[64];
-    struct timespec made; /* TERMINAL, SCREEN: the node's change time, which another terminal's differs in */
-    union {
-        struct {
-            int kd_mode;
-            struct vt_mode mode;
-            unsigned back_to;
-        } vt;
-        struct termios terminal;
-        char screen[64];
-        struct fb_var_screeninfo fb;
-    } was;
-};
+#define RETRY_MS 100               /* after a fork that failed */
+#define WATCHER_STACK (256 * 1024) /* of a thread that waits, and forks */
 
-/* Both processes have this table: the guardian's is the parent's at the fork and follows it. */
-#define THINGS 8
-static struct thing kept[THINGS];
-static int line = -1; /* to the guardian */
-static pid_t guardian;
+/* The lock holds this and the table: the watcher (guard.h), which starts a new guardian when the
+ * one that there was has died, uses both. */
+static struct {
+    pthread_mutex_t lock;
+    pthread_t watcher;
+    sem_t traced; /* the watcher's guardian has answered */
+    int line;     /* to the guardian; -1: there is none */
+    pid_t process;
+    bool watched; /* there is a watcher */
+    bool ending;
+} guardian = {.lock = PTHREAD_MUTEX_INITIALIZER, .line = -1};
 
-/* ---- the guardian's side: nothing here may need a lock that another thread held at the fork ---- */
+/* ---- messages ---- */
 
-/* When the process that died was its session's leader, the session has no terminal any more, and
- * its user no right to the VT until it is somebody's terminal again. A child can have it: it leads
- * no group, and so may lead a session. The child goes on as the guardian. */
-static bool claim_terminal(int fd)
+static int send_message(const struct thing *t)
 {
-    pid_t child = fork();
+    _Alignas(struct cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {0};
+    struct iovec bytes = {(void *)(uintptr_t)t, sizeof *t};
+    struct msghdr message = {.msg_iov = &bytes, .msg_iovlen = 1};
 
-    if (child > 0)
-        _exit(0);
-    return child == 0 && setsid() > 0 && ioctl(fd, TIOCSCTTY, 0L) == 0;
+    if (!t->forget && t->fd >= 0) {
+        message.msg_control = control;
+        message.msg_controllen = sizeof control;
+        struct cmsghdr *part = CMSG_FIRSTHDR(&message);
+        *part = (struct cmsghdr){.cmsg_level = SOL_SOCKET, .cmsg_type = SCM_RIGHTS, .cmsg_len = CMSG_LEN(sizeof(int))};
+        (void)memcpy(CMSG_DATA(part), &t->fd, sizeof t->fd);
+    }
+    return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *t ? 0 : -1;
 }
 
-static void restore_vt(const struct thing *t, int fd)
-{
-    struct vt_mode mode = t->was.vt.mode;
-
-    /* Text first: a console in graphics mode whose owner is dead is not redrawn by a switch. */
-    if (ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode) != 0 && errno == EPERM && claim_terminal(fd))
-        (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
-    (void)ioctl(fd, VT_SETMODE, &mode);
-    if (t->was.vt.back_to != 0)
-        (void)ioctl(fd, VT_ACTIVATE, (long)t->was.vt.back_to);
-}
-
-static void restore_fb(const struct thing *t, int fd)
-{
-    struct fb_var_screeninfo var = t->was.fb;
-
-    var.activate = FB_ACTIVATE_NOW;
-    (void)ioctl(fd, FBIOPUT_VSCREENINFO, &var);
-    (void)ioctl(fd, FBIOPAN_DISPLAY, &var);
-}
-
-/* Names of pseudo-terminals are given again: is this one still the one that was kept? */
-static bool is_same_node(const struct thing *t, int fd)
-{
-    struct stat s;
-
-    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == t->made.tv_sec && s.st_ctim.tv_nsec == t->made.tv_nsec;
-}
-
-/* A shell that has taken its terminal back already has set the modes that it wants. */
-static void restore_terminal(const struct thing *t, int fd, pid_t group)
-{
-    pid_t front = tcgetpgrp(fd);
-
-    if (front > 0 && front != group)
-        return;
-    (void)tcsetattr(fd, TCSANOW, &t->was.terminal);
-    (void)tcflush(fd, TCIFLUSH);
-}
-
-/* Whatever the shell may have written already: it did not know that the screen was not its own. */
-static void restore_screen(const struct thing *t, int fd)
-{
-    ssize_t n = write(fd, t->was.screen, strlen(t->was.screen));
-    (void)n;
-}
-
-static void restore(const struct thing *t, pid_t group)
-{
-    int fd = open(t->path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-
-    if (fd < 0)
-        return;
-    if (t->kind == VT)
-        restore_vt(t, fd);
-    else if (t->kind == FB)
-        restore_fb(t, fd);
-    else if (is_same_node(t, fd) && t->kind == SCREEN)
-        restore_screen(t, fd);
-    else if (is_same_node(t, fd))
-        restore_terminal(t, fd, group);
-    (void)close(fd);
-}
-
-static struct thing *find(enum kind kind, const char *path)
+/* The guardian has the table from the fork, but not the descriptors. */
+static void send_descriptors(void)
 {
     for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind == kind && (path == NULL || strcmp(kept[i].path, path) == 0))
-            return &kept[i];
-    return NULL;
+        if (kept[i].kind != NOTHING && kept[i].fd >= 0)
+            (void)send_message(&kept[i]);
 }
 
-/* Follows a message, in either process. */
-static int note(const struct thing *t)
-{
-    struct thing *place = find(t->kind, t->path);
+/* ---- the process ---- */
 
-    if (place == NULL)
-        place = t->forget ? NULL : find(NOTHING, NULL);
-    if (place == NULL)
-        return -1;
-    *place = *t;
-    if (t->forget)
-        place->kind = NOTHING;
-    return 0;
-}
-
-static void restore_all(pid_t group, bool terminals)
-{
-    for (int i = THINGS - 1; i >= 0; i--)
-        if (kept[i].kind != NOTHING && (kept[i].kind == TERMINAL || kept[i].kind == SCREEN) == terminals)
-            restore(&kept[i], group);
-}
-
-/* Not to be found by the command's name, and nobody's reader or writer. It stays in its session: a user who is not root
- * may set the mode of a VT only while that is the controlling terminal. */
-static void go_away(int keep)
-{
-    long limit = sysconf(_SC_OPEN_MAX);
-
-    (void)prctl(PR_SET_NAME, "console-guard");
-    if (chdir("/") != 0 || dup2(keep, 0) != 0)
-        _exit(1);
-    if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
-        for (int fd = 1; fd < (limit > 0 && limit < 65536 ? limit : 65536); fd++)
-            (void)close(fd);
-}
-
-static void guard(int listen, pid_t parent, pid_t group)
-{
-    struct thing message;
-
-    go_away(listen);
-    struct pollfd end = {.fd = (int)syscall(SYS_pidfd_open, parent, 0u), .events = POLLIN};
-    while (recv(0, &message, sizeof message, 0) == (ssize_t)sizeof message)
-        (void)note(&message);
-    restore_all(group, true);
-    /* The kernel puts a DRM device back when the last of its files is closed. The process is
-     * gone when that is done; 2 s for one that hangs in its driver, 0.2 s for kernels < 5.3. */
-    if (find(VT, NULL) != NULL || find(FB, NULL) != NULL)
-        (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
-    restore_all(group, false);
-    _exit(0);
-}
-
-/* ---- the side of the process that is guarded ---- */
-
-static int start(void)
+/* No signal to the group or the session ends it: it has all of them blocked from its first moment,
+ * and is in a group of its own, where SIGKILL does not find it, before this returns. */
+static int start_process(void)
 {
     int ends[2];
     pid_t parent = getpid(), group = getpgrp();
@@ -194,129 +74,280 @@ static int start(void)
 
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
         return -1;
-    /* No signal to the group or the session ends it: it blocks all of them from its first moment,
-     * and is in a group of its own, where SIGKILL does not find it, before this returns. */
     (void)sigfillset(&all);
-    (void)sigprocmask(SIG_BLOCK, &all, &old);
-    guardian = fork();
-    if (guardian == 0)
+    (void)pthread_sigmask(SIG_BLOCK, &all, &old);
+    guardian.process = fork();
+    if (guardian.process == 0)
         guard(ends[1], parent, group);
-    if (guardian > 0)
-        (void)setpgid(guardian, guardian);
-    (void)sigprocmask(SIG_SETMASK, &old, NULL);
+    if (guardian.process > 0)
+        (void)setpgid(guardian.process, guardian.process);
+    (void)pthread_sigmask(SIG_SETMASK, &old, NULL);
     (void)close(ends[1]);
-    if (guardian < 0) {
+    if (guardian.process < 0) {
         (void)close(ends[0]);
         return -1;
     }
-    line = ends[0];
+    guardian.line = ends[0];
+    send_descriptors();
     return 0;
 }
 
-static void end(void)
+/* It has ended, or will now that it has nothing to listen to: even one that somebody has stopped. */
+static void reap_process(void)
 {
-    for (int i = 0; i < THINGS; i++)
-        if (kept[i].kind != NOTHING)
-            return;
-    (void)close(line);
-    line = -1;
-    while (waitpid(guardian, NULL, 0) < 0 && errno == EINTR)
+    if (guardian.line < 0)
+        return;
+    (void)close(guardian.line);
+    guardian.line = -1;
+    (void)kill(guardian.process, SIGCONT);
+    while (waitpid(guardian.process, NULL, 0) < 0 && errno == EINTR)
         ;
 }
 
+/* ---- the watcher ---- */
+
+/* Asks the guardian to trace this thread. Yama, where it is there, wants to know whom we allow. */
+static void be_traced(void)
+{
+    const struct thing t = {.kind = WATCHER, .fd = -1, .was.watcher = (pid_t)syscall(SYS_gettid)};
+    char answer;
+
+    (void)prctl(PR_SET_PTRACER, (unsigned long)guardian.process, 0, 0, 0);
+    if (send_message(&t) == 0)
+        (void)!recv(guardian.line, &answer, 1, 0);
+}
+
+/* Returns when the guardian has died, or is meant to end. */
+static void await_death(int line)
+{
+    struct pollfd end = {.fd = line, .events = POLLIN};
+
+    while (poll(&end, 1, -1) <= 0)
+        ;
+}
+
+static void *watch(void *arg)
+{
+    (void)arg;
+    be_traced();
+    (void)sem_post(&guardian.traced);
+    for (;;) {
+        await_death(guardian.line);
+        (void)pthread_mutex_lock(&guardian.lock);
+        if (guardian.ending)
+            break;
+        reap_process();
+        while (start_process() != 0)
+            (void)poll(NULL, 0, RETRY_MS);
+        be_traced();
+        (void)pthread_mutex_unlock(&guardian.lock);
+    }
+    (void)pthread_mutex_unlock(&guardian.lock);
+    return NULL;
+}
+
+/* With every signal blocked: they are for the other threads, and a traced thread would stop at each. */
+static void start_watcher(void)
+{
+    pthread_attr_t small;
+    sigset_t all, old;
+
+    (void)pthread_attr_init(&small);
+    (void)pthread_attr_setstacksize(&small, WATCHER_STACK);
+    (void)sem_init(&guardian.traced, 0, 0);
+    (void)sigfillset(&all);
+    (void)pthread_sigmask(SIG_BLOCK, &all, &old);
+    guardian.ending = false;
+    guardian.watched = pthread_create(&guardian.watcher, &small, watch, NULL) == 0;
+    (void)pthread_attr_destroy(&small);
+    (void)pthread_sigmask(SIG_SETMASK, &old, NULL);
+    while (guardian.watched && sem_wait(&guardian.traced) != 0)
+        ;
+}
+
+static int start(void)
+{
+    if (start_process() != 0)
+        return -1;
+    start_watcher();
+    return 0;
+}
+
+/* The guardian first: a thread that it traces does not end before it. */
+static void end(void)
+{
+    guardian.ending = true;
+    (void)shutdown(guardian.line, SHUT_RDWR);
+    if (guardian.watched) {
+        (void)kill(guardian.process, SIGCONT);
+        (void)pthread_mutex_unlock(&guardian.lock);
+        (void)pthread_join(guardian.watcher, NULL);
+        (void)pthread_mutex_lock(&guardian.lock);
+        guardian.watched = false;
+        (void)sem_destroy(&guardian.traced);
+    }
+    reap_process();
+}
+
+/* ---- things ---- */
+
 static int keep(const struct thing *t)
 {
-    if (note(t) != 0)
-        return -1;
-    if (line < 0)
-        return start();
-    return send(line, t, sizeof *t, MSG_NOSIGNAL) == (ssize_t)sizeof *t ? 0 : -1;
+    int status = -1;
+
+    (void)pthread_mutex_lock(&guardian.lock);
+    if (kept_note(t) == 0)
+        status = guardian.line < 0 ? start() : 0;
+    /* A guardian that has just died is followed by one that has the table. */
+    if (status == 0)
+        (void)send_message(t);
+    (void)pthread_mutex_unlock(&guardian.lock);
+    return status;
 }
 
-static void forget(enum kind kind, const char *path)
+static void forget(struct thing *t)
 {
-    struct thing t = {.kind = kind, .forget = true};
+    t->forget = true;
+    t->fd = -1;
+    (void)pthread_mutex_lock(&guardian.lock);
+    if (kept_note(t) == 0 && guardian.line >= 0) {
+        (void)send_message(t);
+        if (kept_nothing())
+            end();
+    }
+    (void)pthread_mutex_unlock(&guardian.lock);
+}
+
+static struct thing named(enum kind kind, const char *path)
+{
+    struct thing t = {.kind = kind, .fd = -1};
 
     (void)snprintf(t.path, sizeof t.path, "%s", path);
-    if (note(&t) != 0 || line < 0)
-        return;
-    (void)send(line, &t, sizeof t, MSG_NOSIGNAL);
-    end();
+    return t;
 }
 
-int guardian_keep_vt(const char *path, unsigned back_to)
+/* ---- consoles, framebuffers, keyboards ---- */
+
+int guardian_keep_vt(int fd, const char *path, unsigned back_to)
 {
-    struct thing t = {.kind = VT, .was.vt.back_to = back_to};
-    int fd = open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), bad;
+    struct thing t = named(VT, path);
 
-    if (fd < 0)
+    t.fd = fd;
+    t.was.vt.back_to = back_to;
+    if (ioctl(fd, KDGETMODE, &t.was.vt.kd_mode) != 0 || ioctl(fd, VT_GETMODE, &t.was.vt.mode) != 0)
         return -1;
-    bad = ioctl(fd, KDGETMODE, &t.was.vt.kd_mode) != 0 || ioctl(fd, VT_GETMODE, &t.was.vt.mode) != 0;
-    (void)close(fd);
-    (void)snprintf(t.path, sizeof t.path, "%s", path);
-    return bad ? -1 : keep(&t);
+    return keep(&t);
 }
 
-/* Which terminal `fd` is. */
-static bool describe_terminal(int fd, struct thing *t)
+int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
+{
+    struct thing t = named(FB, path);
+
+    t.was.fb = *var;
+    return keep(&t);
+}
+
+/* One process has many keyboards, whose names may be long: their descriptors tell them apart. */
+static struct thing numbered(enum kind kind, int fd)
+{
+    struct thing t = {.kind = kind, .fd = fd};
+
+    (void)snprintf(t.path, sizeof t.path, "descriptor %d", fd);
+    return t;
+}
+
+int guardian_keep_keyboard(int fd)
+{
+    const struct thing t = numbered(KEYBOARD, fd);
+
+    return keep(&t);
+}
+
+int guardian_keep_card(int fd)
+{
+    const struct thing t = numbered(CARD, fd);
+
+    return keep(&t);
+}
+
+void guardian_forget_vt(const char *path)
+{
+    struct thing t = named(VT, path);
+
+    forget(&t);
+}
+
+void guardian_forget_fb(const char *path)
+{
+    struct thing t = named(FB, path);
+
+    forget(&t);
+}
+
+void guardian_forget_keyboard(int fd)
+{
+    struct thing t = numbered(KEYBOARD, fd);
+
+    forget(&t);
+}
+
+void guardian_forget_card(int fd)
+{
+    struct thing t = numbered(CARD, fd);
+
+    forget(&t);
+}
+
+/* ---- terminals ---- */
+
+static bool describe_terminal(enum kind kind, int fd, struct thing *t)
 {
     struct stat s;
 
+    *t = (struct thing){.kind = kind, .fd = -1};
     if (ttyname_r(fd, t->path, sizeof t->path) != 0 || fstat(fd, &s) != 0)
         return false;
     t->made = s.st_ctim;
     return true;
 }
 
-int guardian_keep_terminal(int fd)
+static bool describe_text(int fd, const char *text, struct thing *t)
 {
-    struct thing t = {.kind = TERMINAL};
+    if (!describe_terminal(TEXT, fd, t) || strlen(text) >= sizeof t->was.text)
+        return false;
+    (void)snprintf(t->was.text, sizeof t->was.text, "%s", text);
+    return true;
+}
 
-    if (!describe_terminal(fd, &t) || tcgetattr(fd, &t.was.terminal) != 0)
+int guardian_keep_terminal(int fd, const struct termios *raw)
+{
+    struct thing t;
+
+    if (!describe_terminal(TERMINAL, fd, &t) || tcgetattr(fd, &t.was.terminal.before) != 0)
         return -1;
+    t.was.terminal.raw = *raw;
     return keep(&t);
 }
 
-int guardian_keep_screen(int fd, const char *text)
+int guardian_keep_text(int fd, const char *text)
 {
-    struct thing t = {.kind = SCREEN};
+    struct thing t;
 
-    if (!describe_terminal(fd, &t) || strlen(text) >= sizeof t.was.screen)
-        return -1;
-    (void)snprintf(t.was.screen, sizeof t.was.screen, "%s", text);
-    return keep(&t);
-}
-
-int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
-{
-    struct thing t = {.kind = FB, .was.fb = *var};
-
-    (void)snprintf(t.path, sizeof t.path, "%s", path);
-    return keep(&t);
-}
-
-void guardian_forget_vt(const char *path)
-{
-    forget(VT, path);
-}
-void guardian_forget_fb(const char *path)
-{
-    forget(FB, path);
-}
-
-static void forget_by_descriptor(enum kind kind, int fd)
-{
-    char path[sizeof kept->path];
-
-    if (ttyname_r(fd, path, sizeof path) == 0)
-        forget(kind, path);
+    return describe_text(fd, text, &t) ? keep(&t) : -1;
 }
 
 void guardian_forget_terminal(int fd)
 {
-    forget_by_descriptor(TERMINAL, fd);
+    struct thing t;
+
+    if (describe_terminal(TERMINAL, fd, &t))
+        forget(&t);
 }
-void guardian_forget_screen(int fd)
+
+void guardian_forget_text(int fd, const char *text)
 {
-    forget_by_descriptor(SCREEN, fd);
+    struct thing t;
+
+    if (describe_text(fd, text, &t))
+        forget(&t);
 }

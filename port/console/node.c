@@ -18,7 +18,7 @@ const char *node_error(int error, char text[PORT_WHY])
     return text;
 }
 
-/* What would give the right to open the node: its group, where the group may. */
+/* How to get the right to open the node: by its group, if the group may read it. */
 static void fix(const char *path, char text[64])
 {
     char buffer[1024];

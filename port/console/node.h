@@ -7,15 +7,15 @@
 /* A descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group 'video')". */
 int node_open(const char *path, int flags, char why[PORT_WHY]);
 
-/* Visits PREFIX0, PREFIX1, ... below PREFIX<limit>, those that there are, until a visit is true.
+/* Visits those of PREFIX0, PREFIX1, ... below PREFIX<limit> that exist, until a visit returns true.
  * Returns how many were visited. */
 int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg);
 
-/* strerror with a small first letter, as errors here are written: "no such device". */
+/* strerror with a small first letter, as our error messages have it: "no such device". */
 const char *node_error(int error, char text[PORT_WHY]);
 
-/* Another process that has the node open: "Xorg (pid 812)", or "another program" when none is
- * seen (it is another user's). */
+/* Another process that has the node open: "Xorg (pid 812)", or "another program" when it belongs to
+ * another user and cannot be seen. */
 #define NODE_HOLDER 48
 const char *node_holder(const char *path, char text[NODE_HOLDER]);
 

@@ -6,11 +6,13 @@
 #include <linux/major.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/sysmacros.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "guard.h"
 #include "guardian.h"
 #include "node.h"
 
@@ -68,7 +70,7 @@ void vt_find(struct vt *vt)
         none(vt, "/dev/tty0");
         return;
     }
-    /* tty0 is whatever is in front at the time: from here on it must be this one. */
+    /* tty0 means whichever console is in front; from here on it must be this one. */
     number = in_front(fd);
     (void)close(fd);
     found(vt, -1, number, "the console in front");
@@ -100,44 +102,99 @@ static int bring_in_front(struct vt *vt, int enter)
     return 0;
 }
 
+static int own(const struct vt *vt, int leave, int enter)
+{
+    struct vt_mode mode = {.mode = VT_PROCESS, .waitv = GUARD_TAKEN, .relsig = (short)leave, .acqsig = (short)enter};
+
+    return ioctl(vt->fd, VT_SETMODE, &mode);
+}
+
 static int take_modes(struct vt *vt, int leave, int enter)
 {
-    struct vt_mode mode = {.mode = VT_PROCESS, .relsig = (short)leave, .acqsig = (short)enter};
-
     if (!vt_in_front(vt))
         vt->back_to = in_front(vt->fd);
-    (void)guardian_keep_vt(vt->path, vt->back_to);
-    if (ioctl(vt->fd, VT_SETMODE, &mode) != 0) {
+    (void)guardian_keep_vt(vt->fd, vt->path, vt->back_to);
+    if (own(vt, leave, enter) != 0) {
         guardian_forget_vt(vt->path);
         return -1;
     }
     return 0;
 }
 
-int vt_take(struct vt *vt, int leave, int enter, char why[PORT_WHY])
+static bool is_marked(char mark)
+{
+    return mark == GUARD_TAKEN || mark == GUARD_ANSWERS || mark == GUARD_LEFT;
+}
+
+static int read_modes(struct vt *vt)
+{
+    return ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0 ? -1 : 0;
+}
+
+/* While we or our guardian have the console its node is locked. The mark without the lock is that
+ * of a process that was killed at the same moment as its guardian: what it left is put back here. */
+static int lock(struct vt *vt)
+{
+    struct vt_mode plain = {.mode = VT_AUTO};
+
+    if (flock(vt->fd, LOCK_EX | LOCK_NB) != 0)
+        return errno == EWOULDBLOCK ? -1 : 0;
+    if (vt->mode.mode == VT_AUTO || !is_marked(vt->mode.waitv))
+        return 0;
+    (void)ioctl(vt->fd, KDSETMODE, (long)KD_TEXT);
+    (void)ioctl(vt->fd, VT_SETMODE, &plain);
+    return read_modes(vt);
+}
+
+/* A display whose pictures text cannot reach, as the kernel's text is drawn elsewhere, leaves the
+ * text mode on: then the console needs nobody to put it back. Through the graphics mode and back,
+ * since that lets the kernel draw text again where a process died with its guardian. */
+static int set_graphics(const struct vt *vt, bool graphics)
+{
+    if (ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) != 0)
+        return -1;
+    return graphics ? 0 : ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
+}
+
+static int in_use(const struct vt *vt, char why[PORT_WHY])
+{
+    (void)snprintf(why, PORT_WHY,
+                   "%s: another program draws there (end it, or start this on another console; if it is gone, "
+                   "switch consoles once)",
+                   vt->path);
+    return TIA_ERR_DEVICE;
+}
+
+int vt_take(struct vt *vt, bool graphics, int leave, int enter, char why[PORT_WHY])
 {
     if (vt->fd < 0)
         return TIA_OK;
-    if (ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0) {
+    if (read_modes(vt) != 0) {
         none(vt, vt->path);
         return TIA_OK;
     }
-    if (vt->mode.mode != VT_AUTO) {
-        (void)snprintf(why, PORT_WHY,
-                       "%s: another program draws there (end it, or start this on another console; if it is gone, "
-                       "switch consoles once)",
-                       vt->path);
-        return TIA_ERR_DEVICE;
-    }
+    if (lock(vt) != 0 || vt->mode.mode != VT_AUTO)
+        return in_use(vt, why);
     if (take_modes(vt, leave, enter) != 0) {
         none(vt, vt->path);
         return TIA_OK;
     }
-    if (bring_in_front(vt, enter) == 0 && ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) == 0)
+    if (bring_in_front(vt, enter) == 0 && set_graphics(vt, graphics) == 0)
         return TIA_OK;
     (void)snprintf(why, PORT_WHY, "%s: cannot come in front of tty%u (switch to it first)", vt->path, vt->back_to);
     vt_give(vt);
     return TIA_ERR_DEVICE;
+}
+
+bool vt_resume(const struct vt *vt, int leave, int enter, bool *left)
+{
+    struct vt_mode now;
+
+    if (vt->fd < 0 || ioctl(vt->fd, VT_GETMODE, &now) != 0 || now.waitv == GUARD_TAKEN)
+        return false;
+    *left = now.waitv == GUARD_LEFT;
+    (void)own(vt, leave, enter);
+    return true;
 }
 
 void vt_give(struct vt *vt)
@@ -146,6 +203,8 @@ void vt_give(struct vt *vt)
 
     if (vt->fd < 0)
         return;
+    /* The kernel draws the text when the mode changes. */
+    (void)ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
     (void)ioctl(vt->fd, VT_SETMODE, &mode);
     if (vt->back_to != 0 && vt_in_front(vt))

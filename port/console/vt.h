@@ -20,10 +20,13 @@ struct vt {
 void vt_find(struct vt *vt);
 void vt_close(struct vt *vt);
 
-/* Brings it in front in graphics mode, switched from now on by `leave` (may we?) and `enter`
- * (it is yours), which must be blocked. TIA_ERR_DEVICE and `why` when another program has it;
- * where there is no right to change its mode, fd becomes -1. */
-int vt_take(struct vt *vt, int leave, int enter, char why[PORT_WHY]);
+/* Brings it in front, in graphics mode where the display needs it, switched from now on by the
+ * signals `leave` (may we?) and `enter` (it is yours), which must be blocked. TIA_ERR_DEVICE and
+ * `why` when another program has it; where there is no right to change its mode, fd becomes -1. */
+int vt_take(struct vt *vt, bool graphics, int leave, int enter, char why[PORT_WHY]);
+/* After a stop: true when the guardian answered the kernel meanwhile, and no longer does; then `left`
+ * says whether it let go of the console. */
+bool vt_resume(const struct vt *vt, int leave, int enter, bool *left);
 /* Puts back the mode, and the console in front. */
 void vt_give(struct vt *vt);
 

@@ -6,6 +6,7 @@
 #include <xf86drm.h>
 
 #include "console/console.h"
+#include "console/guardian.h"
 #include "console/node.h"
 #include "pixels/canvas.h"
 #include "scanout.h"
@@ -52,6 +53,8 @@ static void drm_close(void *ctx)
         return;
     console_ignore(&d->listener);
     scanout_end(&d->scanout);
+    (void)drmDropMaster(d->card.fd);
+    guardian_forget_card(d->card.fd);
     card_close(&d->card);
     console_close();
     canvas_free(&d->canvas);
@@ -133,7 +136,7 @@ static int drm_open(void *ctx, struct tia_mode *mode)
     int status = find_card(d);
 
     if (status == TIA_OK)
-        status = console_open(d->wish.why);
+        status = console_open(false, d->wish.why);
     if (status != TIA_OK) {
         card_close(&d->card);
         return status;
@@ -146,6 +149,7 @@ static int drm_open(void *ctx, struct tia_mode *mode)
         return status;
     }
     d->lost = false;
+    (void)guardian_keep_card(d->card.fd);
     console_listen(&d->listener);
     describe(d, mode);
     return TIA_OK;

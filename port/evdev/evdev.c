@@ -16,8 +16,8 @@
 #define DIRECTORY "/dev/input"
 #define KEYBOARDS 32
 
-/* How long the end waits for a held key, the one that quits: a keyboard that repeats by itself
- * (PS/2) would type it into the shell. Longer than a key is held by mistake. */
+/* How long the end waits for the release of a held key, usually the one that quits: a keyboard that
+ * repeats by itself (PS/2) would type it into the shell. Nobody holds a key so long by mistake. */
 #define RELEASE_MS 1000
 
 struct evdev {
@@ -41,7 +41,7 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* A node may be there before the right to open it: its change of mode is watched too. */
+/* udev creates a node before it gives us the right to open it, so changes of mode are watched too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -123,6 +123,12 @@ static nfds_t list_descriptors(const struct evdev *evdev, struct pollfd fds[KEYB
     return count;
 }
 
+static void discard(struct evdev *evdev)
+{
+    for (unsigned i = 0; i < evdev->count; i++)
+        keyboard_discard(&evdev->keyboards[i]);
+}
+
 static void await_release(struct evdev *evdev)
 {
     struct pollfd fds[KEYBOARDS + 1];
@@ -131,8 +137,7 @@ static void await_release(struct evdev *evdev)
     for (; now < end && any_pressed(evdev); now = clock_now_us()) {
         (void)poll(fds, list_descriptors(evdev, fds), (int)((end - now + 999) / 1000));
         watch_nodes(evdev);
-        for (unsigned i = 0; i < evdev->count; i++)
-            keyboard_discard(&evdev->keyboards[i]);
+        discard(evdev);
     }
 }
 
@@ -183,7 +188,7 @@ static int evdev_open(void *ctx)
     return TIA_ERR_DEVICE;
 }
 
-/* A key that is down on two keyboards comes up with the second one. */
+/* A key held on two keyboards is released when it is up on both. */
 static bool is_told(const struct evdev *evdev, unsigned code)
 {
     for (unsigned i = 0; i < evdev->count; i++)
@@ -211,7 +216,7 @@ static struct key_modifiers modifiers(const struct evdev *evdev)
     return found;
 }
 
-/* What is missing after an unplug, a switch or an overflow. */
+/* Events that are still to be reported after an unplug, a switch or an overflow. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -239,7 +244,7 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Ctrl-Alt-Fn is for the console, whether the kernel heard it too or not. */
+/* Ctrl-Alt-Fn switches the console: the kernel does not hear a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -262,11 +267,15 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
+    /* Keys that were typed elsewhere while this process was stopped are not ours. */
+    if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
+        return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
-        if (console_state() == CONSOLE_AWAY)
-            for (unsigned i = 0; i < evdev->count; i++)
-                keyboard_discard(&evdev->keyboards[i]);
+        if (console_state() == CONSOLE_AWAY) {
+            discard(evdev); /* and read nothing more: a key that comes now is not ours either */
+            return 0;
+        }
         keyboard = oldest_event(evdev);
         if (!keyboard)
             return 0;

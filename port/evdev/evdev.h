@@ -1,8 +1,8 @@
 /* evdev.h - all keyboards of a Linux machine, by the kernel's event devices.
  *
- * Keyboards come and go while it is open. While the console is ours (common/console.h) nobody
- * else hears them, and Ctrl-Alt-Fn asks for another console. wish.device names one keyboard, and
- * then no other is used.
+ * Keyboards may be plugged in and out while it is open. While the console is ours
+ * (console/console.h) they are grabbed, and Ctrl-Alt-Fn asks for another console. wish.device names
+ * one keyboard, and then no other is used.
  */
 #ifndef PORT_EVDEV_H
 #define PORT_EVDEV_H

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "console/guardian.h"
 #include "console/node.h"
 
 static bool get_pressed(const struct keyboard *keyboard, struct key_set *down)
@@ -26,7 +27,7 @@ static int failed(const char *path, int error, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Is it a keyboard that nobody else has? Its times shall be CLOCK_MONOTONIC's. */
+/* Is it a keyboard that nobody else has grabbed? Its times are to be CLOCK_MONOTONIC's. */
 static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
 {
     int fd = keyboard->fd, clock = CLOCK_MONOTONIC;
@@ -79,7 +80,7 @@ void keyboard_close(struct keyboard *keyboard)
     keyboard->fd = -1;
 }
 
-/* Whether a key of a set is to change hands: any of it, only a modifier, or only another one. */
+/* Which keys of a set: all, the modifiers, or the others. */
 enum which { ALL, MODIFIERS, OTHERS };
 
 static bool is_meant(enum which which, unsigned code)
@@ -87,9 +88,9 @@ static bool is_meant(enum which which, unsigned code)
     return which == ALL || key_is_modifier(code) == (which == MODIFIERS);
 }
 
-/* Writes the events of a set's keys, from the first value to the last one, in a single call: the
- * less time it takes, the less can a key really move in between. A device that refuses has gone:
- * the next read tells. */
+/* Writes events of a set's keys, one for each value from `first` to `last` (0 release, 1 press), in a
+ * single call, so that a key is unlikely to move meanwhile. A device that refuses has gone, which
+ * the next read finds out. */
 static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
                        int last)
 {
@@ -113,7 +114,7 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* EVIOCGKEY also removes the key events that wait to be read: those that we wrote among them. */
+/* EVIOCGKEY also empties the queue of key events, including those that we wrote. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -124,7 +125,7 @@ static void begin(struct keyboard *keyboard)
     key_state_begin(&keyboard->state, &down);
 }
 
-/* False when a key went down between the two steps: the console has seen it, and we have not. */
+/* False when a key went down between the two steps: the console saw the press and would miss the release. */
 static bool try_grab(struct keyboard *keyboard)
 {
     struct key_set before, after;
@@ -135,11 +136,12 @@ static bool try_grab(struct keyboard *keyboard)
     keyboard->grabbed = ioctl(keyboard->fd, EVIOCGRAB, 1) == 0;
     if (!keyboard->grabbed)
         return true;
+    (void)guardian_keep_keyboard(keyboard->fd);
     write_keys(keyboard, &before, ALL, 1, 1);
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
 
-/* Three tries are plenty against fingers. */
+/* Nobody types fast enough to spoil three tries. */
 void keyboard_grab(struct keyboard *keyboard)
 {
     if (keyboard->grabbed || keyboard->unplugged)
@@ -149,8 +151,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* The console learns which modifiers are down, so that Ctrl-Alt-F2 and F1 works without letting
- * go of Ctrl-Alt. Other keys that are down (F2) it must not take for typed. */
+/* The console learns which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt
+ * held. Of other keys that are down, such as F2, it learns nothing, or it would take them for typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -164,6 +166,7 @@ void keyboard_release(struct keyboard *keyboard)
         write_keys(keyboard, &down, MODIFIERS, 0, 1);
     }
     keyboard->grabbed = false;
+    guardian_forget_keyboard(keyboard->fd);
     begin(keyboard);
 }
 
@@ -183,6 +186,7 @@ static void unplug(struct keyboard *keyboard)
 {
     keyboard->unplugged = true;
     keyboard->grabbed = false;
+    guardian_forget_keyboard(keyboard->fd);
     key_state_begin(&keyboard->state, &(struct key_set){{0}});
 }
 
@@ -208,9 +212,8 @@ uint64_t keyboard_next_us(const struct keyboard *keyboard)
     return (uint64_t)e->input_event_sec * 1000000u + (uint64_t)e->input_event_usec;
 }
 
-/* SYN_DROPPED (Documentation/input/event-codes.rst): what comes before SYN_REPORT is to be thrown
- * away, and the state asked for. What was read after that still counts: a key that is down already
- * by the state, or up, does not move again. */
+/* SYN_DROPPED (Documentation/input/event-codes.rst): ignore events up to SYN_REPORT, then ask for the
+ * state. Later events still count: one that repeats the state changes nothing. */
 static void synchronise(struct keyboard *keyboard, const struct input_event *e)
 {
     struct key_set down;

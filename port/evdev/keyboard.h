@@ -1,10 +1,9 @@
 /* keyboard.h - one keyboard: an event device of the kernel.
  *
- * Taking a keyboard (EVIOCGRAB) hides it from the console below. The kernel does not tell the
- * console about keys that are down at that moment: it would wait for their releases for ever,
- * with Alt stuck or Enter repeating. So a keyboard changes hands with all its keys up: releases
- * are written to the device (write to an event device and the kernel takes it for its keyboard's)
- * while the old hands still see them, and what is really down is pressed again in the new ones.
+ * Grabbing a keyboard (EVIOCGRAB) hides it from the console below. The console never sees the
+ * releases of keys that are down at that moment: Alt would stay down for it, or Enter repeat. So
+ * all keys are released first, while the console still hears them, and those that are really down
+ * are pressed again afterwards. Events written to the device count as its own, so that is how.
  */
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
@@ -18,27 +17,27 @@ struct keyboard {
     int fd; /* -1: none */
     char path[256];
     bool grabbed, unplugged;
-    bool dropped; /* the kernel lost events: the rest up to SYN_REPORT is in pieces */
+    bool dropped; /* the kernel lost events: ignore the rest up to SYN_REPORT */
     struct key_state state;
     struct input_event events[KEYBOARD_EVENTS];
     size_t next, count; /* read and not yet taken: [next, count) */
 };
 
 /* TIA_ERR_UNSUPPORTED when the node is no keyboard, TIA_ERR_DEVICE when it cannot be used (another
- * program may have grabbed it); then `why` tells. Keys that are down now are told neither now nor
- * when they come up. */
+ * program may have grabbed it); then `why` says so. Keys that are down now give no events, not even
+ * a release. */
 int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY]);
 void keyboard_close(struct keyboard *keyboard);
 
-/* Hides the keyboard from everybody else, and gives it back. Either way the keys that are down are
- * over for their old hands, and nothing for the new ones (key_state_begin). */
+/* Grabs the keyboard, and gives it back. Either way whoever had it before sees all keys released,
+ * and who has it next no key pressed (key_state_begin). */
 void keyboard_grab(struct keyboard *keyboard);
 void keyboard_release(struct keyboard *keyboard);
 
-/* Is a key down that types, or a modifier? */
+/* Is a key down, one that types or a modifier? */
 bool keyboard_is_pressed(const struct keyboard *keyboard);
 
-/* Reads what is there. An unplugged keyboard has all keys up. */
+/* Reads the events that are there. An unplugged keyboard has no key down. */
 void keyboard_read(struct keyboard *keyboard);
 
 /* When the next event happened, in microseconds; UINT64_MAX: there is none. */

@@ -1,7 +1,7 @@
 /* keys.h - from the kernel's key events to tia's. Pure: no device, no clock.
  *
- * A keyboard tells presses, repeats and releases of codes, which are positions on the keyboard.
- * Modifiers and locks are no keys; they only turn KEY_C into Ctrl-C and F1 into a console.
+ * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard.
+ * Modifiers and locks are not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console.
  */
 #ifndef PORT_EVDEV_KEYS_H
 #define PORT_EVDEV_KEYS_H
@@ -37,11 +37,11 @@ bool key_set_types(const struct key_set *set);
 
 /* What one keyboard's keys do. All zero at first. */
 struct key_state {
-    struct key_set held;    /* down, as far as the keyboard told */
-    struct key_set told;    /* of them, those whose press was told */
-    bool interrupt;         /* KEY_C was told as Ctrl-C */
-    struct key_set ending;  /* of `told`, those that are to be told as released */
-    struct key_set missing; /* down, and to be told as pressed */
+    struct key_set held;    /* down, as far as the keyboard has said */
+    struct key_set told;    /* of them, those whose press was reported */
+    bool interrupt;         /* KEY_C was reported as Ctrl-C */
+    struct key_set ending;  /* of `told`, those whose release is still to be reported */
+    struct key_set missing; /* down, and a press is still to be reported */
 };
 
 struct key_change {
@@ -61,15 +61,15 @@ void key_state_modifiers(const struct key_state *state, struct key_modifiers *mo
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* From now on these keys are down, and their presses were not meant for us: nor are their
- * releases. What was told as pressed is over. */
+/* From now on these keys are down, and neither their presses nor their releases are meant for us.
+ * Every key reported as pressed is to be reported as released. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
 /* Events were lost, and these keys are down now. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
-/* After those two, and before taking more events: call it until it is false. It tells what is
- * missing, the releases first. */
+/* After those two, and before taking more events: call it until it is false. It reports what is
+ * missing, releases first. */
 bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
 
 #endif

@@ -102,7 +102,7 @@ static int fbdev_open(void *ctx, struct tia_mode *mode)
 
     if (status != TIA_OK)
         return status;
-    status = console_open(f->why);
+    status = console_open(true, f->why);
     if (status != TIA_OK) {
         fb_close(&f->screen, false);
         return status;

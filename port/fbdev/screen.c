@@ -40,7 +40,7 @@ static int read_format(struct fb_screen *s, char why[PORT_WHY])
     return status;
 }
 
-/* Nothing keeps two programs from drawing on one device; two of ours keep each other off. */
+/* The kernel lets any number of programs draw on one device. The lock keeps a second tia off. */
 static int lock(struct fb_screen *s, char why[PORT_WHY])
 {
     char holder[NODE_HOLDER];
@@ -82,7 +82,7 @@ static bool same_picture(const struct fb_var_screeninfo *a, const struct fb_var_
            memcmp(&a->red, &b->red, sizeof a->red) == 0 && memcmp(&a->blue, &b->blue, sizeof a->blue) == 0;
 }
 
-/* Two pages, when the driver agrees. It may round what it is asked, so look at what came out. */
+/* Two pages, if the driver can. It may round what it is asked for, so the result is checked. */
 static void ask_for_pages(struct fb_screen *s)
 {
     struct fb_var_screeninfo two = s->var;
@@ -213,7 +213,7 @@ void fb_wait(struct fb_screen *screen)
         screen->vsync = false;
 }
 
-/* Behind another console the position is that console's, and the picture too. */
+/* While another console is in front, the position and the picture are that console's. */
 static void put_back(struct fb_screen *s, bool visible)
 {
     struct fb_var_screeninfo old = s->old, now;

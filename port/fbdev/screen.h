@@ -41,7 +41,8 @@ void fb_show_again(struct fb_screen *screen);
 uint8_t *fb_page(const struct fb_screen *screen, unsigned page);
 /* Waits until the last shown page is really on the screen, where the driver can tell. */
 void fb_wait(struct fb_screen *screen);
-/* Puts back what fb_take changed, `visible`: the old picture as well. Then closes. Safe always. */
+/* Puts back what fb_take changed, and the old picture if this console is `visible`; then closes. Safe
+ * at any time. */
 void fb_close(struct fb_screen *screen, bool visible);
 
 #endif

@@ -1,7 +1,7 @@
 /* decode.h - from the bytes that a terminal sends to keys. Pure: no clock, no device.
  *
- * Keys are meant by position, as evdev tells them: 'A', Ctrl-A and Alt-A are TIA key 'a'. What a
- * terminal sends by itself (reports, focus changes, a bracketed paste) is no key.
+ * Keys stand for positions, as with evdev: 'A', Ctrl-A and Alt-A are the key 'a'. What a terminal
+ * sends by itself (reports, focus changes, a bracketed paste) is not a key.
  */
 #ifndef PORT_TERMINAL_DECODE_H
 #define PORT_TERMINAL_DECODE_H
@@ -21,10 +21,10 @@ struct decoder {
 /* Takes one byte: the key that it completes (tia/port.h), or 0. */
 uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
 
-/* Has a sequence begun that only more bytes, or silence, can tell from a lone Escape? */
+/* Has a sequence begun that may still turn out to be a lone Escape? */
 bool decode_pending(const struct decoder *decoder);
 
-/* No more bytes came: the key that was meant, or 0. */
+/* No more bytes came for a while: the key that this means, or 0. */
 uint16_t decode_silence(struct decoder *decoder);
 
 #endif

@@ -1,11 +1,13 @@
 /* display.c - a terminal's window as a display.
  *
  * Frames are drawn into memory; present encodes what changed and sends it in one write. What the
- * terminal does not take at once is sent when it is ready, and a signal may end that waiting: the
- * rest goes out before the next frame, since the grid counts it as shown.
+ * terminal does not take at once is sent when it is ready. A signal may end that wait; then the rest
+ * is sent before the next frame, because the grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
+#include <langinfo.h>
+#include <locale.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,13 +27,13 @@
 
 #define DEFAULT_COLUMNS 80 /* of a terminal that does not know its size, like a serial line */
 #define DEFAULT_ROWS 24
-#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing, */
-#define LAST_WRITES 5     /* and how often, as a signal ends a wait too */
+#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing */
+#define LAST_WRITES 5     /* and how often, as signals end waits too */
 
-/* The alternate screen, no cursor, no automatic wrap; and back, from within any frame. A terminal
- * without an alternate screen is cleared. The bracketed paste is tty.c's, and goes with a crash too. */
+/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a frame. A
+ * terminal without an alternate screen is cleared. */
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
-static const char leave_text[] = "\033[?2026l\033[?2004l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
+static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
@@ -101,6 +103,16 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
     }
 }
 
+/* Pixels in a window of so many columns and rows. */
+static unsigned pixels_across(const struct terminal *t, unsigned columns)
+{
+    return t->grid.spaces && columns > 1 ? columns / 2 : columns;
+}
+static unsigned pixels_down(const struct terminal *t, unsigned rows)
+{
+    return t->grid.spaces ? rows : 2 * rows;
+}
+
 /* Takes the window's size now. */
 static int fit_window(struct terminal *t)
 {
@@ -109,8 +121,8 @@ static int fit_window(struct terminal *t)
     read_window(t, &columns, &rows);
     if (columns == t->columns && rows == t->rows)
         return TIA_OK;
-    uint16_t width = (uint16_t)smallest(columns, t->max_width);
-    uint16_t height = (uint16_t)smallest(2 * rows, t->max_height);
+    uint16_t width = (uint16_t)smallest(pixels_across(t, columns), t->max_width);
+    uint16_t height = (uint16_t)smallest(pixels_down(t, rows), t->max_height);
     if (canvas_resize(&t->canvas, width, height) != TIA_OK ||
         grid_resize(&t->grid, width, height, columns, rows) != TIA_OK) {
         t->columns = t->rows = 0;
@@ -133,6 +145,24 @@ static int open_window(struct terminal *t)
     return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
+/* The locale's own answer, or the name of one that is not installed here: it may come from the machine at
+ * which the terminal stands. */
+static bool locale_is_utf8(void)
+{
+    static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
+    locale_t locale = newlocale(LC_CTYPE_MASK, "", (locale_t)0);
+    const char *name = NULL;
+
+    if (locale != (locale_t)0) {
+        bool found = strcmp(nl_langinfo_l(CODESET, locale), "UTF-8") == 0;
+        freelocale(locale);
+        return found;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && (name == NULL || *name == '\0'); i++)
+        name = getenv(names[i]);
+    return name != NULL && (strcasestr(name, ".utf-8") != NULL || strcasestr(name, ".utf8") != NULL);
+}
+
 static int look_at_environment(struct terminal *t)
 {
     const char *term = getenv("TERM");
@@ -140,12 +170,13 @@ static int look_at_environment(struct terminal *t)
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return failed(t, "cannot place a cursor (set TERM if it can)");
     t->grid.direct = colour_is_direct(term, getenv("COLORTERM"));
+    t->grid.spaces = !locale_is_utf8();
     return TIA_OK;
 }
 
 static void enter(struct terminal *t)
 {
-    (void)guardian_keep_screen(t->fd, leave_text);
+    (void)guardian_keep_text(t->fd, leave_text);
     terminal_signals_begin();
     t->resumes = terminal_resumes();
     text_add(&t->text, enter_text);
@@ -158,7 +189,9 @@ static void leave(struct terminal *t)
     for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
         (void)send_text(t, LAST_WRITE_MS);
     terminal_signals_end();
-    guardian_forget_screen(t->fd);
+    /* Else the guardian sends it when the terminal takes it. */
+    if (t->sent == t->text.count)
+        guardian_forget_text(t->fd, leave_text);
     t->entered = false;
 }
 
@@ -195,7 +228,7 @@ static int draw(struct terminal *t)
     return show(t);
 }
 
-/* After a stop the window shows what the shell wrote: the last frame again. */
+/* After a stop the window shows what the shell wrote, so the last frame is drawn again. */
 static int draw_again(struct terminal *t)
 {
     t->resumes = terminal_resumes();
@@ -304,7 +337,7 @@ void port_terminal_list(port_line *line, void *arg)
         line(arg, why);
     } else {
         read_window(&t, &columns, &rows);
-        (void)snprintf(text, sizeof text, "%ux%u, %s", columns, 2 * rows,
+        (void)snprintf(text, sizeof text, "%ux%u, %s", pixels_across(&t, columns), pixels_down(&t, rows),
                        t.grid.direct ? "24-bit colours" : "256 colours (set COLORTERM=truecolor if it has more)");
         line(arg, text);
     }

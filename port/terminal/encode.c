@@ -44,9 +44,15 @@ void text_free(struct text *text)
     *text = (struct text){0};
 }
 
+/* Columns of the window that a cell takes. */
+static unsigned span(const struct grid *grid)
+{
+    return grid->spaces ? 2 : 1;
+}
+
 int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows)
 {
-    unsigned rows = (height + 1) / 2;
+    unsigned rows = grid->spaces ? height : (height + 1) / 2, columns = width * span(grid);
 
     grid_free(grid);
     grid->cells = malloc((size_t)width * rows * sizeof *grid->cells);
@@ -54,7 +60,7 @@ int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned win
         return TIA_ERR_MEMORY;
     grid->columns = width;
     grid->rows = rows;
-    grid->left = (window_columns - width) / 2;
+    grid->left = window_columns > columns ? (window_columns - columns) / 2 : 0;
     grid->top = (window_rows - rows) / 2;
     grid_forget(grid);
     return TIA_OK;
@@ -101,20 +107,21 @@ static void put_number(struct text *text, unsigned n)
 static void move(struct pen *pen, const struct grid *grid, unsigned column, unsigned row)
 {
     struct text *text = pen->text;
+    unsigned left = grid->left + column * span(grid), gap = (column - pen->column) * span(grid);
 
     if (row == pen->row && column == pen->column)
         return;
     put(text, "\033[", 2);
     if (row == pen->row && pen->column < column) {
-        if (column - pen->column > 1)
-            put_number(text, column - pen->column);
+        if (gap > 1)
+            put_number(text, gap);
         put(text, "C", 1);
         return;
     }
     put_number(text, grid->top + row + 1);
-    if (grid->left + column > 0) {
+    if (left > 0) {
         put(text, ";", 1);
-        put_number(text, grid->left + column + 1);
+        put_number(text, left + 1);
     }
     put(text, "H", 1);
 }
@@ -161,7 +168,7 @@ static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, 
     move(pen, grid, column, row);
     set_colours(pen, upper == lower ? pen->fore : upper, lower);
     if (upper == lower)
-        put(pen->text, " ", 1);
+        put(pen->text, "  ", span(grid));
     else
         put(pen->text, "\xe2\x96\x80", 3);
     pen->row = row;
@@ -176,8 +183,11 @@ static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)
 static uint32_t cell_of(const struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned column,
                         unsigned row)
 {
-    const tia_rgb565 *upper = pixels + (size_t)2 * row * grid->columns + column;
+    const tia_rgb565 *upper = pixels + (size_t)(grid->spaces ? 1 : 2) * row * grid->columns + column;
     uint32_t black = grid->direct ? 0 : BLACK_256;
+
+    if (grid->spaces)
+        return code_of(grid, *upper) << 16 | code_of(grid, *upper);
     uint32_t lower = 2 * row + 1 < height ? code_of(grid, upper[grid->columns]) : black;
 
     return code_of(grid, *upper) << 16 | lower;

@@ -1,7 +1,8 @@
 /* encode.h - from pixels to what makes a terminal show them. Pure: text in memory, no device.
  *
  * A character cell shows two pixels: the upper half block U+2580 in the upper pixel's colour on a
- * background of the lower pixel's. Only cells that changed are written.
+ * background of the lower pixel's. Where there are no such characters a pixel is two spaces, which
+ * are as square. Only cells that changed are written.
  */
 #ifndef PORT_TERMINAL_ENCODE_H
 #define PORT_TERMINAL_ENCODE_H
@@ -20,9 +21,10 @@ void text_free(struct text *text);
 
 /* What the terminal shows, cell by cell, as far as we wrote it. */
 struct grid {
-    unsigned columns, rows; /* of the picture; rows = (height + 1)/2 */
+    unsigned columns, rows; /* of cells: the picture's width and (height + 1)/2, or its height */
     unsigned left, top;     /* the window's cell of its upper left corner */
     bool direct;            /* 24-bit colours, else 256 */
+    bool spaces;            /* a cell is one pixel and two columns of the window, else half blocks */
     bool known;             /* the terminal shows `cells` */
     uint32_t *cells;        /* the colours' codes: upper << 16 | lower */
 };

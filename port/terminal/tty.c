@@ -1,7 +1,8 @@
 /* tty.c - the terminal's keyboard as an input.
  *
  * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and
- * Ctrl-S are typed like any key (without ISIG and IXON). With VMIN 0 a read never blocks.
+ * Ctrl-S are typed like any key (without ISIG and IXON). VMIN is 1: with 0 a read of nothing looks
+ * like the end of a file, and ends the shell that finds the terminal so.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -25,7 +26,7 @@
  * 50 ms allow for a network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
-/* Pasted text comes in brackets and is told from typed keys. */
+/* Bracketed paste: pasted text can be told from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
 struct tty {
@@ -79,9 +80,10 @@ static int make_raw(struct tty *tty)
     raw->c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
     raw->c_cflag &= ~(tcflag_t)(CSIZE | PARENB);
     raw->c_cflag |= CS8;
-    raw->c_cc[VMIN] = 0;
+    raw->c_cc[VMIN] = 1;
     raw->c_cc[VTIME] = 0;
-    (void)guardian_keep_terminal(tty->fd);
+    (void)guardian_keep_terminal(tty->fd, raw);
+    (void)guardian_keep_text(tty->fd, paste_off);
     terminal_signals_begin();
     tty->resumes = terminal_resumes();
     tty->raw = true;
@@ -90,11 +92,13 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* A terminal that is read only, has hung up, or takes nothing just now does without. */
-static void send(const struct tty *tty, const char *text)
+/* False when the terminal takes nothing just now. Other failures do not matter: it is read only, or
+ * has hung up. */
+static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = write(tty->fd, text, strlen(text));
-    (void)n;
+
+    return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
 static void tty_close(void *ctx)
@@ -104,7 +108,9 @@ static void tty_close(void *ctx)
     if (tty->fd < 0)
         return;
     if (tty->raw) {
-        send(tty, paste_off);
+        /* If it cannot be sent now, the guardian sends it later. */
+        if (send(tty, paste_off))
+            guardian_forget_text(tty->fd, paste_off);
         (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
         (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
         terminal_signals_end();
@@ -126,7 +132,7 @@ static int tty_open(void *ctx)
         tty_close(tty);
         return status;
     }
-    send(tty, paste_on);
+    (void)send(tty, paste_on);
     tty->decoder = (struct decoder){0};
     tty->next = tty->count = 0;
     return TIA_OK;
@@ -168,7 +174,7 @@ static void after_stop(struct tty *tty)
         return;
     tty->resumes = terminal_resumes();
     (void)tcsetattr(tty->fd, TCSANOW, &tty->now);
-    send(tty, paste_on);
+    (void)send(tty, paste_on);
 }
 
 static int tty_poll(void *ctx, struct tia_event *event)

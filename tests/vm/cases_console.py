@@ -2,7 +2,7 @@
 import random
 import time
 
-from guest import Failure
+from guest import QCODES, Failure
 
 
 def signals(s):
@@ -31,7 +31,7 @@ def held_through(s):
     s.console.forget()
     s.guest.sh('rm -rf /tmp/session')
     s.line = 'session tia ' + ' '.join(s.display)
-    s.guest.type(s.line)
+    s.guest.type_slowly(QCODES.get(character, character) for character in s.line)
     s.guest.press('ret')
     s.frame('')
     s.guest.release('ret')

@@ -58,6 +58,24 @@ def held_at_the_end(s):
     unplug(s)
 
 
+def held_at_a_kill(s):
+    """A key that is down when tia is killed types nothing, however long it stays down; afterwards it
+    types again."""
+    plug(s, 'usb-kbd')
+    for key in ('x', 'ret'):
+        s.start()
+        s.guest.tap('a')
+        s.frame('a')
+        s.kill('STOP')      # the key would end it
+        s.guest.press(key)
+        s.kill('KILL')
+        s.status()
+        s.guest.sh('sleep 1')
+        s.guest.release(key)
+        s.ends(137)
+    unplug(s)
+
+
 def modifiers_through_switches(s):
     """Ctrl and Alt stay down while F2 and F1 are pressed in turn."""
     s.start('-k', 's', first='s')
@@ -111,4 +129,4 @@ def right_to_read_later(s):
 
 
 ALL = [modifiers_at_the_start, modifiers_through_switches, events_lost, held_at_the_start, held_at_the_end,
-       right_to_read_later]
+       held_at_a_kill, right_to_read_later]

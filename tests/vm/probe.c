@@ -1,6 +1,7 @@
 /* probe.c - what a test asks of, or does to, a guest's kernel beside the program under test.
  *
  *   probe vt N              the state of virtual terminal N and which one is active
+ *   probe text N            text mode for tty N, as systemd sets it before a getty begins
  *   probe push N TEXT       TEXT as if typed on tty N, a newline after it; no keyboard involved
  *   probe fb DEVICE         geometry and pixel format of a framebuffer
  *   probe master DEVICE     a DRM master that stays until it is killed
@@ -48,6 +49,12 @@ static int vt(char **argv)
     printf("active=%d graphics=%d process=%d keyboard=%d\n", state.v_active, graphics == KD_GRAPHICS,
            mode.mode == VT_PROCESS, keyboard);
     return 0;
+}
+
+static int text(char **argv)
+{
+    int tty = open_tty(argv[0]);
+    return tty < 0 || ioctl(tty, KDSETMODE, (long)KD_TEXT) ? fail(argv[0]) : 0;
 }
 
 static int push(char **argv)
@@ -141,8 +148,8 @@ int main(int argc, char **argv)
         const char *name;
         int arguments; /* at least */
         int (*run)(char **argv);
-    } commands[] = {{"vt", 1, vt},           {"push", 2, push},         {"fb", 1, fb}, {"master", 1, master},
-                    {"grabbed", 0, grabbed}, {"keyboard", 1, keyboard}, {"as", 2, as}};
+    } commands[] = {{"vt", 1, vt},         {"text", 1, text},       {"push", 2, push},         {"fb", 1, fb},
+                    {"master", 1, master}, {"grabbed", 0, grabbed}, {"keyboard", 1, keyboard}, {"as", 2, as}};
     (void)setvbuf(stdout, NULL, _IOLBF, 0);
     for (size_t i = 0; argc > 1 && i < sizeof commands / sizeof *commands; i++)
         if (!strcmp(argv[1], commands[i].name) && argc >= commands[i].arguments + 2)

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 import cases_console as console
 import cases_display as display
+import cases_guardian as guardian
 import cases_hands as hands
 import cases_keys as keys
 import image
@@ -19,6 +20,7 @@ GROUPS = {
     'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable, keys.none,
                   *hands.ALL],
     'ends': [console.signals, console.exhausted, console.keys_that_quit, console.terminal_keys, console.held_through],
+    'guardian': guardian.ALL,
     'consoles': [console.switch, console.ends_away, console.serial],
     'going away': [display.device_gone, display.screen_gone],
     'in use': [console.second, console.master],
@@ -32,7 +34,7 @@ BASIC = [display.conforms, display.frames, display.held, console.signals, consol
 DRM = [*BASIC, console.master, display.screen_gone]
 THOROUGH = [display.automatic, display.latency, display.rotated, display.centred, console.keys_that_quit,
             console.terminal_keys, console.held_through, console.serial, console.ends_away,
-            console.exhausted, console.kills]
+            console.exhausted, *guardian.ALL, console.kills]
 
 
 @dataclass

@@ -93,14 +93,14 @@ static int draw_all(struct drawing *drawing)
 }
 
 /* The same figures as for a display. */
-static void print_stats(const struct drawing *drawing)
+static int print_stats(const struct drawing *drawing)
 {
     stats.display = "file";
     stats.format = image_format_name(drawing->options->format);
     stats.width = drawing->picture.rotation.width;
     stats.height = drawing->picture.rotation.height;
     stats.threads = threads_count(drawing->picture.pool);
-    stats_print(&stats);
+    return stats_print(&stats) == 0 ? EXIT_FINE : EXIT_RUNNING;
 }
 
 static int report(const struct drawing *drawing, int status)
@@ -115,10 +115,7 @@ static int report(const struct drawing *drawing, int status)
         return fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s",
                     drawing->why[0] != '\0' ? drawing->why : fail_reason(status));
     }
-    if (drawing->options->stats) {
-        print_stats(drawing);
-    }
-    return EXIT_FINE;
+    return drawing->options->stats ? print_stats(drawing) : EXIT_FINE;
 }
 
 int draw(const struct options *options)

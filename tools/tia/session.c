@@ -205,8 +205,9 @@ int session_end(struct session *session, int status)
     if (close_lines(session) != TIA_OK && status == EXIT_FINE) {
         status = fail_output();
     }
-    if (session->options->stats && session->stats.display != NULL && status == EXIT_FINE) {
-        stats_print(&session->stats);
+    if (session->options->stats && session->stats.display != NULL && status == EXIT_FINE &&
+        stats_print(&session->stats) != 0) {
+        status = EXIT_RUNNING;
     }
     threads_destroy(session->pool);
     lights_free(&session->lights);

@@ -43,7 +43,7 @@ static const char *isa(void)
     return "scalar";
 }
 
-void stats_print(struct stats *stats)
+int stats_print(struct stats *stats)
 {
     (void)fprintf(stderr, "{\"frames\": %" PRIu64 ", ", stats->frames);
     print_samples("frame_ms", &stats->draw);
@@ -51,4 +51,5 @@ void stats_print(struct stats *stats)
     (void)fprintf(stderr,
                   "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"isa\": \"%s\", \"threads\": %u}\n",
                   stats->display, stats->format, stats->width, stats->height, isa(), stats->threads);
+    return fflush(stderr) != 0 || ferror(stderr) != 0 ? -1 : 0;
 }

@@ -24,7 +24,7 @@ void stats_add(struct samples *samples, uint64_t us);
 /* A percentile by nearest rank; 0 without samples. Sorts the samples, so none can be added afterwards. */
 uint32_t stats_percentile(struct samples *samples, unsigned percent);
 
-/* Prints one JSON object on one line of standard error. */
-void stats_print(struct stats *stats);
+/* Prints one JSON object on one line of standard error; -1 when it cannot be written. */
+int stats_print(struct stats *stats);
 
 #endif

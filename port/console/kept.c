@@ -1,0 +1,58 @@
+#include "console/kept.h"
+
+#include <string.h>
+
+struct thing kept[THINGS];
+
+static bool is_same(const struct thing *a, const struct thing *b)
+{
+    if (a->kind != b->kind || strcmp(a->path, b->path) != 0)
+        return false;
+    return a->kind != TEXT || strcmp(a->was.text, b->was.text) == 0;
+}
+
+struct thing *kept_find(const struct thing *like)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (kept[i].kind != NOTHING && is_same(&kept[i], like))
+            return &kept[i];
+    return NULL;
+}
+
+bool kept_any(enum kind kind)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (kept[i].kind == kind)
+            return true;
+    return false;
+}
+
+bool kept_nothing(void)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (kept[i].kind != NOTHING)
+            return false;
+    return true;
+}
+
+static struct thing *free_place(void)
+{
+    for (int i = 0; i < THINGS; i++)
+        if (kept[i].kind == NOTHING)
+            return &kept[i];
+    return NULL;
+}
+
+int kept_note(const struct thing *message)
+{
+    struct thing *place = kept_find(message);
+
+    if (place == NULL && !message->forget)
+        place = free_place();
+    if (place == NULL)
+        return -1;
+    *place = *message;
+    if (message->forget)
+        place->kind = NOTHING;
+    return 0;
+}

@@ -1,0 +1,192 @@
+/* The guardian's own life: when the parent hears of a death, and what becomes of a guardian that dies
+ * or is stopped itself. */
+#include "pseudo.h"
+
+#include <dirent.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+
+/* The number in a line of a file of /proc that begins with `name`, or -1. */
+static long number_in(const char *path, const char *name)
+{
+    FILE *file = fopen(path, "re");
+    char line[256];
+    long number = -1;
+
+    while (file != NULL && number < 0 && fgets(line, sizeof line, file) != NULL)
+        if (strncmp(line, name, strlen(name)) == 0)
+            number = strtol(line + strlen(name), NULL, 10);
+    if (file != NULL)
+        (void)fclose(file);
+    return number;
+}
+
+/* The guardian of process `of`, not `but`; 0: there is none. */
+static pid_t find_guardian(pid_t of, pid_t but)
+{
+    DIR *processes = opendir("/proc");
+    struct dirent *entry;
+    char path[64], name[32];
+    pid_t found = 0;
+
+    while (found == 0 && processes != NULL && (entry = readdir(processes)) != NULL) {
+        long pid = strtol(entry->d_name, NULL, 10);
+        (void)snprintf(path, sizeof path, "/proc/%ld/status", pid);
+        (void)snprintf(name, sizeof name, "Name:\tconsole-guard");
+        if (pid > 0 && pid != but && number_in(path, "PPid:\t") == of && number_in(path, name) == 0)
+            found = (pid_t)pid;
+    }
+    if (processes != NULL)
+        (void)closedir(processes);
+    return found;
+}
+
+/* True when a thread of this process is traced. */
+static bool is_traced(void)
+{
+    DIR *threads = opendir("/proc/self/task");
+    struct dirent *entry;
+    char path[320];
+    bool found = false;
+
+    while (!found && threads != NULL && (entry = readdir(threads)) != NULL) {
+        (void)snprintf(path, sizeof path, "/proc/self/task/%s/status", entry->d_name);
+        found = number_in(path, "TracerPid:\t") > 0;
+    }
+    if (threads != NULL)
+        (void)closedir(threads);
+    return found;
+}
+
+/* When a parent hears of the death the terminal is cooked already. */
+TEST(cooked_before_the_parent_knows)
+{
+    int status = 0;
+
+    for (int i = 0; i < 20; i++) {
+        if (!open_terminal())
+            return;
+        pid_t child = fork();
+        if (child == 0) {
+            keep_and_make_raw();
+            _exit(is_traced() ? raise(SIGKILL) : 1);
+        }
+        (void)waitpid(child, &status, 0);
+        if (WIFEXITED(status))
+            SKIP("tracing is forbidden here");
+        else
+            CHECK_MSG(!is_raw(), "raw in try %d", i);
+        close_terminal();
+        if (WIFEXITED(status))
+            return;
+    }
+}
+
+static pid_t await_guardian(pid_t of, pid_t but)
+{
+    pid_t found = 0;
+
+    for (int i = 0; i < 1000 && found == 0; i++) {
+        (void)poll(NULL, 0, 10);
+        found = find_guardian(of, but);
+    }
+    return found;
+}
+
+static void keep_and_lose_three_guardians(void)
+{
+    pid_t guardian = 0;
+
+    keep_and_make_raw();
+    for (int i = 0; i < 3; i++) {
+        guardian = await_guardian(getpid(), guardian);
+        if (guardian == 0)
+            _exit(1);
+        (void)kill(guardian, SIGKILL);
+    }
+    if (await_guardian(getpid(), guardian) == 0)
+        _exit(1);
+}
+
+TEST(another_guardian_stands_in)
+{
+    int status = 0;
+
+    if (!open_terminal())
+        return;
+    pid_t child = fork();
+    if (child == 0) {
+        keep_and_lose_three_guardians();
+        (void)raise(SIGKILL);
+    }
+    (void)waitpid(child, &status, 0);
+    CHECK_MSG(WIFSIGNALED(status), "no guardian after a guardian's death");
+    CHECK(cooked_again());
+    close_terminal();
+}
+
+/* Writes this process's own oom_score_adj: a higher one always, a lower one not for everybody. */
+static bool set_score(const char *value)
+{
+    int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+    bool done = fd >= 0 && write(fd, value, strlen(value)) > 0;
+
+    (void)close(fd);
+    return done;
+}
+
+static int score_of(pid_t pid)
+{
+    char path[64];
+    int value = 9999;
+
+    (void)snprintf(path, sizeof path, "/proc/%d/oom_score_adj", (int)pid);
+    FILE *file = fopen(path, "re");
+    if (file != NULL && fscanf(file, "%d", &value) != 1)
+        value = 9999;
+    if (file != NULL)
+        (void)fclose(file);
+    return value;
+}
+
+TEST(is_no_choice_when_memory_is_short)
+{
+    int lowest = set_score("-1000") ? -1000 : 0, before_it = score_of(getpid());
+    char back[16];
+
+    if (!set_score("500")) {
+        SKIP("this kernel has no scores");
+        return;
+    }
+    if (!open_terminal())
+        return;
+    CHECK_EQ(keep_terminal(terminal), 0);
+    CHECK_EQ(score_of(await_guardian(getpid(), 0)), lowest);
+    guardian_forget_terminal(terminal);
+    close_terminal();
+    (void)snprintf(back, sizeof back, "%d", before_it);
+    (void)set_score(back);
+}
+
+/* A guardian that somebody has stopped does not hold the end up. */
+TEST(ends_with_a_stopped_guardian)
+{
+    if (!open_terminal())
+        return;
+    CHECK_EQ(keep_terminal(terminal), 0);
+    (void)kill(await_guardian(getpid(), 0), SIGSTOP);
+    guardian_forget_terminal(terminal);
+    CHECK_EQ(find_guardian(getpid(), 0), 0);
+    close_terminal();
+}
+
+int main(void)
+{
+    RUN(cooked_before_the_parent_knows);
+    RUN(another_guardian_stands_in);
+    RUN(is_no_choice_when_memory_is_short);
+    RUN(ends_with_a_stopped_guardian);
+    return check_status();
+}

@@ -1,0 +1,126 @@
+"""Cases about the guardian: what becomes of the console when it dies, alone or with tia, and while tia
+is stopped."""
+import re
+
+from cases_console import is_active, other_text
+from guest import Failure
+
+
+def guardians(s):
+    """The process numbers of the guardians, all in one line."""
+    return s.guest.sh('for p in /proc/[0-9]*; do [ "$(cat $p/comm 2>/dev/null)" = console-guard ] && '
+                      'echo -n "${p#/proc/} "; done; true').strip()
+
+
+def guardian_killed(s):
+    """Another one stands in at once, again and again, and puts the console back."""
+    s.start()
+    for _ in range(3):
+        old = guardians(s)
+        s.guest.sh('kill -9 ' + old)
+        s.guest.wait(lambda: re.fullmatch(r'\d+', guardians(s)) and guardians(s) != old, 'a new guardian')
+    s.guest.tap('a')
+    s.frame('a')
+    s.kill('KILL')
+    s.ends(137)
+
+
+def chosen_by_nobody(s):
+    """Root's guardian outlives every choice of the kernel's."""
+    s.start()
+    score = s.guest.sh('cat /proc/%s/oom_score_adj' % guardians(s))
+    if score != '-1000':
+        raise Failure('its oom_score_adj is %s' % score)
+    s.guest.tap('esc')
+    s.ends(0)
+
+
+def kill_both(s):
+    s.start()
+    s.guest.sh('kill -9 %s %s' % (s.pid(), guardians(s)))
+    s.status()
+    s.guest.wait(lambda: not guardians(s), 'the end of the guardian')
+
+
+def chvt(s, number):
+    s.guest.sh('timeout 20 chvt %d' % number)
+    s.guest.wait(lambda: is_active(s, number), 'console %d' % number)
+
+
+def both_killed(s):
+    """In one moment. Then a new tia finds a console that nobody has and leaves it whole; so does the
+    text mode that systemd gives a getty, which a DRM display has not even taken away."""
+    kill_both(s)
+    said = s.guest.sh('tia %s -i none -n 1 </dev/null 2>&1; echo $?' % ' '.join(s.display))
+    if said != '0':
+        raise Failure('a new tia: %r' % said)
+    s.console.alive(s.line)
+    kill_both(s)
+    if s.setup.display == 'fbdev':
+        s.guest.sh('probe text 1')
+    s.guest.wait(s.console.sees_text, 'the text of the console')
+    s.console.forget()
+    s.guest.type('typed\n')
+    s.guest.wait(lambda: s.console.read() == ['typed'], lambda: 'keys on the console: it read %r' % s.console.read())
+    # The kernel frees the console of a dead process when it is to be switched.
+    other_text(s)
+    s.console.forget()
+    s.console.alive()
+    # After which only the next tia can help a framebuffer.
+    kill_both(s)
+    chvt(s, 2)
+    chvt(s, 1)
+    s.guest.sh('tia %s -i none -n 1 </dev/null' % ' '.join(s.display))
+    s.console.alive(s.line)
+
+
+def types_there(s):
+    s.console.forget()
+    s.guest.type('there\n')
+    s.guest.wait(lambda: s.console.read(2) == ['there'], lambda: 'keys on console 2: it read %r' % s.console.read(2))
+
+
+def stopped(s):
+    """A stopped tia keeps nobody from another console, there and back, and goes on where it is."""
+    text = other_text(s)
+    s.start('-k', 'a', first='a')
+    s.kill('STOP')
+    chvt(s, 2)
+    types_there(s)
+    chvt(s, 1)
+    s.kill('CONT')
+    s.frame('a')
+    s.wait_grabbed(1)
+    s.guest.tap('right')
+    s.frame('a<right>')
+    s.kill('STOP')
+    s.guest.press('ctrl', 'alt', 'f2')
+    s.guest.wait(lambda: is_active(s, 2), 'console 2 by keys')
+    s.guest.release('f2', 'alt', 'ctrl')
+    s.kill('CONT')
+    s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+    types_there(s)
+    s.guest.tap('ctrl-alt-f1')
+    s.frame('a<right>')
+    s.guest.tap('left')
+    s.frame('a<right><left>')
+    s.console.forget()
+    s.guest.tap('esc')
+    s.status()
+    s.console.alive()
+
+
+def killed_while_stopped(s):
+    """With another console in front, which it stays."""
+    text = other_text(s)
+    s.start()
+    s.kill('STOP')
+    chvt(s, 2)
+    s.kill('KILL')
+    s.status()
+    s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+    s.guest.tap('ctrl-alt-f1')
+    s.ends(137)
+
+
+ALL = [guardian_killed, chosen_by_nobody, both_killed, stopped, killed_while_stopped]

@@ -1,0 +1,42 @@
+/* without_vt.h - tests that take a console, where there is none to be taken. */
+#ifndef TESTS_WITHOUT_VT_H
+#define TESTS_WITHOUT_VT_H
+
+#include "check.h"
+#include "console/console.h"
+
+#include <grp.h>
+#include <stdbool.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* A process of another session and without rights has no VT. A test must not take the console that
+ * somebody is looking at. */
+static inline int in_process_without_vt(int (*run)(void))
+{
+    pid_t child;
+    int status = 1;
+
+    (void)fflush(stdout);
+    child = fork();
+    if (child == 0) {
+        (void)setsid();
+        if (geteuid() == 0 && (setgroups(0, NULL) != 0 || setgid(65534) != 0 || setuid(65534) != 0))
+            _exit(1);
+        _exit(run());
+    }
+    (void)waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+static inline bool no_vt(void)
+{
+    char name[PORT_WHY];
+
+    if (strncmp(console_name(name), "none: ", 6) == 0)
+        return true;
+    SKIP("it would take %s", name);
+    return false;
+}
+
+#endif
