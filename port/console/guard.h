@@ -11,13 +11,6 @@
 
 #include <sys/types.h>
 
-/* What the member of a VT's mode that the kernel keeps and does not use, waitv, says while one of
- * ours has the VT: all is well; the guardian answers for a stopped process; it has let go of the
- * console for that process. */
-#define GUARD_TAKEN 't'
-#define GUARD_ANSWERS 'a'
-#define GUARD_LEFT 'l'
-
 /* Sent to the guarded process for each WATCHER message. */
 #define GUARD_READY 'r'
 

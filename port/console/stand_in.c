@@ -8,8 +8,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "guard.h"
 #include "kept.h"
+#include "vt_mark.h"
 
 /* Without the need for libdrm's headers. */
 #define DRM_SET_MASTER _IO('d', 0x1e)
@@ -50,7 +50,7 @@ void stand_in_leave(void)
             (void)tell_all(CARD, DRM_SET_MASTER, 0);
         return;
     }
-    own_consoles(GUARD_LEFT);
+    own_consoles(VT_MARK_LEFT);
     (void)tell_all(KEYBOARD, EVIOCGRAB, 0);
 }
 
@@ -121,7 +121,7 @@ static void watch_keys(void)
 void stand_in_begin(void)
 {
     stand_in_end();
-    own_consoles(GUARD_ANSWERS);
+    own_consoles(VT_MARK_ANSWERS);
     stand_in_leave();
     watch_keys();
 }

@@ -12,9 +12,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "guard.h"
 #include "guardian.h"
 #include "node.h"
+#include "vt_mark.h"
 
 #define OPEN_FLAGS (O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)
 
@@ -104,7 +104,7 @@ static int bring_in_front(struct vt *vt, int enter)
 
 static int own(const struct vt *vt, int leave, int enter)
 {
-    struct vt_mode mode = {.mode = VT_PROCESS, .waitv = GUARD_TAKEN, .relsig = (short)leave, .acqsig = (short)enter};
+    struct vt_mode mode = {.mode = VT_PROCESS, .waitv = VT_MARK_TAKEN, .relsig = (short)leave, .acqsig = (short)enter};
 
     return ioctl(vt->fd, VT_SETMODE, &mode);
 }
@@ -123,7 +123,7 @@ static int take_modes(struct vt *vt, int leave, int enter)
 
 static bool is_marked(char mark)
 {
-    return mark == GUARD_TAKEN || mark == GUARD_ANSWERS || mark == GUARD_LEFT;
+    return mark == VT_MARK_TAKEN || mark == VT_MARK_ANSWERS || mark == VT_MARK_LEFT;
 }
 
 static int read_modes(struct vt *vt)
@@ -190,9 +190,9 @@ bool vt_resume(const struct vt *vt, int leave, int enter, bool *left)
 {
     struct vt_mode now;
 
-    if (vt->fd < 0 || ioctl(vt->fd, VT_GETMODE, &now) != 0 || now.waitv == GUARD_TAKEN)
+    if (vt->fd < 0 || ioctl(vt->fd, VT_GETMODE, &now) != 0 || now.waitv == VT_MARK_TAKEN)
         return false;
-    *left = now.waitv == GUARD_LEFT;
+    *left = now.waitv == VT_MARK_LEFT;
     (void)own(vt, leave, enter);
     return true;
 }
