@@ -70,11 +70,11 @@ static void check_all(void)
         check_tree(&bvh->meshes[i], &meshes[i]);
     }
     check_tree(&bvh->objects, NULL);
-    for (uint32_t i = 0; i < bvh->plane_count; i++) {
-        CHECK(i == 0 || bvh->planes[i - 1] < bvh->planes[i]);
-        met[bvh->planes[i]]++;
+    for (uint32_t i = 0; i < bvh->unbounded_count; i++) {
+        CHECK(i == 0 || bvh->unbounded[i - 1] < bvh->unbounded[i]);
+        met[bvh->unbounded[i]]++;
     }
-    CHECK_EQ(bvh->objects.item_count + bvh->plane_count, count);
+    CHECK_EQ(bvh->objects.item_count + bvh->unbounded_count, count);
     for (uint32_t i = 0; i < count; i++)
         CHECK_EQ(met[i], 1);
 }
@@ -98,9 +98,9 @@ TEST(everything)
     set_everything();
     build();
     check_all();
-    CHECK_EQ(bvh->plane_count, 8 - 2 + 1); /* 0, 5, ... 35 without 0 and 35; and 38 */
-    CHECK_EQ(bvh->planes[0], 105);
-    CHECK_EQ(bvh->planes[6], 138);
+    CHECK_EQ(bvh->unbounded_count, 8 - 2 + 1); /* 0, 5, ... 35 without 0 and 35; and 38 */
+    CHECK_EQ(bvh->unbounded[0], 105);
+    CHECK_EQ(bvh->unbounded[6], 138);
     CHECK_EQ(bvh->meshes[1].node_count, 0);
     CHECK_EQ(bvh->meshes[2].node_count, 1);
 }
@@ -198,7 +198,7 @@ TEST(ends_of_the_numbers)
     spheres[40].radius = 4998;
     build();
     check_all();
-    CHECK(bvh->plane_count == 1 && bvh->planes[0] == 30);
+    CHECK(bvh->unbounded_count == 1 && bvh->unbounded[0] == 30);
 }
 
 TEST(too_large_for_the_machine)

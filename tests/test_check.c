@@ -55,15 +55,15 @@ TEST(depth)
 /* Of another scene. */
 TEST(bvh)
 {
-    struct tia_bvh bvh = {.plane_count = 1};
+    struct tia_bvh bvh = {.unbounded_count = 1};
 
     set_up();
     scene.bvh = &bvh;
     check_refused("scene", 0, "bvh", "must be of this scene");
-    bvh.plane_count = 0;
+    bvh.unbounded_count = 0;
     check_accepted();
     bvh.objects.item_count = UINT32_MAX;
-    bvh.plane_count = 1; /* 2^32 in all */
+    bvh.unbounded_count = 1; /* 2^32 in all */
     check_refused("scene", 0, "bvh", "must be of this scene");
 }
 

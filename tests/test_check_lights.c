@@ -242,7 +242,7 @@ TEST(values_of_tracks)
     check_refused("track", 0, "value", FAR);
     track.target = TIA_ROTATES_TRANSFORM;
     check_accepted();
-    set_track(TIA_TURNS_LIGHT);
+    set_track(TIA_ROTATES_LIGHT);
     keys[0].value = (struct tia_vec3){0, 0, 0};
     check_refused("track", 0, "value", "must not be 0");
     keys[0].value.y = 1;

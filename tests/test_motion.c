@@ -225,7 +225,7 @@ TEST(into_itself)
 TEST(a_direction_through_nothing)
 {
     struct tia_keyframe turning[2] = {{0, {ONE, 0, 0}}, {2 * ONE, {-ONE, 0, 0}}};
-    struct tia_track turns = {TIA_TURNS_LIGHT, 0, false, turning, 2};
+    struct tia_track turns = {TIA_ROTATES_LIGHT, 0, false, turning, 2};
     struct tia_scene out;
 
     set_everything();

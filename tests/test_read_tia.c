@@ -280,7 +280,7 @@ TEST(motion)
     tia_check_track(1, TIA_ROTATES_TRANSFORM, 1, false, 3);
     tia_check_track(2, TIA_SCALES_TRANSFORM, 2, false, 3);
     tia_check_track(3, TIA_MOVES_LIGHT, 1, false, 1);
-    tia_check_track(4, TIA_TURNS_LIGHT, 2, false, 2);
+    tia_check_track(4, TIA_ROTATES_LIGHT, 2, false, 2);
     tia_check_track(5, TIA_MOVES_EYE, 0, false, 1);
     tia_check_track(6, TIA_MOVES_REFERENCE, 0, true, 1);
     const struct tia_keyframe *k = scene->tracks[1].keys;

@@ -218,7 +218,7 @@ TEST(a_key_holds_its_light)
     for (; i < w->frame_count; i++)
         CHECK_MSG(same_place(w->frames[i].light, place), "frame %u", i);
     CHECK(same_place(w->lights[1].centre, scene_at(w, time_by_clock(w, w->frame_count - 1))->lights[1].centre));
-    CHECK(w->held[0] && !w->held[1]);
+    CHECK(w->detached[0] && !w->detached[1]);
 }
 
 /* Keys before the first frame are pressed at its time. */
@@ -243,7 +243,7 @@ TEST(a_still_scene_needs_no_flags)
 {
     struct world *w = world_new();
 
-    w->viewer.held = NULL;
+    w->viewer.detached = NULL;
     w->viewer.time = ONE;
     quit_at(w, START + 1000000);
     CHECK_EQ(world_play(w), TIA_OK);
@@ -302,7 +302,7 @@ TEST(what_the_caller_must_keep)
 {
     struct world *w = film_world(true);
 
-    w->viewer.held = NULL;
+    w->viewer.detached = NULL;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = film_world(true);
     w->viewer.time = -1;

@@ -26,7 +26,7 @@ struct world_frame {
 struct world {
     struct tia_viewer viewer;
     struct tia_light lights[WORLD_LIGHTS];
-    bool held[WORLD_LIGHTS];
+    bool detached[WORLD_LIGHTS];
     uint64_t now_us;
 
     /* NULL, or the scene as it must be in the frame that was just drawn. */
@@ -247,7 +247,7 @@ static inline struct world *world_new(void)
         .scene = &tia_thesis_scene,
         .lights = w.lights,
         .light_capacity = WORLD_LIGHTS,
-        .held = w.held,
+        .detached = w.detached,
         .display = &world_display,
         .input = &world_input,
         .clock = &world_clock,

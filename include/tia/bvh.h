@@ -33,8 +33,8 @@ struct tia_bvh_tree {
 struct tia_bvh {
     struct tia_bvh_tree objects;
     const struct tia_bvh_tree *meshes; /* one for each of the scene's meshes */
-    const uint32_t *planes;            /* indices of the objects outside the tree */
-    uint32_t plane_count;
+    const uint32_t *unbounded;         /* indices of the objects outside the tree */
+    uint32_t unbounded_count;
 };
 
 /* Bytes of memory that tia_bvh_build needs for the scene. The memory must be aligned for uint64_t. */

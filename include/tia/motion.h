@@ -8,7 +8,7 @@ enum tia_target {
     TIA_MOVES_EYE,       /* the camera's eye */
     TIA_MOVES_REFERENCE, /* the point that the camera looks at */
     TIA_MOVES_LIGHT,     /* a light's centre */
-    TIA_TURNS_LIGHT,     /* a light's direction, normalised after interpolation */
+    TIA_ROTATES_LIGHT,   /* a light's direction, normalised after interpolation */
     TIA_MOVES_TRANSFORM, /* a transform's position */
     TIA_ROTATES_TRANSFORM,
     TIA_SCALES_TRANSFORM

@@ -32,7 +32,7 @@ struct tia_viewer {
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;
-    bool *held; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
+    bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_options options; /* `path_hash` must be NULL */
     uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
     const uint16_t *keys;       /* keys to press before the first frame; NULL: none */

@@ -97,7 +97,7 @@ static uint64_t copy_size(const struct tia_scene *scene, enum tia_target first, 
 
 static uint64_t lights_size(const struct tia_scene *scene)
 {
-    return copy_size(scene, TIA_MOVES_LIGHT, TIA_TURNS_LIGHT, scene->light_count, sizeof(struct tia_light));
+    return copy_size(scene, TIA_MOVES_LIGHT, TIA_ROTATES_LIGHT, scene->light_count, sizeof(struct tia_light));
 }
 
 static uint64_t transforms_size(const struct tia_scene *scene)
@@ -127,7 +127,7 @@ static void apply(const struct tia_track *track, tia_q16 time, struct tia_camera
     case TIA_MOVES_LIGHT:
         lights[track->index].centre = value;
         break;
-    case TIA_TURNS_LIGHT:
+    case TIA_ROTATES_LIGHT:
         set_direction(&lights[track->index].direction, value);
         break;
     case TIA_MOVES_TRANSFORM:

@@ -10,7 +10,7 @@ int tia_viewer_press(struct loop *loop, uint16_t key)
     if (status < 0)
         return VIEWER_QUIT;
     if (status > 0 && loop->plays)
-        v->held[light] = true;
+        v->detached[light] = true;
     loop->changed = loop->changed || status > 0;
     return TIA_OK;
 }

@@ -46,7 +46,7 @@ static void follow(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
 
     for (uint32_t i = 0; i < loop->current->light_count; i++)
-        if (!v->held[i])
+        if (!v->detached[i])
             v->lights[i] = loop->current->lights[i];
 }
 
@@ -66,7 +66,7 @@ static int update_scene(struct loop *loop, tia_q16 time)
 static bool moves_only_lights(const struct tia_scene *scene)
 {
     for (uint32_t i = 0; i < scene->track_count; i++)
-        if (scene->tracks[i].target != TIA_MOVES_LIGHT && scene->tracks[i].target != TIA_TURNS_LIGHT)
+        if (scene->tracks[i].target != TIA_MOVES_LIGHT && scene->tracks[i].target != TIA_ROTATES_LIGHT)
             return false;
     return true;
 }
@@ -79,10 +79,10 @@ int tia_viewer_play_begin(struct loop *loop)
     loop->plays = v->scene->track_count > 0;
     if (!loop->plays)
         return TIA_OK;
-    if (!v->held)
+    if (!v->detached)
         return TIA_ERR_ARGUMENT;
     for (uint32_t i = 0; i < v->light_capacity; i++)
-        v->held[i] = false;
+        v->detached[i] = false;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
     loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;

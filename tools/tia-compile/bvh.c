@@ -62,16 +62,16 @@ void unit_bvh(struct unit *unit)
         return;
     write_tree(unit, &bvh->objects, "objects");
     write_mesh_trees(unit, bvh);
-    if (bvh->plane_count > 0) {
-        table_begin(unit, "uint32_t", "planes");
-        write_numbers(unit, bvh->planes, bvh->plane_count);
+    if (bvh->unbounded_count > 0) {
+        table_begin(unit, "uint32_t", "unbounded");
+        write_numbers(unit, bvh->unbounded, bvh->unbounded_count);
         table_end(unit);
     }
     text_print(&unit->text, "static const struct tia_bvh %s_bvh = {\n", unit->symbol);
     text_word(&unit->text, ".objects =");
     refer_to_tree(unit, &bvh->objects, "objects");
     field_table(unit, "meshes", unit->scene->mesh_count, "trees");
-    field_table(unit, "planes", bvh->plane_count, "planes");
-    field_unsigned(unit, "plane_count", bvh->plane_count);
+    field_table(unit, "unbounded", bvh->unbounded_count, "unbounded");
+    field_unsigned(unit, "unbounded_count", bvh->unbounded_count);
     table_end(unit);
 }

@@ -3,7 +3,7 @@
 void unit_tracks(struct unit *unit)
 {
     static const char *const targets[] = {"TIA_MOVES_EYE",       "TIA_MOVES_REFERENCE", "TIA_MOVES_LIGHT",
-                                          "TIA_TURNS_LIGHT",     "TIA_MOVES_TRANSFORM", "TIA_ROTATES_TRANSFORM",
+                                          "TIA_ROTATES_LIGHT",   "TIA_MOVES_TRANSFORM", "TIA_ROTATES_TRANSFORM",
                                           "TIA_SCALES_TRANSFORM"};
     const struct tia_scene *scene = unit->scene;
 

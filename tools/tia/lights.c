@@ -11,8 +11,8 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
     lights->count = scene->light_count;
     lights->capacity = scene->light_count + scene->binding_count + 1;
     lights->array = calloc(lights->capacity, sizeof *lights->array);
-    lights->held = calloc(lights->capacity, sizeof *lights->held);
-    if (lights->array == NULL || lights->held == NULL) {
+    lights->detached = calloc(lights->capacity, sizeof *lights->detached);
+    if (lights->array == NULL || lights->detached == NULL) {
         return false;
     }
     if (lights->count > 0) {
@@ -24,7 +24,7 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
 void lights_free(struct lights *lights)
 {
     free(lights->array);
-    free(lights->held);
+    free(lights->detached);
 }
 
 void lights_press(struct lights *lights, const struct tia_scene *scene, const uint16_t *keys, size_t count)
@@ -32,7 +32,7 @@ void lights_press(struct lights *lights, const struct tia_scene *scene, const ui
     for (size_t i = 0; i < count; i++) {
         uint32_t light = tia_key_light(scene, lights->array, lights->count, keys[i]);
         if (tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0) {
-            lights->held[light] = true;
+            lights->detached[light] = true;
         }
     }
 }
@@ -40,7 +40,7 @@ void lights_press(struct lights *lights, const struct tia_scene *scene, const ui
 void lights_follow(struct lights *lights, const struct tia_scene *scene)
 {
     for (uint32_t i = 0; i < scene->light_count; i++) {
-        if (!lights->held[i]) {
+        if (!lights->detached[i]) {
             lights->array[i] = scene->lights[i];
         }
     }

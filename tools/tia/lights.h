@@ -6,7 +6,7 @@
 
 struct lights {
     struct tia_light *array;
-    bool *held; /* lights that a key has set or moved: they no longer follow their tracks */
+    bool *detached; /* lights that a key has set or moved: they no longer follow their tracks */
     uint32_t count, capacity;
 };
 

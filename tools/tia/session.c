@@ -156,7 +156,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .scene = &options->scene,
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,
-                               .held = session->lights.held,
+                               .detached = session->lights.detached,
                                .options = {.dither = options->dither},
                                .frame_limit = options->frames,
                                .keys = options->keys,

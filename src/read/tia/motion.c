@@ -9,7 +9,7 @@ static const struct property {
     enum tia_target target;
 } properties[] = {
     {CAMERA, "eye", TIA_MOVES_EYE},         {CAMERA, "look", TIA_MOVES_REFERENCE},
-    {LIGHT, "at", TIA_MOVES_LIGHT},         {LIGHT, "direction", TIA_TURNS_LIGHT},
+    {LIGHT, "at", TIA_MOVES_LIGHT},         {LIGHT, "direction", TIA_ROTATES_LIGHT},
     {SHAPE, "at", TIA_MOVES_TRANSFORM},     {SHAPE, "rotate", TIA_ROTATES_TRANSFORM},
     {SHAPE, "scale", TIA_SCALES_TRANSFORM},
 };

@@ -67,9 +67,9 @@ void candidates_start(struct candidates *c, const struct tia_scene *scene, const
 
     c->scene = scene;
     c->ray = ray;
-    c->items = bvh ? bvh->planes : NULL;
+    c->items = bvh ? bvh->unbounded : NULL;
     c->next = 0;
-    c->end = bvh ? bvh->plane_count : scene->sphere_count + scene->shape_count;
+    c->end = bvh ? bvh->unbounded_count : scene->sphere_count + scene->shape_count;
     c->walking = false;
 }
 

@@ -122,8 +122,8 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
             items[--last] = i;
     }
     bvh->objects = build(space, items, first);
-    bvh->planes = items + last;
-    bvh->plane_count = count - last;
+    bvh->unbounded = items + last;
+    bvh->unbounded_count = count - last;
 }
 
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)

@@ -19,7 +19,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
     case TIA_MOVES_TRANSFORM:
         VALUE(tia_check_is_near(check, value, 0), CHECK_FAR);
         break;
-    case TIA_TURNS_LIGHT:
+    case TIA_ROTATES_LIGHT:
         VALUE(value.x | value.y | value.z, "must not be 0");
         break;
     case TIA_SCALES_TRANSFORM:
@@ -35,7 +35,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
 /* How many there are of what the track moves. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
-    bool light = target == TIA_MOVES_LIGHT || target == TIA_TURNS_LIGHT;
+    bool light = target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT;
     return light ? scene->light_count : target >= TIA_MOVES_TRANSFORM ? scene->transform_count : UINT32_MAX;
 }
 
