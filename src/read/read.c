@@ -14,19 +14,25 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
     return TIA_ERR_ARGUMENT;
 }
 
-static void locate(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
+bool tia_locate_word(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error)
 {
-    switch (reader->format) {
-    case TIA_FORMAT_TIA:
+    struct tia_word found;
+
+    for (unsigned i = 0; tia_text_word(&rest, &found); i++)
+        if (i >= skip && (!word || tia_word_is(&found, word))) {
+            error->line = found.line;
+            error->column = found.column;
+            return true;
+        }
+    return false;
+}
+
+static void locate(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
+{
+    if (reader->format == TIA_FORMAT_TIA)
         tia_locate_tia(reader, fault, arena);
-        break;
-    case TIA_FORMAT_NFF:
+    else if (reader->format == TIA_FORMAT_NFF)
         tia_locate_nff(reader, fault);
-        break;
-    case TIA_FORMAT_OBJ:
-        tia_locate_obj(reader, fault);
-        break;
-    }
 }
 
 /* Runs tia_scene_check and turns its fault into the reader's error. */
@@ -44,8 +50,10 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         tia_say(error, " ");
         tia_say_number(error, fault.index);
     }
-    tia_say(error, ": ");
-    tia_say(error, fault.field);
+    if (*fault.field) {
+        tia_say(error, ": ");
+        tia_say(error, fault.field);
+    }
     tia_say(error, ": ");
     tia_say(error, fault.rule);
     return TIA_ERR_RANGE;

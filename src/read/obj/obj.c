@@ -249,9 +249,3 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     struct places p = place(&o, arena);
     return tia_arena_fits(arena) ? fill(&o, &p) : TIA_OK;
 }
-
-/* What the check may refuse, the statements have refused before it. */
-void tia_locate_obj(struct tia_reader *reader, const struct tia_fault *fault)
-{
-    (void)reader, (void)fault;
-}
