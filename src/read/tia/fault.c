@@ -2,7 +2,7 @@
  *
  * The text is read once more until the thing at fault has been made: its statement is the one that was read last.
  */
-#include "read/job.h"
+#include "job.h"
 #include "read/readers.h"
 
 static struct tia_word word_of(const char *string)
