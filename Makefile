@@ -127,6 +127,8 @@ HOSTED += -DTIA_HAVE_STB
 else
 MISSING += "no libstb: built without textures from .jpg, .bmp, .tga and .gif files"
 endif
+# Damaged pictures make its sums overflow, which is harmless where they wrap around.
+$(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
 MISSING_RUN := $(MISSING)
 ifneq ($(GL),)
 HOSTED += -DTIA_HAVE_OSMESA $(if $(filter yes,$(OSMESA)),-DTIA_HAVE_LIBOSMESA) $(if $(filter yes,$(EGL)),-DTIA_HAVE_EGL)
