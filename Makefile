@@ -60,8 +60,8 @@ say   = $(if $(LOUD),,@printf '  %-7s %s\n' '$(1)' '$(2)' && )
 # ---- what Debian 12 has for it; `make deps` installs what is missing, with sudo when not root ----
 # `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
 # any other goal: everything.
-DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev libstb-dev
-DEPS_ALL := libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
+DEPS_ALL := libstb-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
@@ -108,8 +108,8 @@ OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
-# stb_image is compiled here, and its headers, as all that are not ours, without a word about them.
-HOSTED += $(patsubst -I%,-isystem%,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
+# stb_image is a header: it is compiled here, and the compiler has nothing to say about it.
+HOSTED += $(patsubst -I%/stb,-isystem%/stb,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
 LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
 ifeq ($(DRM),yes)
@@ -122,6 +122,7 @@ HOSTED += -DTIA_HAVE_PNG
 else
 MISSING += "no libpng: built without .png files"
 endif
+MISSING_RUN := $(MISSING)
 ifeq ($(STB),yes)
 HOSTED += -DTIA_HAVE_STB
 else
@@ -129,7 +130,6 @@ MISSING += "no libstb: built without textures from .jpg, .bmp, .tga and .gif fil
 endif
 # Damaged pictures make its sums overflow, which is harmless where they wrap around.
 $(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
-MISSING_RUN := $(MISSING)
 ifneq ($(GL),)
 HOSTED += -DTIA_HAVE_OSMESA $(if $(filter yes,$(OSMESA)),-DTIA_HAVE_LIBOSMESA) $(if $(filter yes,$(EGL)),-DTIA_HAVE_EGL)
 LIBS += -ldl

@@ -14,19 +14,6 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
     return TIA_ERR_ARGUMENT;
 }
 
-bool tia_locate_word(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error)
-{
-    struct tia_word found;
-
-    for (unsigned i = 0; tia_text_word(&rest, &found); i++)
-        if (i >= skip && (!word || tia_word_is(&found, word))) {
-            error->line = found.line;
-            error->column = found.column;
-            return true;
-        }
-    return false;
-}
-
 static void locate(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
     if (reader->format == TIA_FORMAT_TIA)

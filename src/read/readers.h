@@ -23,8 +23,4 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena);
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault);
 
-/* The place of word `skip` after `rest`, or of the first of those behind it that is `word` (unless NULL). False: it is
- * not on the line, and nothing changes. */
-bool tia_locate_word(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error);
-
 #endif

@@ -314,5 +314,5 @@ void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault)
     fault->thing = n.line ? "v" : n.statement;
     fault->field = known ? field->name : fault->field;
     if (known)
-        (void)tia_locate_word(n.rest, field->word, NULL, &reader->error);
+        (void)tia_text_locate(n.rest, field->word, NULL, &reader->error);
 }

@@ -176,3 +176,16 @@ void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word)
         out[i] = word->at[i];
     out[length] = 0;
 }
+
+bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error)
+{
+    struct tia_word found;
+
+    for (unsigned i = 0; tia_text_word(&rest, &found); i++)
+        if (i >= skip && (!word || tia_word_is(&found, word))) {
+            error->line = found.line;
+            error->column = found.column;
+            return true;
+        }
+    return false;
+}

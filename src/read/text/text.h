@@ -57,6 +57,10 @@ int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expecte
 
 bool tia_word_is(const struct tia_word *word, const char *string);
 
+/* Sets the error's place to word `skip` of the rest of a line, or to the first from there on that is `word` (unless
+ * NULL). False: it is not on the line, and nothing changes. */
+bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error);
+
 /* Copies a name as a 0-terminated string. */
 void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 

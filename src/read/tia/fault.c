@@ -92,7 +92,7 @@ void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct t
     (void)tia_job_read(&job, arena);
     if (!reader->error.line)
         return;
-    (void)tia_locate_word(job.rest, is_named(job.statement), word, &reader->error);
+    (void)tia_text_locate(job.rest, is_named(job.statement), word, &reader->error);
     fault->thing = job.statement;
     fault->field = word;
 }
