@@ -5,7 +5,7 @@
 #   make CROSS=aarch64-linux-gnu-    for another Linux
 #   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
 #   make F64=no          leaves the double-precision reference out (targets without an FPU)
-#   make DRM=no PNG=no OSMESA=no EGL=no   leaves a part out though its library is there
+#   make DRM=no PNG=no STB=no OSMESA=no EGL=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
@@ -61,7 +61,7 @@ say   = $(if $(LOUD),,@printf '  %-7s %s\n' '$(1)' '$(2)' && )
 # `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
 # any other goal: everything.
 DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
-DEPS_ALL := libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_ALL := libstb-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
@@ -92,6 +92,7 @@ endif
 F64 ?= $(if $(BARE),no,yes)
 unless_no = $(if $(filter no,$($(1))),,$(2))
 WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
+                               $(call unless_no,STB,stb) \
                                $(call unless_no,OSMESA,osmesa gl) $(call unless_no,EGL,egl gl)))
 # Flags begin with -, the names of the packages that are there do not. All are asked for in one call;
 # only where one is missing they are asked for one by one.
@@ -102,12 +103,14 @@ endif
 have = $(if $(filter-out $(PACKAGES),$(1)),no,yes)
 DRM ?= $(call have,libdrm)
 PNG ?= $(call have,libpng)
+STB ?= $(call have,stb)
 OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
-HOSTED += $(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES)))
-LIBS := $(filter-out -lOSMesa -lEGL -lGL,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
+# stb_image is a header: it is compiled here, and the compiler has nothing to say about it.
+HOSTED += $(patsubst -I%/stb,-isystem%/stb,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
+LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
 ifeq ($(DRM),yes)
 HOSTED += -DTIA_HAVE_DRM
@@ -120,6 +123,13 @@ else
 MISSING += "no libpng: built without .png files"
 endif
 MISSING_RUN := $(MISSING)
+ifeq ($(STB),yes)
+HOSTED += -DTIA_HAVE_STB
+else
+MISSING += "no libstb: built without textures from .jpg, .bmp, .tga and .gif files"
+endif
+# Damaged pictures make its sums overflow, which is harmless where they wrap around.
+$(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
 ifneq ($(GL),)
 HOSTED += -DTIA_HAVE_OSMESA $(if $(filter yes,$(OSMESA)),-DTIA_HAVE_LIBOSMESA) $(if $(filter yes,$(EGL)),-DTIA_HAVE_EGL)
 LIBS += -ldl

@@ -59,7 +59,7 @@ static void measure(const char *path)
     struct scene_file file;
     double start = milliseconds();
 
-    if (scene_open(&file, path, scene_format_of(path))) {
+    if (scene_open(&file, path, scene_format_of(path), false)) {
         printf("%s\n", file.why);
         return;
     }

@@ -10,7 +10,9 @@
 struct files {
     const char *names[20], *texts[20];
     char *loaded[4];
-    unsigned loaded_count, libraries, images;
+    unsigned loaded_count, libraries, images, opacities;
+    bool strict;
+    struct tia_read_warning warnings[TIA_WARNINGS];
 };
 
 static inline int fetch_library(void *ctx, const char *name, const char **text, size_t *length, const char **why)
@@ -49,6 +51,17 @@ static inline int fetch_image(void *ctx, const char *name, struct tia_texture *t
     return TIA_OK;
 }
 
+/* That of "half.ppm" is 1/2, others are opaque. */
+static inline int fetch_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+{
+    struct files *files = ctx;
+
+    files->opacities++;
+    *why = "no such picture";
+    *mean = strstr(name, "half") ? TIA_Q30_ONE / 2 : TIA_Q30_ONE;
+    return strstr(name, ".ppm") ? TIA_OK : TIA_ERR_ARGUMENT;
+}
+
 static inline void read_obj(struct reading *r, struct files *files, const char *text, size_t length)
 {
     *r = (struct reading){.reader = {.format = TIA_FORMAT_OBJ,
@@ -56,7 +69,10 @@ static inline void read_obj(struct reading *r, struct files *files, const char *
                                      .length = length,
                                      .library = fetch_library,
                                      .image = fetch_image,
-                                     .ctx = files}};
+                                     .opacity = fetch_opacity,
+                                     .ctx = files,
+                                     .strict = files->strict,
+                                     .warnings = files->warnings}};
     read_begin(r);
 }
 

@@ -68,7 +68,7 @@ static void compare_keys(const struct tia_scene *compiled, const struct tia_scen
 static void compare(const char *path, const struct tia_scene *compiled)
 {
     static struct scene_file file;
-    int status = scene_open(&file, path, TIA_FORMAT_TIA);
+    int status = scene_open(&file, path, TIA_FORMAT_TIA, true);
 
     CHECK_MSG(status == TIA_OK, "%.300s", file.why);
     if (status != TIA_OK)

@@ -79,7 +79,7 @@ TEST(errors_of_libraries)
     struct reading r;
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct files files = {.names = {"m"}, .texts = {cases[i].text}};
+        struct files files = {.names = {"m"}, .texts = {cases[i].text}, .strict = true};
         const char text[] = "mtllib m\n" TRIANGLE "f 1 2 3\n";
         read_obj(&r, &files, text, strlen(text));
         check_read_error(&r, cases[i].want);

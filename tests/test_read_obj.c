@@ -279,6 +279,7 @@ TEST(errors)
     };
     struct files files = {
         .names = {"q0", "q1", "q2", "q3", "q4", "q5", "q6", "q7", "q8", "q9", "qa", "qb", "qc", "qd", "qe", "qf"},
+        .strict = true,
         .texts = {"", "", "", "", "", "", "", "", "", "", "", "", "", "", "", ""}};
     struct reading r;
 
@@ -286,7 +287,8 @@ TEST(errors)
         read_obj(&r, &files, cases[i].text, strlen(cases[i].text));
         check_read_error(&r, cases[i].want);
     }
-    read_string(&r, TIA_FORMAT_OBJ, "mtllib a.mtl\n");
+    r = (struct reading){.reader = {.format = TIA_FORMAT_OBJ, .text = "mtllib a.mtl\n", .length = 13, .strict = true}};
+    read_begin(&r);
     check_read_error(&r, "1:8: 'a.mtl' cannot be read: there is nothing that could, expected a material library");
 }
 

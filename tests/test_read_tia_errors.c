@@ -28,9 +28,10 @@ TEST(statements)
     check_refused("depth 5\ndepth 5", "2:1: 'depth' is here for a second time, expected it once");
     check_refused("depth 17", "1:7: '17' is out of range, expected a whole number from 1 to 16");
     check_refused("samples 2", "1:9: '2' is no number of samples, expected 1, 4 or 16");
-    check_refused("background", "1:11: the line ends here, expected a number from -2 to below 2");
-    check_refused("background 0.1 0.2", "1:19: the line ends here, expected a number from -2 to below 2");
-    check_refused("background 2", "1:12: '2' is out of range, expected a number from -2 to below 2");
+    check_refused("background", "1:11: the line ends here, expected a number from 0 to 1");
+    check_refused("background 0.1 0.2", "1:19: the line ends here, expected a number from 0 to 1");
+    check_refused("background 2", "1:12: '2' is out of range, expected a number from 0 to 1");
+    check_refused("\n\nbackground -0.5", "3:12: '-0.5' is out of range, expected a number from 0 to 1");
     check_refused("camera eye 0 0 0 up 0 1 0", "1:26: the line ends here, expected look, as there is up");
     check_refused("camera frustum window -1 1 -1 1", "1:32: the line ends here, expected near");
     check_refused("camera orthographic near 1",
@@ -59,6 +60,8 @@ TEST(looks)
                   "1:12: 'color' is nothing that a material has, expected colour, texture, specular, "
                   "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
     check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is here for a second time, expected it once");
+    check_refused(M "material n colour 0.5 1.5 0", "2:23: '1.5' is out of range, expected a number from 0 to 1");
+    check_refused("texture t checker odd 1 1 -1", "1:27: '-1' is out of range, expected a number from 0 to 1");
     check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker or image");
     check_refused("texture t", "1:10: the line ends here, expected checker or image");
     check_refused("texture t checker repeat 1 2 3",
@@ -118,6 +121,7 @@ TEST(solids)
 TEST(lights)
 {
     check_refused("light", "1:6: the line ends here, expected at");
+    check_refused("light ambient emission 2.5", "1:24: '2.5' is out of range, expected a number from 0 to below 2");
     check_refused("light ambient at 0 0 0",
                   "1:15: 'at' is nothing that an ambient light has, expected name or emission");
     check_refused("light spot at 0 0 0 direction 0 1 0", "1:36: the line ends here, expected outer");
@@ -153,29 +157,53 @@ TEST(motion)
                   "1:26: the line ends here, expected a number from -32768 to below 32768");
 }
 
+/* What only the scene as a whole shows: at the word that says it, in the file's own words. */
 TEST(faults_of_the_scene)
 {
     check_refused(M "\nsphere radius 1 material m\n  sphere radius 0 material m",
-                  "4:3: sphere: radius: must be at least 2^-10");
-    check_refused(M "sphere radius 0 material m name ball\nsphere radius 1 material m name other\n"
+                  "4:10: sphere: radius: must be at least 2^-10");
+    check_refused(M "sphere material m \\\n radius 0 name ball\nsphere radius 1 material m name other\n"
                     "animate other at 0: 0 0 0",
-                  "2:1: sphere: radius: must be at least 2^-10");
-    check_refused(M "material n colour 0.5 1.5 0", "2:1: material: colour: each channel must be in 0..1");
-    check_refused("\n\nbackground -0.5", "3:1: scene: background: each channel must be in 0..1");
-    check_refused("samples 4\ncamera fov 200", "2:1: camera: fov: must be in 1..170 degrees");
-    check_refused("key a light 1 at 0 0 0 radius 0.0001", "1:1: key: radius: must be 0 or at least 2^-10");
+                  "3:2: sphere: radius: must be at least 2^-10");
+    check_refused("material index index 9 refraction 1", "1:16: material: index: must be in 0.25..4");
+    check_refused("samples 4\ncamera fov 200", "2:8: camera: fov: must be in 1..170 degrees");
+    check_refused("key a light 1 at 0 0 0 radius 0.0001", "1:24: key: radius: must be 0 or at least 2^-10");
     check_refused(M "light ambient\nlight at 30000 30000 0",
-                  "3:1: light: centre: every point must be nearer to the eye than 32768");
+                  "3:7: light: at: every point must be nearer to the eye than 32768");
+    check_refused("light rectangle at 0 5 0 sides 1 0 0 2 0 0",
+                  "1:26: light: sides: the sides must not be on one line, unless both are 0");
     check_refused(M "sphere radius 1 material m scale 1\n  sphere radius 1 scale 0 material m",
-                  "3:3: transform: scale: must be in 2^-10..1024");
+                  "3:19: sphere: scale: must be in 2^-10..1024");
+    check_refused(M "box min 0 0 0 max 1 1 1 at 32000 32000 0 material m",
+                  "2:25: box: at: every point must be nearer to the eye than 32768");
+    check_refused(M "box min 0 0 0 max 32000 32000 1 material m",
+                  "2:1: box: every point must be nearer to the eye than 32768");
+    check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 1 material m", "2:27: cone: radii: must not be the base's");
+    check_refused(M "sphere radius 9000 scale 0.01 1 1 material m",
+                  "2:20: sphere: scale: too flat for its size: the radius around it, over the least scale, must be "
+                  "below 32768");
     check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
-                  "4:1: shape: corners: must not be on one line");
-    check_refused("texture a checker\ntexture t checker repeat 0", "2:1: texture: repeat: must be in 1/1024..1024");
+                  "4:1: triangle: must not be on one line");
+    check_refused("texture a checker\ntexture t checker repeat 0", "2:19: texture: repeat: must be in 1/1024..1024");
     check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",
-                  "4:1: grid: cell: must be at least 2^-10");
+                  "4:19: grid: cell: must be at least 2^-10");
     check_refused("light name l at 0 0 0\nanimate l at 0: 0 0 0\nanimate l at 0: 32000 32000 0",
-                  "3:1: track: value: every point must be nearer to the eye than 32768");
-    check_refused("camera look 0 0 0", "1:1: camera: reference: must not be the eye");
+                  "3:1: animate: every point must be nearer to the eye than 32768");
+    check_refused("camera look 0 0 0", "1:8: camera: look: must not be the eye");
+}
+
+/* As many editors begin a text. */
+TEST(byte_order_mark)
+{
+    check_refused("\xef\xbb\xbfspher 1", "1:1: 'spher' is no statement, expected " STATEMENTS);
+    check_refused("\xef\xbb\xbf\xef\xbb\xbf", "1:1: '?\?\?' is no statement, expected " STATEMENTS);
+    check_refused("\xef\xbb\xbf# \xef\xbb\xbf\nspher", "2:1: 'spher' is no statement, expected " STATEMENTS);
+    check_refused("\xef\xbb", "1:1: '?\?' is no statement, expected " STATEMENTS);
+    read_string(&now, TIA_FORMAT_TIA,
+                "\xef\xbb\xbf"
+                "depth 5");
+    CHECK(now.status == TIA_OK && now.scene.depth == 5);
+    read_end(&now);
 }
 
 TEST(bytes_that_are_no_text)
@@ -189,7 +217,7 @@ TEST(bytes_that_are_no_text)
     memcpy(lengthy, "background ", 11);
     read_bytes(lengthy, sizeof lengthy);
     check_read_error(&now, "1:12: '9999999999999999999999999999999999999999...' is out of range, expected a number "
-                           "from -2 to below 2");
+                           "from 0 to 1");
     now.reader.length = UINT32_MAX; /* refused before a byte is read */
     CHECK_EQ(tia_read(&now.reader, &now.scene, NULL, 0, &now.need), TIA_ERR_RANGE);
     CHECK(!strcmp(now.reader.error.text, "the text is too long, expected less than 4 GiB"));
@@ -219,6 +247,7 @@ int main(void)
     RUN(lights);
     RUN(motion);
     RUN(faults_of_the_scene);
+    RUN(byte_order_mark);
     RUN(bytes_that_are_no_text);
     RUN(texts_that_are_cut_off);
     read_end(&now);

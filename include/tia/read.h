@@ -25,6 +25,27 @@ struct tia_read_error {
     char text[200];
 };
 
+/* What a reader of .obj and .mtl puts up with, and what it does then. */
+enum tia_read_warning_kind {
+    TIA_WARN_STATEMENT, /* an unknown statement, or one with a mistake in it: skipped */
+    TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
+    TIA_WARN_MATERIAL,  /* a material that is nowhere defined: grey */
+    TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
+    TIA_WARN_OPACITY,   /* an image of opacities: its mean is used everywhere */
+    TIA_WARN_RANGE,     /* a number out of range: the nearest that is in range */
+    TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
+    TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
+    TIA_WARN_CORNER,    /* texture coordinates or normals that not all corners of a face have: it has none */
+    TIA_WARN_FACE,      /* a face with too few corners, or one whose vertex does not exist: left out */
+    TIA_WARN_EMPTY,     /* a model without faces: only the background is seen */
+    TIA_WARNINGS
+};
+
+struct tia_read_warning {
+    uint32_t count;           /* 0: none of this kind */
+    struct tia_read_error at; /* the first one, and what was done about it */
+};
+
 struct tia_reader {
     enum tia_format format;
     const char *text;
@@ -37,9 +58,13 @@ struct tia_reader {
      * memory is known to suffice. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
+    /* The mean opacity of an image, 0..1: of its alpha channel or, without one, of its grey. NULL: opaque. */
+    int (*opacity)(void *ctx, const char *name, tia_q30 *mean, const char **why);
     void *ctx;
 
-    struct tia_read_error error; /* set when tia_read returns TIA_ERR_RANGE */
+    bool strict;                       /* what deserves a warning is an error */
+    struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
+    struct tia_read_error error;       /* after TIA_ERR_RANGE */
 };
 
 /* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and

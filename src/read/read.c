@@ -14,19 +14,12 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
     return TIA_ERR_ARGUMENT;
 }
 
-static void locate(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
+static void locate(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
-    switch (reader->format) {
-    case TIA_FORMAT_TIA:
+    if (reader->format == TIA_FORMAT_TIA)
         tia_locate_tia(reader, fault, arena);
-        break;
-    case TIA_FORMAT_NFF:
+    else if (reader->format == TIA_FORMAT_NFF)
         tia_locate_nff(reader, fault);
-        break;
-    case TIA_FORMAT_OBJ:
-        tia_locate_obj(reader, fault);
-        break;
-    }
 }
 
 /* Runs tia_scene_check and turns its fault into the reader's error. */
@@ -44,8 +37,10 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         tia_say(error, " ");
         tia_say_number(error, fault.index);
     }
-    tia_say(error, ": ");
-    tia_say(error, fault.field);
+    if (*fault.field) {
+        tia_say(error, ": ");
+        tia_say(error, fault.field);
+    }
     tia_say(error, ": ");
     tia_say(error, fault.rule);
     return TIA_ERR_RANGE;
@@ -58,7 +53,9 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = 0;
     *scene = (struct tia_scene){.bvh = NULL};
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
-    /* So that lines, columns and all indices fit 32 bits. */
+    for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
+        reader->warnings[i].count = 0;
+    /* Lines and columns, and so the numbers of things, fit 32 bits. */
     if ((uint64_t)reader->length >= UINT32_MAX) {
         tia_say(&reader->error, "the text is too long, expected less than 4 GiB");
         return TIA_ERR_RANGE;

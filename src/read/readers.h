@@ -17,11 +17,10 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 
-/* Sets file (unless it is the scene's own text), line and column of reader->error to the place that made the faulty
- * object. They are "", 0 and 0 before, and may stay so where finding it is not cheap. The arena is as the reader
- * left it. */
-void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena);
-void tia_locate_nff(struct tia_reader *reader, const struct tia_fault *fault);
-void tia_locate_obj(struct tia_reader *reader, const struct tia_fault *fault);
+/* Finds the text that a fault is about: its line and column become those of reader->error, which are 0 before and
+ * stay so where it is not found; the fault's thing and field become the words of the file. The arena is as the reader
+ * left it. No fault is to be found in an .obj: what the check may refuse, its statements have refused. */
+void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena);
+void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault);
 
 #endif

@@ -32,12 +32,34 @@ static int fetch_image(void *ctx, const char *name, struct tia_texture *texture,
     return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
 }
 
+static int fetch_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+{
+    (void)ctx;
+    *why = "no such file";
+    *mean = TIA_Q30_ONE / 2;
+    return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
+}
+
+/* A warning has a text and a place in one of the texts. */
+static void must_warn(const struct tia_read_warning *warnings, size_t size)
+{
+    for (unsigned i = 0; i < TIA_WARNINGS; i++)
+        MUST(!warnings[i].count || (*warnings[i].at.text && warnings[i].count <= size + 1 &&
+                                    warnings[i].at.line <= size + 1 && warnings[i].at.column <= size + 1));
+}
+
 static inline void read_any(enum tia_format format, const uint8_t *data, size_t size)
 {
     const uint8_t *zero = size ? memchr(data, 0, size) : NULL;
     size_t length = format == TIA_FORMAT_OBJ && zero ? (size_t)(zero - data) : size;
     struct rest rest = {(const char *)data + length, size - length};
-    struct tia_reader reader = {.format = format, .text = (const char *)data, .length = length, .ctx = &rest};
+    struct tia_read_warning warnings[TIA_WARNINGS];
+    struct tia_reader reader = {.format = format,
+                                .text = (const char *)data,
+                                .length = length,
+                                .ctx = &rest,
+                                .strict = size % 4 == 1,
+                                .warnings = warnings};
     struct tia_scene scene;
     void *memory = NULL;
     size_t need = 1, again = 1;
@@ -49,6 +71,7 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
     if (size % 16) {
         reader.library = fetch_library;
         reader.image = fetch_image;
+        reader.opacity = fetch_opacity;
     }
     int status = tia_read(&reader, &scene, NULL, 0, &need);
     if (status == TIA_ERR_MEMORY) {
@@ -58,6 +81,8 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
         status = tia_read(&reader, &scene, memory, need, &again);
         MUST(again == need);
     }
+    if (status == TIA_OK)
+        must_warn(warnings, size);
     if (status == TIA_OK)
         MUST(tia_scene_check(&scene, NULL) == TIA_OK);
     else

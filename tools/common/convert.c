@@ -9,12 +9,15 @@
 #include "common/scene/scene.h"
 #include "ports.h"
 
-enum { NAME = 256, SCENE_FORMAT };
+enum { NAME = 256, SCENE_FORMAT, STRICT };
 
-static const struct option long_options[] = {
-    {"output", required_argument, NULL, 'o'}, {"scene-format", required_argument, NULL, SCENE_FORMAT},
-    {"help", no_argument, NULL, 'h'},         {"version", no_argument, NULL, 'V'},
-    {"name", required_argument, NULL, NAME},  {0}};
+static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                             {"scene-format", required_argument, NULL, SCENE_FORMAT},
+                                             {"help", no_argument, NULL, 'h'},
+                                             {"version", no_argument, NULL, 'V'},
+                                             {"strict", no_argument, NULL, STRICT},
+                                             {"name", required_argument, NULL, NAME},
+                                             {0}};
 
 /* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int fail(const struct converter *converter, int status, const char *what, const char *why)
@@ -61,6 +64,9 @@ static int set(const struct converter *converter, struct request *request, int o
     case NAME:
         request->symbol = text;
         return is_identifier(text) ? 0 : fail(converter, 2, "--name", "must be a name in C, of less than 64 letters");
+    case STRICT:
+        request->strict = true;
+        return 0;
     case 'h':
         (void)fputs(converter->usage, stdout);
         return 1;
@@ -113,15 +119,25 @@ static void name_source(struct request *request)
             *at = '_';
 }
 
+static void warn(const struct converter *converter, const struct scene_file *file)
+{
+    char line[SCENE_WHY];
+
+    for (unsigned at = 0; scene_warning(file, &at, line);)
+        (void)fail(converter, 0, line, "");
+}
+
 static int open_scene(const struct converter *converter, struct request *request, struct scene_file *file)
 {
     if (request->format == SCENE_UNKNOWN)
         request->format = scene_format_of(request->scene);
     if (request->format == SCENE_UNKNOWN)
         return fail(converter, 2, request->scene, "its name does not tell its format (use --scene-format)");
-    int status = scene_open(file, request->scene, request->format);
-    if (status == TIA_OK)
+    int status = scene_open(file, request->scene, request->format, request->strict);
+    if (status == TIA_OK) {
+        warn(converter, file);
         return 0;
+    }
     return fail(converter, status == TIA_ERR_RANGE ? 2 : 1, file->why, "");
 }
 

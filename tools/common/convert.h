@@ -7,8 +7,9 @@
 struct request {
     const char *scene, *output; /* paths; "-": standard input, standard output */
     int format;                 /* of the scene; SCENE_UNKNOWN: by the file's name */
-    const char *symbol;         /* --name */
-    char source[64];            /* the scene's name, made safe for a comment */
+    bool strict;
+    const char *symbol; /* --name */
+    char source[64];    /* the scene's name, made safe for a comment */
 };
 
 struct converter {

@@ -115,10 +115,13 @@ static int run_file(struct run *run, const char *path)
     struct scene_file file;
     const char *slash = strrchr(path, '/');
 
-    if (scene_open(&file, path, scene_format_of(path)) != TIA_OK) {
+    if (scene_open(&file, path, scene_format_of(path), false) != TIA_OK) {
         (void)fprintf(stderr, "tia-compare: %s\n", file.why);
         return 2;
     }
+    char line[SCENE_WHY];
+    for (unsigned at = 0; scene_warning(&file, &at, line);)
+        (void)fprintf(stderr, "tia-compare: %s\n", line);
     int result = run_frame(run, slash != NULL ? slash + 1 : path, &file.scene, 640, 480);
     scene_close(&file);
     return result;

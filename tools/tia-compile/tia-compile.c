@@ -9,6 +9,7 @@ static const char usage[] = "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\
                             "  -o, --output FILE.c      - is standard output\n"
                             "      --name SYMBOL        default: scene\n"
                             "      --scene-format tia|nff|obj   when the scene's name does not say\n"
+                            "      --strict             refuse what is only warned of otherwise\n"
                             "  -h, --help, -V, --version\n"
                             "\n"
                             "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n";

@@ -8,6 +8,7 @@ static const char usage[] = "Usage: tia-pov SCENE -o FILE.pov\n"
                             "\n"
                             "  -o, --output FILE.pov    - is standard output, without pictures\n"
                             "      --scene-format tia|nff|obj   when the scene's name does not say\n"
+                            "      --strict             refuse what is only warned of otherwise\n"
                             "  -h, --help, -V, --version\n"
                             "\n"
                             "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n";

@@ -16,6 +16,7 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"output", required_argument, NULL, 'o'},
                                       {"format", required_argument, NULL, OPT_FORMAT},
                                       {"scene-format", required_argument, NULL, OPT_SCENE_FORMAT},
+                                      {"strict", no_argument, NULL, OPT_STRICT},
                                       {"size", required_argument, NULL, 's'},
                                       {"samples", required_argument, NULL, OPT_SAMPLES},
                                       {"keys", required_argument, NULL, 'k'},
@@ -110,13 +111,22 @@ static int load_keys(struct options *options)
     return EXIT_FINE;
 }
 
+static void warn(const struct scene_file *file)
+{
+    char line[SCENE_WHY];
+    for (unsigned at = 0; scene_warning(file, &at, line);) {
+        note("%s", line);
+    }
+}
+
 int arguments_load(struct options *options)
 {
     if (options->scene_path != NULL) {
-        int status = scene_open(&options->file, options->scene_path, options->scene_format);
+        int status = scene_open(&options->file, options->scene_path, options->scene_format, options->strict);
         if (status != TIA_OK) {
             return fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why);
         }
+        warn(&options->file);
         options->scene = options->file.scene;
     }
     if (options->samples != 0) {

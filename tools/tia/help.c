@@ -30,6 +30,7 @@ const char options_help[] =
     "      --stats                  one JSON object on standard error at the end\n"
     "      --list-displays          what was found, and why it can or cannot be opened\n"
     "      --scene-format FORMAT    tia, nff or obj, when SCENE's name does not say\n"
+    "      --strict                 refuse a model with mistakes that are only warned of otherwise\n"
     "  -h, --help\n"
     "  -V, --version\n"
     "\n"

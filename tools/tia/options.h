@@ -33,7 +33,7 @@ struct options {
     uint32_t first_frame, last_frame, first_row, last_row; /* for frame_range and tile_rows */
     uint32_t threads;
     uint32_t rotate; /* degrees, clockwise */
-    bool dither, checksum, stats;
+    bool dither, checksum, stats, strict;
 };
 
 extern const char options_help[];

@@ -136,6 +136,9 @@ static int set_flag(struct options *options, int option)
     case OPT_STATS:
         options->stats = true;
         break;
+    case OPT_STRICT:
+        options->strict = true;
+        break;
     case OPT_LIST:
         options->action = ACTION_LIST;
         break;

@@ -20,7 +20,8 @@ enum {
     OPT_MODE,
     OPT_CHECKSUM,
     OPT_STATS,
-    OPT_LIST
+    OPT_LIST,
+    OPT_STRICT
 };
 
 /* EXIT_FINE, or EXIT_USAGE after an error message. May change the text of `value`. */

@@ -81,7 +81,7 @@ static int read_resolution(struct nff *n)
 static int read_b(struct nff *n)
 {
     n->backgrounds++;
-    return tia_text_rgb(&n->text, &n->scene->background);
+    return tia_text_rgb(&n->text, &n->scene->background, false);
 }
 
 /* 1/sqrt(count) as Q2.30, to nearest: the square root of 2^62/count has one bit more than that. */
@@ -96,7 +96,7 @@ static int read_l(struct nff *n)
     int status = tia_text_vec3(&n->text, &light.centre);
 
     if (!status && tia_text_has_number(&n->text))
-        status = tia_text_rgb(&n->text, &light.emission);
+        status = tia_text_rgb(&n->text, &light.emission, true);
     else if (n->lights.capacity)
         light.emission = tia_grey(intensity(n->lights.capacity));
     tia_array_add(&n->lights, &light);
@@ -111,12 +111,12 @@ static int read_f(struct nff *n)
     struct tia_material m = {.index = TIA_Q16_ONE};
     tia_q30 kd = 0, ks = 0, transmittance = 0;
     tia_q16 exponent = 0;
-    int status = tia_text_rgb(t, &m.colour);
+    int status = tia_text_rgb(t, &m.colour, true); /* with Kd it is at most 1 */
 
-    status = status ? status : tia_text_q30(t, &kd);
-    status = status ? status : tia_text_q30(t, &ks);
+    status = status ? status : tia_text_bright(t, &kd);
+    status = status ? status : tia_text_unit(t, &ks);
     status = status ? status : tia_text_exponent(t, &exponent);
-    status = status ? status : tia_text_q30(t, &transmittance);
+    status = status ? status : tia_text_unit(t, &transmittance);
     status = status ? status : tia_text_q16(t, &m.index);
     m.colour = tia_rgb_product(m.colour, kd);
     m.mirror = tia_grey(ks);
@@ -154,6 +154,8 @@ static int read_statement(struct nff *n, const struct tia_word *word)
 {
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         if (tia_word_is(word, statements[i].name)) {
+            n->statement = statements[i].name;
+            n->rest = n->text;
             int status = statements[i].read(n);
             return status ? status : tia_text_end(&n->text);
         }
@@ -181,6 +183,8 @@ static bool is_found(const struct nff *n)
                  {"camera", n->view & VIEW_V},
                  {"scene", n->backgrounds}};
 
+    if (n->line)
+        return is_same(n->line, n->statement);
     for (size_t i = 0; n->fault && i < sizeof kinds / sizeof *kinds; i++)
         if (is_same(n->fault->thing, kinds[i].thing))
             return kinds[i].made > n->fault->index;
@@ -271,11 +275,44 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return tia_arena_fits(arena) ? read_all(&n, reader, &reader->error) : TIA_OK;
 }
 
-void tia_locate_nff(struct tia_reader *reader, const struct tia_fault *fault)
+/* The words of a fault: what the file calls its field ("": the whole line), and which word of the line it is. */
+static const struct nff_field {
+    const char *thing, *field, *name;
+    unsigned word;
+} fields[] = {
+    {"camera", "eye", "from", 0},
+    {"camera", "reference", "at", 0},
+    {"camera", "up", "up", 0},
+    {"camera", "fov", "angle", 0},
+    {"material", "colour", "Kd", 3},
+    {"material", "index", "index", 7},
+    {"sphere", "centre", "", 0},
+    {"sphere", "radius", "radius", 3},
+    {"light", "centre", "", 0},
+    {"shape", "base_radius", "radius", 3},
+    {"shape", "top_radius", "radius", 7},
+    {"shape", "radius", "radius", 3},
+    {"shape", "top", "", 4},
+    {"shape", "place", "", UINT32_MAX},
+};
+
+void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault)
 {
     struct tia_scene scene = {.bvh = NULL};
     struct nff n = begin(&scene);
+    const struct nff_field *field = fields;
 
+    while (field < fields + sizeof fields / sizeof *fields &&
+           !(is_same(field->thing, fault->thing) && is_same(field->field, fault->field)))
+        field++;
+    bool known = field < fields + sizeof fields / sizeof *fields;
     n.fault = fault;
+    n.line = known && is_same(fault->thing, "camera") ? field->name : NULL;
     (void)read_all(&n, reader, &reader->error);
+    if (!reader->error.line)
+        return;
+    fault->thing = n.line ? "v" : n.statement;
+    fault->field = known ? field->name : fault->field;
+    if (known)
+        (void)tia_text_locate(n.rest, field->word, NULL, &reader->error);
 }

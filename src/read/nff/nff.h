@@ -16,7 +16,11 @@ struct nff {
     uint32_t most_corners;
     unsigned view, backgrounds;
 
+    const char *statement; /* the one that was read last */
+    struct tia_text rest;  /* what followed its first word */
+
     const struct tia_fault *fault; /* NULL, or only the place of the thing at fault is looked for */
+    const char *line;              /* NULL, or the fault is in the line of the view with that word */
 };
 
 /* The statements that make things. */

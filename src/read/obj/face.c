@@ -46,28 +46,57 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
     } else {
         tia_say(o->text.error, "one before this line");
     }
-    return TIA_ERR_RANGE;
+    if (!o->vertices.count)
+        return TIA_ERR_RANGE; /* this is no model */
+    return tia_obj_forgive(o, part == PART_VERTEX ? TIA_WARN_FACE : TIA_WARN_CORNER);
 }
 
+/* What is known of the face whose corners are read. */
+struct obj_face {
+    uint32_t count;
+    bool has[PARTS]; /* each corner so far; without PART_VERTEX it is left out */
+};
+
 /* One corner, its indices from 0. */
-static int read_corner(struct obj *o, struct tia_corner *corner)
+static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *corner, const struct tia_word *word)
 {
     const uint32_t counts[PARTS] = {o->vertices.count, o->uvs.count, o->normals.count};
     uint32_t found[PARTS];
     int64_t index[PARTS];
-    struct tia_word word;
 
-    (void)tia_text_word(&o->text, &word);
-    if (!split(&word, index))
-        return tia_text_error(&o->text, &word, "is no corner", "V, V/VT, V//VN or V/VT/VN");
+    if (!split(word, index)) {
+        face->has[PART_VERTEX] = false;
+        (void)tia_text_error(&o->text, word, "is no corner", "V, V/VT, V//VN or V/VT/VN");
+        return tia_obj_forgive(o, TIA_WARN_FACE);
+    }
     for (enum part part = PART_VERTEX; part < PARTS; part++) {
         int64_t i = index[part] < 0 ? counts[part] + index[part] : index[part] - 1;
-        if (index[part] && (i < 0 || i >= counts[part]))
-            return unknown(o, &word, part, counts[part]);
-        found[part] = index[part] ? (uint32_t)i : TIA_NO_INDEX;
+        bool is_there = i >= 0 && i < counts[part];
+        int status = index[part] && !is_there ? unknown(o, word, part, counts[part]) : TIA_OK;
+        if (status)
+            return status;
+        found[part] = is_there ? (uint32_t)i : TIA_NO_INDEX;
     }
     *corner = (struct tia_corner){.vertex = found[PART_VERTEX], .normal = found[PART_NORMAL], .uv = found[PART_UV]};
     return TIA_OK;
+}
+
+/* Adds it to the face, which has the parts that all its corners have. */
+static int add_corner(struct obj *o, struct obj_face *face, const struct tia_corner *corner,
+                      const struct tia_word *word)
+{
+    bool has[PARTS] = {corner->vertex != TIA_NO_INDEX, corner->uv != TIA_NO_INDEX, corner->normal != TIA_NO_INDEX};
+    bool is_mixed = face->count && (has[PART_UV] != face->has[PART_UV] || has[PART_NORMAL] != face->has[PART_NORMAL]);
+
+    for (enum part part = PART_VERTEX; part < PARTS; part++)
+        face->has[part] = has[part] && (face->has[part] || (!face->count && part != PART_VERTEX));
+    if (o->pass == OBJ_FILL && face->count < o->most_corners)
+        o->corners[face->count] = *corner;
+    face->count++;
+    if (!is_mixed)
+        return TIA_OK;
+    (void)tia_text_error(&o->text, word, "is of another form", "all corners of a face alike");
+    return tia_obj_forgive(o, TIA_WARN_CORNER);
 }
 
 /* ---- triangles ---- */
@@ -101,43 +130,68 @@ static void add_faces(struct obj *o, uint32_t count)
     }
 }
 
-/* The corners of this line; those that a face has are stored in the last pass. */
-static int read_corners(struct obj *o, uint32_t *count)
+/* Whether the normals of a face say where it faces: see read_vn. */
+static bool are_normals(const struct obj *o, uint32_t count)
 {
-    struct tia_corner corner, first = {0, 0, 0};
+    const struct tia_dir3 *normals = (const struct tia_dir3 *)(void *)o->normals.items;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const struct tia_dir3 *n = &normals[o->corners[i].normal];
+        if (!n->x && !n->y && !n->z)
+            return false;
+    }
+    return true;
+}
+
+/* The corners of this line; those of a face are stored in the last pass. */
+static int read_corners(struct obj *o, struct obj_face *face)
+{
+    struct tia_corner corner = {TIA_NO_INDEX, TIA_NO_INDEX, TIA_NO_INDEX};
     struct tia_word word;
 
-    for (*count = 0; *count < 3 || tia_text_peek(&o->text, &word); ++*count) {
-        (void)tia_text_peek(&o->text, &word);
-        int status = read_corner(o, &corner);
+    while (tia_text_word(&o->text, &word)) {
+        if (face->count == POLYGON_MAX)
+            return tia_text_error(&o->text, &word, "is one too many", "at most 4096 corners");
+        int status = read_corner(o, face, &corner, &word);
+        status = status ? status : add_corner(o, face, &corner, &word);
         if (status)
             return status;
-        if (*count == POLYGON_MAX)
-            return tia_text_error(&o->text, &word, "is one too many", "at most 4096 corners");
-        first = *count ? first : corner;
-        if ((corner.uv == TIA_NO_INDEX) != (first.uv == TIA_NO_INDEX) ||
-            (corner.normal == TIA_NO_INDEX) != (first.normal == TIA_NO_INDEX))
-            return tia_text_error(&o->text, &word, "is of another form", "all corners of a face alike");
-        if (o->pass == OBJ_FILL)
-            o->corners[*count] = corner;
     }
-    return TIA_OK;
+    if (face->count >= 3)
+        return TIA_OK;
+    face->has[PART_VERTEX] = false;
+    (void)tia_text_error(&o->text, &word, "", "V, V/VT, V//VN or V/VT/VN");
+    return tia_obj_forgive(o, TIA_WARN_FACE);
+}
+
+/* Takes from the corners what not all of them have. */
+static void strip_corners(struct obj *o, const struct obj_face *face)
+{
+    bool normals = face->has[PART_NORMAL] && are_normals(o, face->count);
+
+    for (uint32_t i = 0; i < face->count; i++) {
+        if (!face->has[PART_UV])
+            o->corners[i].uv = TIA_NO_INDEX;
+        if (!normals)
+            o->corners[i].normal = TIA_NO_INDEX;
+    }
 }
 
 int tia_obj_f(struct obj *o)
 {
-    uint32_t count;
-    int status = read_corners(o, &count);
+    struct obj_face face = {.has = {[PART_VERTEX] = true}};
+    int status = read_corners(o, &face);
 
-    if (status)
+    if (status || !face.has[PART_VERTEX])
         return status;
     if (o->pass == OBJ_COUNT) {
-        o->most_corners = count > o->most_corners ? count : o->most_corners;
-        o->face_count += count - 2;
+        o->most_corners = face.count > o->most_corners ? face.count : o->most_corners;
+        o->face_count += face.count - 2;
     } else if (o->pass == OBJ_MEASURE) {
-        o->groups[o->group].face_count += count - 2;
+        o->groups[o->group].face_count += face.count - 2;
     } else {
-        add_faces(o, count);
+        strip_corners(o, &face);
+        add_faces(o, face.count);
     }
     return TIA_OK;
 }
@@ -186,19 +240,30 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 
 /* Where many materials are used all over the text, each mesh sees all its vertices, and whoever looks at
  * them all takes a time that grows with the square of the text. */
-#define SEEN_MAX (UINT64_C(1) << 26)
+#define SEEN_MAX (UINT64_C(1) << 30)
+
+/* Those without a direction, which no face uses any more, get one: a mesh has no others. */
+static void fix_normals(struct obj *o)
+{
+    struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;
+
+    for (uint32_t i = 0; i < o->normals.count; i++)
+        if (!normals[i].x && !normals[i].y && !normals[i].z)
+            normals[i].z = TIA_Q30_ONE;
+}
 
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
 {
     uint32_t count = 0;
-    uint64_t seen = 0;
+    uint64_t seen = 0; /* normals */
 
+    fix_normals(o);
     for (uint32_t i = 0; i < o->scene->material_count; i++) {
         if (!o->groups[i].face_count)
             continue;
         meshes[count] = make_mesh(o, &o->groups[i]);
         shapes[count] = (struct tia_shape){.kind = TIA_MESH, .material = i, .mesh = count};
-        seen += (uint64_t)meshes[count].vertex_count + meshes[count].normal_count + meshes[count].uv_count;
+        seen += meshes[count].normal_count;
         count++;
     }
     o->scene->meshes = meshes;

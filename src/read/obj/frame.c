@@ -77,8 +77,10 @@ int tia_obj_fit(struct obj *o)
 {
     int64_t half = 0, farthest = 0;
 
-    if (!o->face_count)
-        return refuse(o, "the model has no faces, expected some f");
+    if (!o->face_count) {
+        int status = refuse(o, "the model has no faces, expected some f");
+        return o->vertices.count ? tia_obj_forgive(o, TIA_WARN_EMPTY) : status;
+    }
     if (o->face_count > TIA_OBJECTS_MAX)
         return refuse(o, "the model has too many faces, expected at most 16777216");
     for (int i = 0; i < 3; i++) {
@@ -166,8 +168,9 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         for (uint32_t i = 0; i < 3 * scene->meshes[m].face_count; i++)
             extend(&b, &scene->meshes[m].vertices[scene->meshes[m].faces[i / 3].corner[i % 3].vertex]);
-    struct tia_vec3 c = middle(&b);
-    uint64_t radius = tia_sqrt64(farthest(scene, c)) + UINT64_C(1);
+    /* Without faces there is nothing to see, and any place will do. */
+    struct tia_vec3 c = scene->mesh_count ? middle(&b) : (struct tia_vec3){0, 0, 0};
+    uint64_t radius = scene->mesh_count ? tia_sqrt64(farthest(scene, c)) + UINT64_C(1) : TIA_Q16_ONE;
     if (radius < TIA_RADIUS_MIN)
         return refuse(o, "all faces lie in one point, expected a model");
     scene->camera = look_at(c, radius);

@@ -1,30 +1,19 @@
-/* mtl.c - Wavefront's material libraries, .mtl, as tia understands them:
+/* mtl.c - Wavefront's material libraries, .mtl, and what their statements become:
  *
- *     Kd Ke           diffuse and emission; Ke above 1 is 1, which is as white. Kd is 0.8 where there is none
- *     Ks Ns           highlight and its exponent, with illum 2 and more; Ks is the mirror too with illum 3 and more
- *     d, Tr           1 - d or Tr is let through: diffuse times d, refraction and what a shadow ray keeps
- *                     (1 - d) Tf
- *     Tf              1 where there is none; with illum 4, 6, 7, 9 and no d or Tr all of it is let through
- *     Ni              bends with illum 4, 6, 7, 9; else light goes straight on
- *     illum           2 where there is none; 0 is 1; Fresnel's equations with 5 and 7
+ *     Kd Ke           diffuse and emission; Ke above 1 is 1, which is as white. Kd is 0.8 by default
+ *     Ks Ns           highlight and its exponent, with illum 2 and above; with illum 3 and above Ks is the mirror too
+ *     d, Tr           opacity, or 1 - opacity; where both are there, d. Kd is multiplied by it; refraction and
+ *                     the transmission of shadow rays are (1 - opacity) Tf
+ *     Tf              1 by default; with illum 4, 6, 7, 9 and neither d nor Tr the opacity is 0
+ *     Ni              index of refraction with illum 4, 6, 7, 9; else light goes straight through
+ *     illum           2 by default; 0 is 1; Fresnel's equations with 5 and 7
  *     map_Kd          an image, bilinear; -s U V repeats it; other options are read and not used
+ *     map_d           an image of opacities, of which the mean multiplies the opacity: see mtl_map.c
  *
- * Ka, the other maps and what newer programs add are skipped; what is none of these is an error.
+ * Ka, the other maps and what newer programs add are skipped without a word. What is wrong is a warning, see obj.c.
  */
-#include "obj.h"
+#include "mtl.h"
 #include "read/surface.h"
-
-struct mtl {
-    struct obj *obj;
-    struct tia_text text;
-    bool open;
-    struct tia_rgb kd, ks, ke, tf;
-    tia_q30 opacity;
-    bool has_opacity, has_filter;
-    tia_q16 exponent, index;
-    int64_t illum;
-    uint32_t texture;
-};
 
 /* ---- what a material becomes ---- */
 
@@ -41,10 +30,11 @@ static void close_material(struct mtl *m)
 {
     struct tia_material made = {.emission = m->ke, .index = TIA_Q16_ONE, .texture = m->texture};
     bool bends = is_one_of(m->illum, BENDS);
-    tia_q30 opacity = m->has_opacity ? m->opacity : bends && m->has_filter ? 0 : TIA_Q30_ONE;
+    tia_q30 opacity = m->has_d || m->has_tr ? m->opacity : bends && m->has_filter ? 0 : TIA_Q30_ONE;
 
     if (!m->open)
         return;
+    opacity = tia_q30_product(opacity, m->mean_opacity);
     made.colour = tia_rgb_product(m->kd, opacity);
     made.refraction = made.transmission = tia_rgb_product(m->tf, TIA_Q30_ONE - opacity);
     if (bends && m->index)
@@ -64,6 +54,7 @@ static void open_material(struct mtl *m)
                       .kd = tia_grey(TIA_Q30(0.8)),
                       .tf = tia_grey(TIA_Q30_ONE),
                       .opacity = TIA_Q30_ONE,
+                      .mean_opacity = TIA_Q30_ONE,
                       .index = TIA_Q16_ONE,
                       .illum = 2};
 }
@@ -78,11 +69,14 @@ void tia_mtl_add_default(struct obj *o)
 
 /* ---- statements ---- */
 
+/* Where there is no name, it is empty: some programs use it so. */
 static int read_newmtl(struct mtl *m)
 {
     struct tia_name name = {.kind = OBJ_MATERIAL, .index = m->obj->materials.count};
     int status = tia_obj_name(&m->text, &name.word, "a material's name");
 
+    if (status)
+        status = tia_obj_forgive(m->obj, TIA_WARN_STATEMENT);
     if (status)
         return status;
     close_material(m);
@@ -94,177 +88,136 @@ static int read_newmtl(struct mtl *m)
 }
 
 /* A number in 0..1; where it may be more, that is 1. */
-static int read_unit(struct tia_text *t, tia_q30 *out, bool may_be_more)
+static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
 {
-    struct tia_text before = *t;
+    struct tia_text before = m->text;
     struct tia_word word;
     int64_t wide;
 
-    (void)tia_text_peek(t, &word);
-    int status = tia_text_q32(t, &wide);
+    (void)tia_text_peek(&m->text, &word);
+    int status = tia_text_q32(&m->text, &wide);
     if (status)
         return status;
-    if (wide < 0 || (wide > INT64_C(1) << 32 && !may_be_more))
-        return tia_text_error(t, &word, "is out of range", "a number from 0 to 1");
-    *out = TIA_Q30_ONE;
+    *out = wide < 0 ? 0 : TIA_Q30_ONE;
+    if (wide < 0 || (wide > INT64_C(1) << 32 && !may_be_more)) {
+        (void)tia_text_error(&m->text, &word, "is out of range", "a number from 0 to 1");
+        return tia_obj_forgive(m->obj, TIA_WARN_RANGE);
+    }
     if (wide >= INT64_C(1) << 32)
         return TIA_OK;
-    *t = before;
-    return tia_text_q30(t, out);
+    m->text = before;
+    return tia_text_q30(&m->text, out);
 }
 
-/* One number is a grey. */
-static int read_colour(struct tia_text *t, struct tia_rgb *out, bool may_be_more)
+/* One number is a grey. What has a mistake in it leaves the colour as it was. */
+static int read_colour(struct mtl *m, struct tia_rgb *out, bool may_be_more)
 {
-    int status = read_unit(t, &out->r, may_be_more);
+    struct tia_rgb colour;
+    int status = read_unit(m, &colour.r, may_be_more);
 
-    *out = tia_grey(out->r);
-    if (status || !tia_text_has_number(t))
+    if (status)
         return status;
-    status = read_unit(t, &out->g, may_be_more);
-    return status ? status : read_unit(t, &out->b, may_be_more);
+    colour = tia_grey(colour.r);
+    if (tia_text_has_number(&m->text)) {
+        status = read_unit(m, &colour.g, may_be_more);
+        status = status ? status : read_unit(m, &colour.b, may_be_more);
+    }
+    if (!status)
+        *out = colour;
+    return status;
 }
 
 static int read_kd(struct mtl *m)
 {
-    return read_colour(&m->text, &m->kd, false);
+    return read_colour(m, &m->kd, false);
 }
 
 static int read_ks(struct mtl *m)
 {
-    return read_colour(&m->text, &m->ks, false);
+    return read_colour(m, &m->ks, false);
 }
 
 static int read_ke(struct mtl *m)
 {
-    return read_colour(&m->text, &m->ke, true);
+    return read_colour(m, &m->ke, true);
 }
 
 static int read_tf(struct mtl *m)
 {
-    m->has_filter = true;
-    return read_colour(&m->text, &m->tf, false);
+    int status = read_colour(m, &m->tf, false);
+
+    m->has_filter |= !status;
+    return status;
 }
 
 static int read_ns(struct mtl *m)
 {
-    return tia_text_exponent(&m->text, &m->exponent);
+    struct tia_word word;
+    tia_q16 exponent;
+
+    (void)tia_text_peek(&m->text, &word);
+    int status = tia_text_exponent(&m->text, &exponent);
+    if (status)
+        return status;
+    m->exponent = exponent < 0 ? 0 : exponent;
+    if (exponent >= 0)
+        return TIA_OK;
+    (void)tia_text_error(&m->text, &word, "is out of range", "0 or more");
+    return tia_obj_forgive(m->obj, TIA_WARN_RANGE);
 }
 
 static int read_d(struct mtl *m)
 {
     struct tia_word word;
+    tia_q30 opacity;
 
     if (tia_text_peek(&m->text, &word) && tia_word_is(&word, "-halo"))
         (void)tia_text_word(&m->text, &word);
-    m->has_opacity = true;
-    return read_unit(&m->text, &m->opacity, false);
+    int status = read_unit(m, &opacity, false);
+    if (status)
+        return status;
+    m->has_d = true;
+    m->opacity = opacity;
+    return TIA_OK;
 }
 
 static int read_tr(struct mtl *m)
 {
-    int status = read_d(m);
+    tia_q30 transparency;
+    int status = read_unit(m, &transparency, false);
 
-    m->opacity = TIA_Q30_ONE - m->opacity;
-    return status;
+    if (status || m->has_d)
+        return status;
+    m->has_tr = true;
+    m->opacity = TIA_Q30_ONE - transparency;
+    return TIA_OK;
 }
 
 static int read_ni(struct mtl *m)
 {
     struct tia_word word;
+    tia_q16 index;
 
     (void)tia_text_peek(&m->text, &word);
-    int status = tia_text_q16(&m->text, &m->index);
-    if (!status && m->index && (m->index < TIA_INDEX_MIN || m->index > TIA_INDEX_MAX))
-        return tia_text_error(&m->text, &word, "is out of range", "an index of refraction from 0.25 to 4");
-    return status;
+    int status = tia_text_q16(&m->text, &index);
+    if (status)
+        return status;
+    m->index = !index || index > TIA_INDEX_MIN ? index : TIA_INDEX_MIN;
+    m->index = index < TIA_INDEX_MAX ? m->index : TIA_INDEX_MAX;
+    if (m->index == index)
+        return TIA_OK;
+    (void)tia_text_error(&m->text, &word, "is out of range", "an index of refraction from 0.25 to 4");
+    return tia_obj_forgive(m->obj, TIA_WARN_RANGE);
 }
 
 static int read_illum(struct mtl *m)
 {
-    return tia_text_integer(&m->text, &m->illum, 0, 10);
-}
+    int64_t illum;
+    int status = tia_text_integer(&m->text, &illum, 0, 10);
 
-/* ---- images ---- */
-
-/* -s U [V [W]] gives the repeats; what else begins with - takes one to three words. */
-static int read_option(struct tia_text *t, const struct tia_word *option, tia_q16 repeat[2])
-{
-    struct tia_word word;
-    bool scales = tia_word_is(option, "-s");
-
-    if (!scales && !tia_word_is(option, "-o") && !tia_word_is(option, "-t") && !tia_word_is(option, "-mm")) {
-        (void)tia_text_word(t, &word);
-        return TIA_OK;
-    }
-    for (int i = 0; i < 3 && tia_text_has_number(t); i++) {
-        tia_q16 number;
-        (void)tia_text_peek(t, &word);
-        int status = tia_text_q16(t, &number);
-        if (status)
-            return status;
-        if (scales && i < 2) {
-            if (number < TIA_Q16_ONE / 1024 || number > TIA_Q16(1024))
-                return tia_text_error(t, &word, "is out of range", "a number from 1/1024 to 1024");
-            repeat[i] = number;
-        }
-    }
-    return TIA_OK;
-}
-
-/* The image, fetched once however often it is named. */
-static int fetch_image(struct mtl *m, const struct tia_word *name, struct tia_texture *texture)
-{
-    struct obj *o = m->obj;
-    struct tia_name *known =
-        tia_names_find((struct tia_name *)(void *)o->names.items, o->names.capacity, OBJ_IMAGE, name);
-    const char *why = "there is nothing that could";
-    char file[TIA_NAME_MAX + 1];
-
-    if (known->index < o->textures.count) {
-        *texture = ((struct tia_texture *)(void *)o->textures.items)[known->index];
-        return TIA_OK;
-    }
-    *texture = (struct tia_texture){.kind = TIA_IMAGE};
-    tia_word_copy(file, name);
-    if (!o->reader->image || o->reader->image(o->reader->ctx, file, texture, &why) < 0) {
-        (void)tia_text_error_at(&m->text, name);
-        tia_say_word(m->text.error, name);
-        tia_say(m->text.error, " cannot be read: ");
-        tia_say(m->text.error, why);
-        tia_say(m->text.error, ", expected an image");
-        return TIA_ERR_RANGE;
-    }
-    known->index = o->textures.count;
-    return TIA_OK;
-}
-
-static int read_map_kd(struct mtl *m)
-{
-    struct tia_texture texture = {.kind = TIA_IMAGE};
-    struct tia_name name = {.kind = OBJ_IMAGE, .index = UINT32_MAX};
-    tia_q16 repeat[2] = {TIA_Q16_ONE, TIA_Q16_ONE};
-    struct tia_word word;
-    int status = TIA_OK;
-
-    while (!status && tia_text_peek(&m->text, &word) && *word.at == '-' && word.length > 1) {
-        (void)tia_text_word(&m->text, &word);
-        status = read_option(&m->text, &word, repeat);
-    }
-    status = status ? status : tia_obj_name(&m->text, &name.word, "an image's file name");
-    if (!status && m->obj->pass == OBJ_FILL)
-        status = fetch_image(m, &name.word, &texture);
-    if (status)
-        return status;
-    if (m->obj->pass != OBJ_FILL)
-        tia_array_add(&m->obj->names, &name);
-    texture.kind = TIA_IMAGE;
-    texture.bilinear = true;
-    texture.repeat[0] = repeat[0];
-    texture.repeat[1] = repeat[1];
-    tia_array_add(&m->obj->textures, &texture);
-    m->texture = m->obj->textures.count;
-    return TIA_OK;
+    if (!status)
+        m->illum = illum;
+    return status;
 }
 
 /* ---- all of it ---- */
@@ -273,32 +226,48 @@ static const struct {
     const char *name;
     int (*read)(struct mtl *);
 } statements[] = {
-    {"newmtl", read_newmtl}, {"Kd", read_kd},       {"Ks", read_ks},         {"Ke", read_ke},
-    {"Tf", read_tf},         {"Ns", read_ns},       {"d", read_d},           {"Tr", read_tr},
-    {"Ni", read_ni},         {"illum", read_illum}, {"map_Kd", read_map_kd},
+    {"newmtl", read_newmtl},
+    {"Kd", read_kd},
+    {"Ks", read_ks},
+    {"Ke", read_ke},
+    {"Tf", read_tf},
+    {"Ns", read_ns},
+    {"d", read_d},
+    {"Tr", read_tr},
+    {"Ni", read_ni},
+    {"illum", read_illum},
+    {"map_Kd", tia_mtl_map_kd},
+    {"map_d", tia_mtl_map_d},
 };
 
 static const char *const skipped[] = {
-    "Ka",     "bump",   "disp",    "decal",       "refl",     "norm",     "sharpness", "Km",       "Pr",
-    "Pm",     "Ps",     "Pc",      "Pcr",         "aniso",    "anisor",   "map_Ka",    "map_Ks",   "map_Ke",
-    "map_Ns", "map_d",  "map_Tr",  "map_opacity", "map_bump", "map_Bump", "map_refl",  "map_Pr",   "map_Pm",
-    "map_Ps", "map_Ni", "map_aat", "Kt",          "Tm",       "map_Disp", "map_disp",  "map_norm", "map_Norm"};
+    "Ka",     "bump",    "disp",        "decal",    "refl",     "norm",     "sharpness", "Km",      "Pr",
+    "Pm",     "Ps",      "Pc",          "Pcr",      "aniso",    "anisor",   "map_Ka",    "map_Ks",  "map_Ke",
+    "map_Ns", "map_Tr",  "map_opacity", "map_bump", "map_Bump", "map_refl", "map_Pr",    "map_Pm",  "map_Ps",
+    "map_Ni", "map_aat", "Kt",          "Tm",       "map_Disp", "map_disp", "map_norm",  "map_Norm"};
+
+/* What is left of the line, after an error. */
+static int skip_mistake(struct mtl *m)
+{
+    tia_obj_skip(&m->text);
+    return tia_obj_forgive(m->obj, TIA_WARN_STATEMENT);
+}
 
 static int read_statement(struct mtl *m, const struct tia_word *word)
 {
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         if (tia_word_is(word, statements[i].name)) {
-            if (!m->open && i > 0)
-                return tia_text_error(&m->text, word, "comes too early", "newmtl first");
-            int status = statements[i].read(m);
-            return status ? status : tia_text_end(&m->text);
+            int status = m->open || !i ? statements[i].read(m)
+                                       : tia_text_error(&m->text, word, "comes too early", "newmtl first");
+            return status || tia_text_end(&m->text) ? skip_mistake(m) : TIA_OK;
         }
     for (size_t i = 0; i < sizeof skipped / sizeof *skipped; i++)
         if (tia_word_is(word, skipped[i])) {
-            tia_text_skip(&m->text);
+            tia_obj_skip(&m->text);
             return TIA_OK;
         }
-    return tia_text_error(&m->text, word, "is no statement of a material", "newmtl, Kd, Ks, Ns, d or the like");
+    (void)tia_text_error(&m->text, word, "is no statement of a material", "newmtl, Kd, Ks, Ns, d or the like");
+    return skip_mistake(m);
 }
 
 int tia_mtl_read(struct obj *o, const struct obj_library *library)

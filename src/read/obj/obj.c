@@ -1,118 +1,72 @@
 /* obj.c - Wavefront's .obj: polygons with materials, normals and texture coordinates.
  *
- *     v x y z          what follows, a weight or a colour, is not used
- *     vt u [v [w]]     v upwards from below: tia's is 1 - v
- *     vn x y z         of any length but 0
- *     f                V, V/VT, V//VN or V/VT/VN, from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
- *     usemtl mtllib    see mtl.c; before the first usemtl things are grey
+ *     v x y z          a weight or a colour behind it is skipped
+ *     vt u [v [w]]     v points up: the scene's is 1 - v
+ *     vn x y z         of any length
+ *     f                V, V/VT, V//VN or V/VT/VN, counted from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
+ *     usemtl mtllib    see material.c and mtl.c; before the first usemtl things are grey
  *
- * The faces of one material, wherever they are, make one mesh. Groups, objects, smoothing groups, points
- * and lines are skipped; curves and surfaces of free form are errors. The format has no camera, light and
- * unit: see obj_frame.c.
+ * The faces of one material, wherever they are, make one mesh. Groups, objects, smoothing groups, points and
+ * lines are skipped. The format has no camera, light or unit: see frame.c.
+ *
+ * The files that programs write are full of small mistakes, and other programs draw them all the same. So most
+ * mistakes are warnings, one for each kind; with reader->strict they are errors. Vertices must be right:
+ * without them there is no telling what the model looks like.
  */
 #include "obj.h"
+
+/* ---- texture coordinates and normals ---- */
+
+/* One that is out of range is far beyond what shows a picture: it is cut off. */
+static int read_texture_coordinate(struct obj *o, tia_q16 *out)
+{
+    struct tia_word word;
+    int64_t wide = 0;
+
+    (void)tia_text_peek(&o->text, &word);
+    int status = tia_text_q16(&o->text, out);
+    if (!status)
+        return status;
+    enum tia_decimal result = tia_decimal(&wide, &word, 16);
+    bool below = word.length && *word.at == '-';
+    *out = result == TIA_DECIMAL_NONE ? 0 : below ? 2 * TIA_Q16_ONE - INT32_MAX : INT32_MAX;
+    return tia_obj_forgive(o, result == TIA_DECIMAL_NONE ? TIA_WARN_NUMBER : TIA_WARN_RANGE);
+}
 
 static int read_uv(struct obj *o)
 {
     struct tia_uv uv = {0, 0};
     struct tia_word word;
     tia_q16 more;
-    int status = tia_text_q16(&o->text, &uv.u);
+    int status = read_texture_coordinate(o, &uv.u);
 
     if (!status && tia_text_peek(&o->text, &word))
-        status = tia_text_q16(&o->text, &uv.v);
+        status = read_texture_coordinate(o, &uv.v);
     if (!status && tia_text_has_number(&o->text))
-        status = tia_text_q16(&o->text, &more);
-    if (status)
-        return status;
-    if (uv.v <= TIA_Q16_ONE - INT32_MAX)
-        return tia_text_error(&o->text, &word, "is out of range", "a number from -32766 to below 32768");
+        status = read_texture_coordinate(o, &more);
+    if (!status && uv.v <= TIA_Q16_ONE - INT32_MAX) {
+        (void)tia_text_error(&o->text, &word, "is out of range", "a number from -32766 to below 32768");
+        status = tia_obj_forgive(o, TIA_WARN_RANGE);
+        uv.v = 2 * TIA_Q16_ONE - INT32_MAX;
+    }
     uv.v = TIA_Q16_ONE - uv.v;
     tia_array_add(&o->uvs, &uv);
-    return TIA_OK;
+    return status;
 }
 
+/* One without a direction is (0, 0, 0) until the faces that use it are known. */
 static int read_vn(struct obj *o)
 {
     struct tia_dir3 normal = {0, 0, 0};
     int status = tia_text_dir3(&o->text, &normal);
 
+    if (status) {
+        normal = (struct tia_dir3){0, 0, 0};
+        status = tia_obj_forgive(o, TIA_WARN_NORMAL);
+        tia_obj_skip(&o->text);
+    }
     tia_array_add(&o->normals, &normal);
     return status;
-}
-
-/* ---- materials ---- */
-
-static int read_usemtl(struct obj *o)
-{
-    struct tia_word word;
-    int status = tia_obj_name(&o->text, &word, "a material's name");
-
-    o->material_uses++;
-    if (status || o->pass == OBJ_COUNT)
-        return status;
-    const struct tia_name *name =
-        tia_names_find((struct tia_name *)(void *)o->names.items, o->names.capacity, OBJ_MATERIAL, &word);
-    if (!name)
-        return tia_text_error(&o->text, &word, "is no material", "one that a mtllib has");
-    o->group = name->index;
-    return TIA_OK;
-}
-
-static bool is_same(const struct tia_word *a, const struct tia_word *b)
-{
-    uint32_t i = 0;
-
-    while (i < a->length && i < b->length && a->at[i] == b->at[i])
-        i++;
-    return i == a->length && i == b->length;
-}
-
-static bool is_known(const struct obj *o, const struct tia_word *word)
-{
-    for (uint32_t i = 0; i < o->library_count; i++)
-        if (is_same(word, &o->libraries[i].name))
-            return true;
-    return false;
-}
-
-static int fetch_library(struct obj *o, const struct tia_word *word)
-{
-    struct obj_library *library = &o->libraries[o->library_count];
-    const char *why = "there is nothing that could";
-    char name[TIA_NAME_MAX + 1];
-
-    if (o->library_count == OBJ_LIBRARIES)
-        return tia_text_error(&o->text, word, "is one too many", "at most 16 material libraries");
-    *library = (struct obj_library){.name = *word};
-    tia_word_copy(name, word);
-    if (!o->reader->library || o->reader->library(o->reader->ctx, name, &library->text, &library->length, &why) < 0) {
-        (void)tia_text_error_at(&o->text, word);
-        tia_say_word(o->text.error, word);
-        tia_say(o->text.error, " cannot be read: ");
-        tia_say(o->text.error, why);
-        tia_say(o->text.error, ", expected a material library");
-        return TIA_ERR_RANGE;
-    }
-    if ((uint64_t)library->length >= UINT32_MAX)
-        return tia_text_error(&o->text, word, "is too long", "less than 4 GiB");
-    o->library_count++;
-    return tia_mtl_read(o, library);
-}
-
-/* Each library is fetched and counted where it is first named. */
-static int read_mtllib(struct obj *o)
-{
-    struct tia_word word;
-
-    do {
-        int status = tia_text_file(&o->text, &word, "a file's name");
-        if (!status && o->pass == OBJ_COUNT && !is_known(o, &word))
-            status = fetch_library(o, &word);
-        if (status)
-            return status;
-    } while (tia_text_peek(&o->text, &word));
-    return TIA_OK;
 }
 
 /* ---- all of it ---- */
@@ -121,27 +75,35 @@ static const struct {
     const char *name;
     int (*read)(struct obj *);
 } statements[] = {
-    {"v", tia_obj_v}, {"f", tia_obj_f},        {"vn", read_vn},
-    {"vt", read_uv},  {"usemtl", read_usemtl}, {"mtllib", read_mtllib},
+    {"v", tia_obj_v}, {"f", tia_obj_f},           {"vn", read_vn},
+    {"vt", read_uv},  {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib},
 };
 
 static const char *const skipped[] = {"g",          "s",         "o",      "l",        "p",
                                       "mg",         "lod",       "bevel",  "c_interp", "d_interp",
                                       "shadow_obj", "trace_obj", "usemap", "maplib",   "vp"};
 
+/* What is left of the line, after an error. */
+static int skip_mistake(struct obj *o)
+{
+    tia_obj_skip(&o->text);
+    return tia_obj_forgive(o, TIA_WARN_STATEMENT);
+}
+
 static int read_statement(struct obj *o, const struct tia_word *word)
 {
     for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
         if (tia_word_is(word, statements[i].name)) {
             int status = statements[i].read(o);
-            return status ? status : tia_text_end(&o->text);
+            return status || !tia_text_end(&o->text) ? status : skip_mistake(o);
         }
     for (size_t i = 0; i < sizeof skipped / sizeof *skipped; i++)
         if (tia_word_is(word, skipped[i])) {
-            tia_text_skip(&o->text);
+            tia_obj_skip(&o->text);
             return TIA_OK;
         }
-    return tia_text_error(&o->text, word, "is no statement", "v, vt, vn, f, g, o, s, usemtl or mtllib");
+    (void)tia_text_error(&o->text, word, "is no statement", "v, vt, vn, f, g, o, s, usemtl or mtllib");
+    return skip_mistake(o);
 }
 
 /* One pass over the text. */
@@ -248,10 +210,4 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
         return status;
     struct places p = place(&o, arena);
     return tia_arena_fits(arena) ? fill(&o, &p) : TIA_OK;
-}
-
-/* What the check may refuse, the statements have refused before it. */
-void tia_locate_obj(struct tia_reader *reader, const struct tia_fault *fault)
-{
-    (void)reader, (void)fault;
 }

@@ -55,12 +55,28 @@ struct obj {
 /* What is left of the line as a name, blanks and all: many programs write them so. */
 int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
 
-/* obj_face.c */
+/* warn.c */
+/* Puts up with the error that was just found: a warning of that kind and TIA_OK. With reader->strict it stays an
+ * error. */
+int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind);
+
+/* The error that a callback's `status` and `why` tell of, forgiven unless memory is short. */
+int tia_obj_unreadable(struct obj *o, struct tia_text *t, const struct tia_word *word, int status, const char *why,
+                       enum tia_read_warning_kind kind);
+
+/* Skips what is left of the line, and what a backslash joins to it. */
+void tia_obj_skip(struct tia_text *t);
+
+/* material.c */
+int tia_obj_usemtl(struct obj *o);
+int tia_obj_mtllib(struct obj *o);
+
+/* face.c */
 int tia_obj_f(struct obj *o);
 void tia_obj_place_groups(struct obj *o);
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes);
 
-/* obj_frame.c */
+/* frame.c */
 int tia_obj_v(struct obj *o);
 int tia_obj_fit(struct obj *o);
 int tia_obj_frame(struct obj *o, struct tia_light *lights);

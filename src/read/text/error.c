@@ -3,48 +3,51 @@
 
 #define SHOWN 40 /* bytes of a word that a message shows */
 
-static void add_byte(struct tia_read_error *error, char c)
+static void add(struct tia_read_error *error, const char *bytes, size_t count)
 {
     size_t length = 0;
 
     while (error->text[length])
         length++;
-    if (length + 1 < sizeof error->text) {
-        error->text[length] = c;
-        error->text[length + 1] = 0;
-    }
+    for (size_t i = 0; i < count && length + 1 < sizeof error->text; i++)
+        error->text[length++] = bytes[i];
+    error->text[length] = 0;
 }
 
 void tia_say(struct tia_read_error *error, const char *string)
 {
-    while (*string)
-        add_byte(error, *string++);
+    size_t length = 0;
+
+    while (string[length])
+        length++;
+    add(error, string, length);
 }
 
 void tia_say_word(struct tia_read_error *error, const struct tia_word *word)
 {
     uint32_t length = word->length <= SHOWN ? word->length : SHOWN;
+    char shown[SHOWN];
 
-    add_byte(error, '\'');
     for (uint32_t i = 0; i < length; i++)
-        add_byte(error, word->at[i] >= ' ' && word->at[i] < 127 ? word->at[i] : '?');
+        shown[i] = word->at[i] >= ' ' && word->at[i] < 127 ? word->at[i] : '?';
+    tia_say(error, "'");
+    add(error, shown, length);
     tia_say(error, word->length <= SHOWN ? "'" : "...'");
 }
 
 void tia_say_number(struct tia_read_error *error, int64_t number)
 {
     char digits[20];
-    int count = 0;
+    size_t first = sizeof digits;
     uint64_t left = number < 0 ? 0 - (uint64_t)number : (uint64_t)number;
 
     do {
-        digits[count++] = (char)('0' + left % 10);
+        digits[--first] = (char)('0' + left % 10);
         left /= 10;
     } while (left);
     if (number < 0)
-        add_byte(error, '-');
-    while (count)
-        add_byte(error, digits[--count]);
+        digits[--first] = '-';
+    add(error, digits + first, sizeof digits - first);
 }
 
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word)

@@ -1,15 +1,16 @@
 /* fields.c - reads a line of fields by a table. */
 #include "fields.h"
 
-int tia_colour(struct tia_text *t, struct tia_rgb *out)
+int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright)
 {
-    int status = tia_text_q30(t, &out->r);
+    struct tia_text before = *t;
+    int status = bright ? tia_text_bright(t, &out->r) : tia_text_unit(t, &out->r);
 
     out->g = out->b = out->r;
     if (status || !tia_text_has_number(t))
         return status;
-    status = tia_text_q30(t, &out->g);
-    return status ? status : tia_text_q30(t, &out->b);
+    *t = before;
+    return tia_text_rgb(t, out, bright);
 }
 
 static int read_numbers(struct tia_text *t, tia_q16 *out, unsigned count)
@@ -52,7 +53,8 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
     case TIA_SPREAD:
         return tia_spread(t, out, field->count);
     case TIA_COLOUR:
-        return tia_colour(t, out);
+    case TIA_EMISSION:
+        return tia_colour(t, out, field->kind == TIA_EMISSION);
     case TIA_DIRECTION:
         return tia_text_dir3(t, out);
     case TIA_WHOLE:

@@ -10,7 +10,8 @@
 enum tia_field_kind {
     TIA_NUMBERS,    /* `count` tia_q16 */
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
-    TIA_COLOUR,     /* a tia_rgb: three numbers, or one for a grey */
+    TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
+    TIA_EMISSION,   /* a light's: below 2 */
     TIA_DIRECTION,  /* a tia_dir3; any vector but 0, which is normalised */
     TIA_WHOLE,      /* `count` uint16_t in 1..max */
     TIA_FLAG,       /* no value; sets a bool to true */
@@ -43,7 +44,7 @@ struct tia_form {
 const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
 
 /* Read the values of one field or keyframe. */
-int tia_colour(struct tia_text *t, struct tia_rgb *out);
+int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright);
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);
 
 #define TIA_COUNT_OF(array) ((unsigned)(sizeof(array) / sizeof *(array)))

@@ -142,10 +142,11 @@ static int read_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t 
     return TIA_OK;
 }
 
-static int read_number32(struct tia_text *t, int32_t *out, unsigned bits, const char *expected)
+static int read_number32(struct tia_text *t, int32_t *out, unsigned bits, int32_t min, int32_t max,
+                         const char *expected)
 {
     int64_t wide;
-    int status = read_number(t, &wide, bits, INT32_MIN, INT32_MAX, expected);
+    int status = read_number(t, &wide, bits, min, max, expected);
 
     if (!status)
         *out = (int32_t)wide;
@@ -154,12 +155,22 @@ static int read_number32(struct tia_text *t, int32_t *out, unsigned bits, const 
 
 int tia_text_q16(struct tia_text *t, tia_q16 *out)
 {
-    return read_number32(t, out, 16, "a number from -32768 to below 32768");
+    return read_number32(t, out, 16, INT32_MIN, INT32_MAX, "a number from -32768 to below 32768");
 }
 
 int tia_text_q30(struct tia_text *t, tia_q30 *out)
 {
-    return read_number32(t, out, 30, "a number from -2 to below 2");
+    return read_number32(t, out, 30, INT32_MIN, INT32_MAX, "a number from -2 to below 2");
+}
+
+int tia_text_unit(struct tia_text *t, tia_q30 *out)
+{
+    return read_number32(t, out, 30, 0, TIA_Q30_ONE, "a number from 0 to 1");
+}
+
+int tia_text_bright(struct tia_text *t, tia_q30 *out)
+{
+    return read_number32(t, out, 30, 0, INT32_MAX, "a number from 0 to below 2");
 }
 
 int tia_text_q32(struct tia_text *t, int64_t *out)

@@ -1,9 +1,23 @@
 /* text.c - splits text into lines and words. */
 #include "text.h"
 
+/* Many editors begin a text in UTF-8 with it. */
+static const char byte_order_mark[] = "\xef\xbb\xbf";
+#define MARK_LENGTH (sizeof byte_order_mark - 1)
+
+static bool is_marked(const char *bytes, size_t length)
+{
+    size_t i = 0;
+
+    while (i < MARK_LENGTH && i < length && bytes[i] == byte_order_mark[i])
+        i++;
+    return i == MARK_LENGTH;
+}
+
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error)
 {
-    struct tia_text t = {bytes, bytes, bytes, 1, file, error};
+    const char *start = is_marked(bytes, length) ? bytes + MARK_LENGTH : bytes;
+    struct tia_text t = {start, bytes, start, 1, file, error};
 
     if (length)
         t.end = bytes + length;
@@ -161,4 +175,17 @@ void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word)
     for (uint32_t i = 0; i < length; i++)
         out[i] = word->at[i];
     out[length] = 0;
+}
+
+bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error)
+{
+    struct tia_word found;
+
+    for (unsigned i = 0; tia_text_word(&rest, &found); i++)
+        if (i >= skip && (!word || tia_word_is(&found, word))) {
+            error->line = found.line;
+            error->column = found.column;
+            return true;
+        }
+    return false;
 }

@@ -34,6 +34,7 @@ struct tia_word {
     uint32_t length, line, column;
 };
 
+/* A byte order mark at the start is skipped. */
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error);
 
 /* Skips to the next word on this line or a later one; false at the end of the text. */
@@ -56,6 +57,10 @@ int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expecte
 
 bool tia_word_is(const struct tia_word *word, const char *string);
 
+/* Sets the error's place to word `skip` of the rest of a line, or to the first from there on that is `word` (unless
+ * NULL). False: it is not on the line, and nothing changes. */
+bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error);
+
 /* Copies a name as a 0-terminated string. */
 void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 
@@ -73,11 +78,15 @@ bool tia_text_has_number(const struct tia_text *t);
 int tia_text_q16(struct tia_text *t, tia_q16 *out);
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
 int tia_text_q32(struct tia_text *t, int64_t *out);
+
+/* The next word as a channel of a colour: 0 to 1; as one of a light's, 0 to below 2. */
+int tia_text_unit(struct tia_text *t, tia_q30 *out);
+int tia_text_bright(struct tia_text *t, tia_q30 *out);
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
 
 /* Read three numbers. A direction may have any length but 0; it is normalised, within 2 ulp. */
 int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out);
-int tia_text_rgb(struct tia_text *t, struct tia_rgb *out);
+int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright); /* each channel as above */
 int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out);
 
 /* Normalises v, each component at most 2^62 in size. False when v is 0. */

@@ -10,12 +10,13 @@ int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out)
     return status ? status : tia_text_q16(t, &out->z);
 }
 
-int tia_text_rgb(struct tia_text *t, struct tia_rgb *out)
+int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright)
 {
-    int status = tia_text_q30(t, &out->r);
+    int (*take)(struct tia_text *, tia_q30 *) = bright ? tia_text_bright : tia_text_unit;
+    int status = take(t, &out->r);
 
-    status = status ? status : tia_text_q30(t, &out->g);
-    return status ? status : tia_text_q30(t, &out->b);
+    status = status ? status : take(t, &out->g);
+    return status ? status : take(t, &out->b);
 }
 
 /* floor(sqrt(x)), bit by bit. */

@@ -49,14 +49,20 @@ struct tia_job {
     struct tia_array arrays[TIA_ARRAYS];
     uint32_t once; /* bit n: statement n, which may occur only once, has occurred */
 
-    /* When reading again to find the line with a fault: item sought_index of an array, or a statement. */
+    const char *statement; /* the one that was read last */
+    struct tia_text rest;  /* what followed its first word */
+
+    /* When reading again to find the line of a thing: item sought_index of an array, or a statement. */
     bool seeking;
     unsigned sought; /* enum tia_job_array; TIA_ARRAYS: none */
     uint32_t sought_index;
     const char *sought_statement; /* NULL: none */
 };
 
-/* Adds an item to an array and returns its index. */
+/* All passes; where the memory does not fit, only the first one. tia.c */
+int tia_job_read(struct tia_job *job, struct tia_arena *arena);
+
+/* Adds to an array; the index of what was added. */
 uint32_t tia_job_add(struct tia_job *job, enum tia_job_array array, const void *item);
 uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array);
 

@@ -20,7 +20,7 @@ struct light_line {
 #define NAMED 1u
 #define EMISSION                                                                                                       \
     {                                                                                                                  \
-        .word = "emission", .kind = TIA_COLOUR, .offset = offsetof(struct light_line, light.emission)                  \
+        .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, light.emission)                \
     }
 #define PLACED NAME, EMISSION, NUMBERS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
 _Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_light, constant) + 2 * sizeof(tia_q16),

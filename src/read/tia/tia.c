@@ -53,8 +53,11 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
     enum tia_shape_kind kind;
     unsigned i = 0;
 
-    if (find_shape(word, &kind))
+    job->rest = job->text;
+    if (find_shape(word, &kind)) {
+        job->statement = tia_shape_description(kind)->word;
         return tia_line_shape(job, kind);
+    }
     while (i < STATEMENTS && !tia_word_is(word, statements[i].word))
         i++;
     if (i == STATEMENTS)
@@ -62,6 +65,7 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
     if (statements[i].once && job->once >> i & 1)
         return tia_text_error(&job->text, word, "is here for a second time", "it once");
     job->once |= UINT32_C(1) << i;
+    job->statement = statements[i].word;
     int status = statements[i].read(job);
     return status ? status : tia_text_end(&job->text);
 }
@@ -187,8 +191,8 @@ static void size_arrays(struct tia_job *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
-/* Runs all passes; only the first one when the memory does not suffice. */
-static int read_all(struct tia_job *job, struct tia_arena *arena)
+/* All passes; where the memory does not fit, only the first one. */
+int tia_job_read(struct tia_job *job, struct tia_arena *arena)
 {
     size_arrays(job);
     int status = read_pass(job, TIA_COUNTING);
@@ -206,51 +210,11 @@ static int read_all(struct tia_job *job, struct tia_arena *arena)
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
     struct tia_job job = {.reader = reader, .scene = scene};
-    int status = read_all(&job, arena);
+    int status = tia_job_read(&job, arena);
 
     if (status || !tia_arena_fits(arena))
         return status;
     resolve_tracks(&job);
     set_arrays(&job);
     return TIA_OK;
-}
-
-/* Tells the job which array item or statement made the thing of a tia_fault. */
-static void seek(struct tia_job *job, const struct tia_fault *fault)
-{
-    static const struct {
-        const char *thing;
-        enum tia_job_array array;
-    } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
-                  {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
-                  {"grid", TIA_OF_GRIDS},         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
-                  {"track", TIA_OF_TRACKS}};
-    struct tia_word thing = {fault->thing, 0, 0, 0}, field = {fault->field, 0, 0, 0};
-
-    while (fault->thing[thing.length])
-        thing.length++;
-    while (fault->field[field.length])
-        field.length++;
-    job->seeking = true;
-    job->sought = TIA_ARRAYS;
-    job->sought_index = fault->index;
-    for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
-        if (tia_word_is(&thing, things[i].thing))
-            job->sought = things[i].array;
-    /* A field of the scene, or the camera's samples, is a statement of its own. */
-    if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
-        job->sought_statement = fault->thing;
-    else if (job->sought == TIA_ARRAYS)
-        job->sought_statement = fault->field;
-}
-
-/* Reads the text again, into the same memory, since the faulty scene is not needed any more. */
-void tia_locate_tia(struct tia_reader *reader, const struct tia_fault *fault, struct tia_arena *arena)
-{
-    struct tia_scene scene;
-    struct tia_job job = {.reader = reader, .scene = &scene};
-
-    seek(&job, fault);
-    arena->used = 0;
-    (void)read_all(&job, arena);
 }

@@ -74,7 +74,7 @@ int tia_line_samples(struct tia_job *job)
 
 int tia_line_background(struct tia_job *job)
 {
-    return tia_colour(&job->text, &job->scene->background);
+    return tia_colour(&job->text, &job->scene->background, false);
 }
 
 int tia_line_depth(struct tia_job *job)

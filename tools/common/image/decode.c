@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "decode_png.h"
+#include "decode_stb.h"
 
 static int refuse(const char **why, const char *what)
 {
@@ -87,18 +88,77 @@ static int decode_ppm(struct image_texels *texels, const unsigned char *bytes, s
     return status == TIA_OK ? take_values(&ppm, plain, full, texels, why) : status;
 }
 
+/* ---- all formats ---- */
+
+static bool is_ppm(const void *bytes, size_t length)
+{
+    return length >= 2 && (memcmp(bytes, "P6", 2) == 0 || memcmp(bytes, "P3", 2) == 0);
+}
+
+static bool is_png(const void *bytes, size_t length)
+{
+    return length >= 4 && memcmp(bytes, "\x89PNG", 4) == 0;
+}
+
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why)
 {
-    if (length >= 2 && (memcmp(bytes, "P6", 2) == 0 || memcmp(bytes, "P3", 2) == 0)) {
+    if (is_ppm(bytes, length)) {
         return decode_ppm(texels, bytes, length, side, most, why);
     }
-    if (length >= 4 && memcmp(bytes, "\x89PNG", 4) == 0) {
+    if (is_png(bytes, length)) {
 #ifdef TIA_HAVE_PNG
         return image_decode_png(texels, bytes, length, side, most, why);
 #else
         return refuse(why, "this build reads no PNG files (use PPM)");
 #endif
     }
-    return refuse(why, "neither a PNG nor a PPM file");
+#ifdef TIA_HAVE_STB
+    return image_decode_stb(texels, bytes, length, side, most, why);
+#else
+    return refuse(why, "neither a PNG nor a PPM file (this build reads no others)");
+#endif
+}
+
+static unsigned char *decode_alpha(const struct image_texels *texels, const void *bytes, size_t length)
+{
+    if (is_ppm(bytes, length)) {
+        return NULL;
+    }
+#ifdef TIA_HAVE_PNG
+    if (is_png(bytes, length)) {
+        return image_alpha_png(texels, bytes, length);
+    }
+#endif
+#ifdef TIA_HAVE_STB
+    return image_alpha_stb(texels, bytes, length);
+#else
+    (void)texels;
+    return NULL;
+#endif
+}
+
+/* Rounded down to 2^-16, so that nothing but all 255 is 1. */
+static tia_q30 mean_of(const unsigned char *values, size_t count)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        sum += values[i];
+    }
+    return (tia_q30)((sum << 16) / (255 * (uint64_t)count) << 14);
+}
+
+int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side, size_t most, const char **why)
+{
+    struct image_texels texels = {0, 0, NULL};
+    int status = image_decode(&texels, bytes, length, side, most, why);
+    if (status != TIA_OK) {
+        return status;
+    }
+    size_t count = (size_t)texels.width * texels.height;
+    unsigned char *alpha = decode_alpha(&texels, bytes, length);
+    *mean = alpha != NULL ? mean_of(alpha, count) : mean_of(texels.rgb, 3 * count);
+    free(alpha);
+    free(texels.rgb);
+    return TIA_OK;
 }

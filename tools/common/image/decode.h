@@ -1,4 +1,4 @@
-/* decode.h - decodes a picture file in memory to texels: PNG, by libpng, and PPM (P3, P6). */
+/* decode.h - decodes a picture file in memory to texels: PNG by libpng, JPEG, BMP, TGA and GIF by stb_image, PPM. */
 #ifndef PORT_IMAGE_DECODE_H
 #define PORT_IMAGE_DECODE_H
 
@@ -8,5 +8,8 @@
  * TIA_ERR_MEMORY with *why, a static string. Transparent pixels are composited on black. */
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why);
+
+/* The mean of its alpha channel, 0..1, or of its three colours where it has none; the rest as above. */
+int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side, size_t most, const char **why);
 
 #endif

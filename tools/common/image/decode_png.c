@@ -31,6 +31,29 @@ int image_decode_png(struct image_texels *texels, const void *bytes, size_t leng
     return status;
 }
 
+unsigned char *image_alpha_png(const struct image_texels *texels, const unsigned char *bytes, size_t length)
+{
+    size_t count = (size_t)texels->width * texels->height;
+    png_image image;
+    memset(&image, 0, sizeof image);
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&image, bytes, length) == 0) {
+        return NULL;
+    }
+    bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+    image.format = PNG_FORMAT_GA;
+    unsigned char *alpha = has_alpha ? malloc(count * 2) : NULL;
+    if (alpha != NULL && png_image_finish_read(&image, NULL, alpha, 0, NULL) == 0) {
+        free(alpha);
+        alpha = NULL;
+    }
+    for (size_t i = 0; alpha != NULL && i < count; i++) {
+        alpha[i] = alpha[2 * i + 1];
+    }
+    png_image_free(&image);
+    return alpha;
+}
+
 #else
 typedef int image_decode_without_png; /* ISO C wants a declaration in every file */
 #endif

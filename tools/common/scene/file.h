@@ -14,6 +14,7 @@ struct scene_file {
     struct tia_scene scene;
     uint32_t crc;        /* of the text and all files that it refers to; equal for equal scenes */
     char why[SCENE_WHY]; /* after a failure: one line, "FILE:LINE:COLUMN: WHAT" or "FILE: WHAT" */
+    struct tia_read_warning warnings[TIA_WARNINGS];
 
     /* Private. */
     const char *path;

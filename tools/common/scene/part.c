@@ -8,12 +8,15 @@
 #include "common/image/decode.h"
 #include "whole.h"
 
+enum part_kind { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
+
 struct scene_part {
     struct scene_part *next;
-    bool is_image;
-    struct whole text;
-    struct image_texels texels;
-    char name[]; /* as written in the scene */
+    enum part_kind kind;
+    struct whole text;          /* of a library */
+    struct image_texels texels; /* of an image */
+    tia_q30 opacity;
+    char name[]; /* as the scene has it */
 };
 
 char *part_path(const struct scene_file *file, const char *name)
@@ -24,10 +27,10 @@ char *part_path(const struct scene_file *file, const char *name)
     return asprintf(&path, "%.*s%s", folder, file->path, name) >= 0 ? path : NULL;
 }
 
-static struct scene_part *find(const struct scene_file *file, const char *name, bool is_image)
+static struct scene_part *find(const struct scene_file *file, const char *name, enum part_kind kind)
 {
     struct scene_part *part = file->parts;
-    while (part != NULL && (part->is_image != is_image || strcmp(part->name, name) != 0)) {
+    while (part != NULL && (part->kind != kind || strcmp(part->name, name) != 0)) {
         part = part->next;
     }
     return part;
@@ -43,33 +46,50 @@ static void release(struct scene_part *part)
 /* Replaces the bytes of a picture file by its texels. */
 static int decode(struct scene_part *part, size_t most, const char **why)
 {
-    int status = image_decode(&part->texels, part->text.bytes, part->text.length, TIA_TEXTURE_MAX, most, why);
+    const struct whole *text = &part->text;
+    int status = part->kind == PART_IMAGE
+                     ? image_decode(&part->texels, text->bytes, text->length, TIA_TEXTURE_MAX, most, why)
+                     : image_opacity(&part->opacity, text->bytes, text->length, TIA_TEXTURE_MAX, most, why);
     free(part->text.bytes);
     part->text = (struct whole){NULL, 0};
+    return status;
+}
+
+/* As it is called; and if there is no such file and the name is one of Windows, with its backslashes turned. */
+static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
+{
+    char *path = part_path(file, part->name);
+    *why = "memory: exhausted";
+    int status = path != NULL ? whole_read(&part->text, path, most, why) : TIA_ERR_MEMORY;
+    if (status == TIA_ERR_DEVICE && strchr(path, '\\') != NULL) {
+        for (char *at = path; (at = strchr(at, '\\')) != NULL;) {
+            *at = '/';
+        }
+        status = whole_read(&part->text, path, most, why);
+    }
+    free(path);
     return status;
 }
 
 static int load(struct scene_file *file, struct scene_part *part, const char **why)
 {
     size_t left = SCENE_NAMED_MOST - file->named_bytes;
-    char *path = part_path(file, part->name);
-    *why = "memory: exhausted";
-    int status = path != NULL ? whole_read(&part->text, path, left, why) : TIA_ERR_MEMORY;
-    free(path);
+    int status = read_path(file, part, left, why);
     if (status == TIA_OK) {
         file->crc = checksum_bytes(file->crc, part->text.bytes, part->text.length);
     }
-    if (status == TIA_OK && part->is_image) {
+    if (status == TIA_OK && part->kind != PART_LIBRARY) {
         status = decode(part, left, why);
     }
     file->named_bytes += part->text.length + (size_t)part->texels.width * part->texels.height * 3;
     return status;
 }
 
-/* Finds the file called `name`; loads it the first time. */
-static int fetch(struct scene_file *file, const char *name, bool is_image, struct scene_part **found, const char **why)
+/* The file called `name`, fetched when it is asked for the first time. */
+static int fetch(struct scene_file *file, const char *name, enum part_kind kind, struct scene_part **found,
+                 const char **why)
 {
-    struct scene_part *part = *found = find(file, name, is_image);
+    struct scene_part *part = *found = find(file, name, kind);
     if (part != NULL) {
         return TIA_OK;
     }
@@ -79,7 +99,7 @@ static int fetch(struct scene_file *file, const char *name, bool is_image, struc
         return TIA_ERR_MEMORY;
     }
     strcpy(part->name, name);
-    part->is_image = is_image;
+    part->kind = kind;
     int status = load(file, part, why);
     if (status != TIA_OK) {
         release(part);
@@ -93,7 +113,7 @@ static int fetch(struct scene_file *file, const char *name, bool is_image, struc
 int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why)
 {
     struct scene_part *part;
-    int status = fetch(ctx, name, false, &part, why);
+    int status = fetch(ctx, name, PART_LIBRARY, &part, why);
     if (status == TIA_OK) {
         *text = part->text.bytes;
         *length = part->text.length;
@@ -104,11 +124,21 @@ int part_library(void *ctx, const char *name, const char **text, size_t *length,
 int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
 {
     struct scene_part *part;
-    int status = fetch(ctx, name, true, &part, why);
+    int status = fetch(ctx, name, PART_IMAGE, &part, why);
     if (status == TIA_OK) {
         texture->width = (uint16_t)part->texels.width;
         texture->height = (uint16_t)part->texels.height;
         texture->texels = part->texels.rgb;
+    }
+    return status;
+}
+
+int part_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+{
+    struct scene_part *part;
+    int status = fetch(ctx, name, PART_OPACITY, &part, why);
+    if (status == TIA_OK) {
+        *mean = part->opacity;
     }
     return status;
 }

@@ -59,30 +59,68 @@ static int read_text(struct scene_file *file, struct whole *text)
     return status;
 }
 
-/* Sets "FILE:LINE:COLUMN: WHAT", where FILE is a path that can be opened from here. */
-static int set_error(struct scene_file *file, const struct tia_read_error *error)
+/* "FILE:LINE:COLUMN: ", FILE as it can be opened from here; returns its length. */
+static size_t format_place(const struct scene_file *file, const struct tia_read_error *error, bool column,
+                           char line[SCENE_WHY])
 {
     char *named = error->file[0] != '\0' ? part_path(file, error->file) : NULL;
-    const char *path = named != NULL ? named : shown(file);
+    int used = snprintf(line, SCENE_WHY, "%.300s:", named != NULL ? named : shown(file));
     if (error->line != 0) {
-        (void)snprintf(file->why, SCENE_WHY, "%.300s:%u:%u: %s", path, error->line, error->column, error->text);
-    } else {
-        (void)snprintf(file->why, SCENE_WHY, "%.300s: %s", path, error->text);
+        used += snprintf(line + used, SCENE_WHY - (size_t)used, "%u:", error->line);
+    }
+    if (error->line != 0 && column) {
+        used += snprintf(line + used, SCENE_WHY - (size_t)used, "%u:", error->column);
     }
     free(named);
+    return (size_t)used;
+}
+
+static int set_error(struct scene_file *file, const struct tia_read_error *error)
+{
+    size_t used = format_place(file, error, true, file->why);
+    (void)snprintf(file->why + used, SCENE_WHY - used, " %s", error->text);
     return TIA_ERR_RANGE;
 }
 
-/* Tries with a first guess of the memory, then with what the reader needs. */
-static int read_scene(struct scene_file *file, const struct whole *text, int format)
+static void format_warning(const struct scene_file *file, const struct tia_read_warning *warning, char line[SCENE_WHY])
+{
+    size_t used = format_place(file, &warning->at, false, line);
+    used += (size_t)snprintf(line + used, SCENE_WHY - used, " %s", warning->at.text);
+    if (warning->count > 1) {
+        (void)snprintf(line + used, SCENE_WHY - used, " (%u more)", warning->count - 1);
+    }
+}
+
+bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY])
+{
+    while (*at < TIA_WARNINGS) {
+        const struct tia_read_warning *warning = &file->warnings[(*at)++];
+        if (warning->count > 0) {
+            format_warning(file, warning, line);
+            return true;
+        }
+    }
+    /* A light may also be put by a key. */
+    if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0) {
+        return false;
+    }
+    (void)snprintf(line, SCENE_WHY, "%.300s: no light: only what shines by itself is seen", shown(file));
+    return true;
+}
+
+/* With as much memory as the reader says that it needs: it knows after the first try. */
+static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
                                 .text = text->bytes,
                                 .length = text->length,
                                 .library = part_library,
                                 .image = part_image,
-                                .ctx = file};
-    size_t size = MEMORY_FIRST, need = 0;
+                                .opacity = part_opacity,
+                                .ctx = file,
+                                .strict = strict,
+                                .warnings = file->warnings};
+    size_t size = text->length > MEMORY_FIRST ? text->length : MEMORY_FIRST, need = 0;
     int status = TIA_ERR_MEMORY;
     for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
         free(file->memory);
@@ -107,7 +145,7 @@ static int build_boxes(struct scene_file *file)
     return TIA_OK;
 }
 
-int scene_open(struct scene_file *file, const char *path, int format)
+int scene_open(struct scene_file *file, const char *path, int format, bool strict)
 {
     struct whole text;
     *file = (struct scene_file){.path = path};
@@ -116,7 +154,7 @@ int scene_open(struct scene_file *file, const char *path, int format)
         return status;
     }
     file->crc = checksum_bytes(0, text.bytes, text.length);
-    status = read_scene(file, &text, format);
+    status = read_scene(file, &text, format, strict);
     free(text.bytes);
     if (status == TIA_OK) {
         status = build_boxes(file);

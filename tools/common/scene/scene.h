@@ -12,8 +12,13 @@ int scene_format_of(const char *path);
 
 /* Reads the scene `path` ("-": standard input) of `format` (enum tia_format). Files that it refers to are relative to
  * its directory. TIA_ERR_MEMORY; TIA_ERR_DEVICE when a file cannot be read; TIA_ERR_RANGE when it is not a valid scene.
- * After an error file->why has the reason, and nothing needs to be closed. `path` must outlive the file. */
-int scene_open(struct scene_file *file, const char *path, int format);
+ * After an error file->why has the reason, and nothing needs to be closed. `path` must outlive the file. With `strict`
+ * warnings are errors. */
+int scene_open(struct scene_file *file, const char *path, int format, bool strict);
+
+/* Warnings about the scene that was opened, as lines "FILE:LINE: WHAT (N more)": sets the next one after *at, which
+ * starts at 0. False: there are no more. */
+bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY]);
 void scene_close(struct scene_file *file);
 
 #endif

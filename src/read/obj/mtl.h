@@ -1,0 +1,24 @@
+/* mtl.h - a material while its statements are read; see mtl.c. */
+#ifndef TIA_SRC_READ_MTL_H
+#define TIA_SRC_READ_MTL_H
+
+#include "obj.h"
+
+struct mtl {
+    struct obj *obj;
+    struct tia_text text;
+    bool open;
+    struct tia_rgb kd, ks, ke, tf;
+    tia_q30 opacity;
+    tia_q30 mean_opacity; /* of its map */
+    bool has_d, has_tr, has_filter;
+    tia_q16 exponent, index;
+    int64_t illum;
+    uint32_t texture;
+};
+
+/* mtl_map.c */
+int tia_mtl_map_kd(struct mtl *m);
+int tia_mtl_map_d(struct mtl *m);
+
+#endif

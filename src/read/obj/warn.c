@@ -1,0 +1,56 @@
+/* warn.c - mistakes that are put up with. */
+#include "obj.h"
+
+/* What is done about each kind of mistake, and the pass that sees it: each is counted once. */
+static const struct {
+    const char *remedy;
+    enum obj_pass pass;
+} warnings[TIA_WARNINGS] = {
+    [TIA_WARN_STATEMENT] = {"skipped", OBJ_COUNT},
+    [TIA_WARN_LIBRARY] = {"its materials are grey", OBJ_COUNT},
+    [TIA_WARN_MATERIAL] = {"grey is used", OBJ_MEASURE},
+    [TIA_WARN_IMAGE] = {"left out", OBJ_FILL},
+    [TIA_WARN_OPACITY] = {"the mean is used", OBJ_FILL},
+    [TIA_WARN_RANGE] = {"the nearest is used", OBJ_COUNT},
+    [TIA_WARN_NUMBER] = {"0 is used", OBJ_COUNT},
+    [TIA_WARN_NORMAL] = {"faces that use it are drawn flat", OBJ_COUNT},
+    [TIA_WARN_CORNER] = {"the face is drawn without", OBJ_COUNT},
+    [TIA_WARN_FACE] = {"the face is left out", OBJ_COUNT},
+    [TIA_WARN_EMPTY] = {"only the background is drawn", OBJ_COUNT},
+};
+
+int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind)
+{
+    struct tia_read_error *error = &o->reader->error;
+    struct tia_read_warning *warning = o->reader->warnings;
+
+    if (o->reader->strict)
+        return TIA_ERR_RANGE;
+    if (warning && o->pass == warnings[kind].pass && !warning[kind].count++) {
+        warning[kind].at = *error;
+        tia_say(&warning[kind].at, "; ");
+        tia_say(&warning[kind].at, warnings[kind].remedy);
+    }
+    error->file[0] = error->text[0] = 0;
+    error->line = error->column = 0;
+    return TIA_OK;
+}
+
+void tia_obj_skip(struct tia_text *t)
+{
+    struct tia_word word;
+
+    while (tia_text_word(t, &word)) {
+    }
+}
+
+int tia_obj_unreadable(struct obj *o, struct tia_text *t, const struct tia_word *word, int status, const char *why,
+                       enum tia_read_warning_kind kind)
+{
+    (void)tia_text_error_at(t, word);
+    tia_say_word(t->error, word);
+    tia_say(t->error, " cannot be read: ");
+    tia_say(t->error, why);
+    tia_say(t->error, kind == TIA_WARN_LIBRARY ? ", expected a material library" : ", expected an image");
+    return status == TIA_ERR_MEMORY ? TIA_ERR_RANGE : tia_obj_forgive(o, kind);
+}

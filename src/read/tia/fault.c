@@ -1,0 +1,98 @@
+/* fault.c - where a .tia file says what tia_scene_check refuses, and in which words.
+ *
+ * The text is read once more until the thing at fault has been made: its statement is the one that was read last.
+ */
+#include "job.h"
+#include "read/readers.h"
+
+static struct tia_word word_of(const char *string)
+{
+    struct tia_word word = {string, 0, 0, 0};
+
+    while (string[word.length])
+        word.length++;
+    return word;
+}
+
+/* A thing of tia_fault as what the job looks for. */
+static void seek(struct tia_job *job, const struct tia_fault *fault)
+{
+    static const struct {
+        const char *thing;
+        enum tia_job_array array;
+    } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
+                  {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
+                  {"grid", TIA_OF_GRIDS},         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
+                  {"track", TIA_OF_TRACKS}};
+    struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
+
+    job->seeking = true;
+    job->sought = TIA_ARRAYS;
+    job->sought_index = fault->index;
+    for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
+        if (tia_word_is(&thing, things[i].thing))
+            job->sought = things[i].array;
+    /* The fields of a scene, and the camera's samples, are statements of the same name. */
+    if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
+        job->sought_statement = fault->thing;
+    else if (job->sought == TIA_ARRAYS)
+        job->sought_statement = fault->field;
+}
+
+/* The fields of the scene that have another name in the file. "": no word of the line is at fault, but all of it. */
+static const char *keyword(const struct tia_fault *fault)
+{
+    static const struct {
+        const char *thing, *field, *word;
+    } names[] = {
+        {"camera", "reference", "look"},
+        {"camera", "window", "window"},
+        {"light", "centre", "at"},
+        {"key", "centre", "at"},
+        {"light", "side", "sides"},
+        {"key", "side", "sides"},
+        {"shape", "base_radius", "radii"},
+        {"shape", "top_radius", "radii"},
+        {"shape", "transform", "scale"},
+        {"shape", "place", ""},
+        {"shape", "corners", ""},
+        {"transform", "position", "at"},
+        {"track", "value", ""},
+        {"track", "time", ""},
+    };
+    struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
+
+    for (unsigned i = 0; i < TIA_COUNT_OF(names); i++)
+        if (tia_word_is(&thing, names[i].thing) && tia_word_is(&field, names[i].field))
+            return names[i].word;
+    return fault->field;
+}
+
+/* Whether a name follows the statement's word: it may look like a keyword. */
+static bool is_named(const char *statement)
+{
+    static const char *const named[] = {"material", "texture", "mesh", "grid", "instance", "animate"};
+    struct tia_word word = word_of(statement);
+
+    for (unsigned i = 0; i < TIA_COUNT_OF(named); i++)
+        if (tia_word_is(&word, named[i]))
+            return true;
+    return false;
+}
+
+/* The scene is not needed any more: its memory is read into again. */
+void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
+{
+    struct tia_scene scene;
+    struct tia_job job = {.reader = reader, .scene = &scene};
+    const char *word = keyword(fault);
+
+    seek(&job, fault);
+    arena->used = 0;
+    (void)tia_job_read(&job, arena);
+    if (!reader->error.line)
+        return;
+    (void)tia_text_locate(job.rest, is_named(job.statement), word, &reader->error);
+    fault->thing = job.statement;
+    fault->field = word;
+}

@@ -1,0 +1,158 @@
+/* decode_stb.c - JPEG, BMP, TGA and GIF by stb_image. It is compiled here and without vector units, whose code for
+ * JPEG gives other texels: so the same file is the same picture on every machine. */
+#ifdef TIA_HAVE_STB
+
+#include "decode_stb.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A damaged JPEG may use tables that it has not: they must not be whatever the memory held before. */
+#define STBI_MALLOC(size) calloc(1, size)
+#define STBI_REALLOC(memory, size) realloc(memory, size)
+#define STBI_FREE(memory) free(memory)
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_SIMD
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_ONLY_GIF
+#pragma GCC diagnostic ignored "-Wunused-function" /* what it declares for the formats that are left out */
+#include <stb_image.h>
+
+static int refuse(const char **why, const char *what)
+{
+    *why = what;
+    return TIA_ERR_RANGE;
+}
+
+/* stb_image takes what is missing at a file's end for zeros. So that it shows, some are there, and then it is looked
+ * how far it has read: for that its inner functions are called. */
+#define SPARE 16
+
+static unsigned char *load_padded(const struct image_texels *texels, const unsigned char *padded, size_t length)
+{
+    stbi__context context;
+    int width, height, channels;
+    stbi__start_mem(&context, padded, (int)(length + SPARE));
+    unsigned char *all = stbi__load_and_postprocess_8bit(&context, &width, &height, &channels, 4);
+    bool is_whole = context.img_buffer <= padded + length;
+    if (all != NULL && (!is_whole || width != (int)texels->width || height != (int)texels->height)) {
+        free(all);
+        all = NULL;
+    }
+    return all;
+}
+
+/* Red, green, blue and alpha of each texel; free() them. NULL: the picture is damaged, or not as large as its
+ * header says. */
+static unsigned char *load(const struct image_texels *texels, const unsigned char *bytes, size_t length)
+{
+    unsigned char *padded = calloc(1, length + SPARE);
+    unsigned char *all = NULL;
+    if (padded != NULL) {
+        memcpy(padded, bytes, length);
+        all = load_padded(texels, padded, length);
+    }
+    free(padded);
+    return all;
+}
+
+/* What is transparent is laid on black. */
+static void lay(struct image_texels *texels, const unsigned char *all)
+{
+    for (size_t i = 0; i < (size_t)texels->width * texels->height; i++, all += 4) {
+        for (size_t c = 0; c < 3; c++) {
+            texels->rgb[3 * i + c] = (unsigned char)((all[c] * all[3] + 127) / 255);
+        }
+    }
+}
+
+/* Of rows from the top down, a BMP's header gives the height negative. */
+static uint64_t magnitude(int size)
+{
+    return size < 0 ? 0 - (uint64_t)size : (uint64_t)size;
+}
+
+/* Whether the Huffman tables that begin at `at`, of a segment of `length` bytes, have at most 256 codes each. What is
+ * missing at the end counts as zeros. */
+static bool are_tables(const unsigned char *at, const unsigned char *end, int64_t length)
+{
+    while (length > 0 && at < end && at[0] >> 4 <= 1 && (at[0] & 15) <= 3) {
+        int codes = 0;
+        for (int i = 1; i <= 16 && i < end - at; i++) {
+            codes += at[i];
+        }
+        if (codes > 256) {
+            return false;
+        }
+        if (end - at < 17 + codes) {
+            return true;
+        }
+        at += 17 + codes;
+        length -= 17 + codes;
+    }
+    return true;
+}
+
+/* stb_image 2.27 writes beyond the end of a Huffman table with more than 256 codes, which no JPEG has. It is looked
+ * for wherever a segment with tables may begin, without an opinion of where stb_image sees one. */
+static bool is_safe(const unsigned char *bytes, size_t length)
+{
+    const unsigned char *end = bytes + length;
+    if (length == 0 || bytes[0] != 0xff) {
+        return true;
+    }
+    for (const unsigned char *at = bytes; end - at > 4; at++) {
+        if (at[0] == 0xff && at[1] == 0xc4 && !are_tables(at + 4, end, (at[2] << 8 | at[3]) - 2)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, size_t length, unsigned side, size_t most,
+                     const char **why)
+{
+    int width, height, channels;
+    if (length > INT_MAX - SPARE || !is_safe(bytes, length) ||
+        stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0) {
+        return refuse(why, "no PNG, PPM, JPEG, BMP, TGA or GIF file, or a damaged one");
+    }
+    int status = image_room(texels, magnitude(width), magnitude(height), side, most, why);
+    if (status != TIA_OK) {
+        return status;
+    }
+    unsigned char *all = load(texels, bytes, length);
+    if (all == NULL) {
+        free(texels->rgb);
+        texels->rgb = NULL;
+        return refuse(why, "a damaged JPEG, BMP, TGA or GIF file");
+    }
+    lay(texels, all);
+    free(all);
+    return TIA_OK;
+}
+
+unsigned char *image_alpha_stb(const struct image_texels *texels, const unsigned char *bytes, size_t length)
+{
+    int width, height, channels;
+    size_t count = (size_t)texels->width * texels->height;
+    if (stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0 || channels % 2 != 0) {
+        return NULL;
+    }
+    unsigned char *all = load(texels, bytes, length);
+    for (size_t i = 0; all != NULL && i < count; i++) {
+        all[i] = all[4 * i + 3];
+    }
+    return all;
+}
+
+#else
+typedef int image_decode_without_stb; /* ISO C wants a declaration in every file */
+#endif

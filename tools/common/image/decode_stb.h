@@ -1,0 +1,15 @@
+/* decode_stb.h - JPEG, BMP, TGA and GIF files as texels. */
+#ifndef TOOLS_IMAGE_DECODE_STB_H
+#define TOOLS_IMAGE_DECODE_STB_H
+
+#include "texels.h"
+
+#ifdef TIA_HAVE_STB
+/* As image_decode. */
+int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, size_t length, unsigned side, size_t most,
+                     const char **why);
+/* The alpha channel of what was decoded, a byte a texel; free() it. NULL: there is none. */
+unsigned char *image_alpha_stb(const struct image_texels *texels, const unsigned char *bytes, size_t length);
+#endif
+
+#endif
