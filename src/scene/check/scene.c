@@ -21,7 +21,8 @@ static bool are_arrays(const struct tia_scene *s)
 static bool is_bvh(const struct tia_scene *scene)
 {
     const struct tia_bvh *b = scene->bvh;
-    return !b || (uint64_t)b->objects.item_count + b->unbounded_count == (uint64_t)scene->sphere_count + scene->shape_count;
+    return !b ||
+           (uint64_t)b->objects.item_count + b->unbounded_count == (uint64_t)scene->sphere_count + scene->shape_count;
 }
 
 static int check_whole(struct check *check)
