@@ -10,13 +10,17 @@ int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out)
     return status ? status : tia_text_q16(t, &out->z);
 }
 
+static int read_channel(struct tia_text *t, tia_q30 *out, bool bright)
+{
+    return bright ? tia_text_bright(t, out) : tia_text_unit(t, out);
+}
+
 int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright)
 {
-    int (*take)(struct tia_text *, tia_q30 *) = bright ? tia_text_bright : tia_text_unit;
-    int status = take(t, &out->r);
+    int status = read_channel(t, &out->r, bright);
 
-    status = status ? status : take(t, &out->g);
-    return status ? status : take(t, &out->b);
+    status = status ? status : read_channel(t, &out->g, bright);
+    return status ? status : read_channel(t, &out->b, bright);
 }
 
 /* floor(sqrt(x)), bit by bit. */
