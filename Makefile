@@ -27,7 +27,7 @@ CORE    := $(COMMON) -ffreestanding -iquote src
 HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -Itools -Ibench -pthread
 
 # The compiler's target when it has no operating system: then there is the library alone.
-BARE := $(if $(NATIVE),,$(filter %-elf %-eabi %-eabihf %-none,$(shell $(CC) -dumpmachine 2>/dev/null)))
+BARE := $(if $(NATIVE),,$(filter %-elf %-eabi %-eabihf %-none avr,$(shell $(CC) -dumpmachine 2>/dev/null)))
 LIBRARY_GOALS := all install uninstall size clean lint deps help $(BUILD)/%
 ifneq ($(and $(BARE),$(filter-out $(LIBRARY_GOALS),$(MAKECMDGOALS))),)
 $(error $(CC) is for $(BARE), which has no operating system: there is only `make all` or `make install`)
@@ -69,7 +69,7 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish \
-        sweethome3d-furniture assimp-testmodels glmark2-data
+        gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 DEPS += $(if $(filter-out run,$(or $(GOALS),all)),$(DEPS_ALL)) $(if $(filter-out run all install,$(GOALS)),$(DEPS_CHECK))
 # An included file that is out of date is made first and the Makefile is read again: so the

@@ -5,7 +5,8 @@
  *   tia_rgb565  one pixel: red in bits 15-11, green in 10-5, blue in 4-0, host byte order
  *
  * The conversion macros are for constants only: the compiler evaluates them, so no floating point
- * ends up in the program.
+ * ends up in the program. Where a double has 32 bits, as on AVR, they keep 24 significant bits: write the integer
+ * there, as tia-compile does.
  */
 #ifndef TIA_FIXED_H
 #define TIA_FIXED_H

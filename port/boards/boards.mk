@@ -2,15 +2,24 @@
 
 ARM_BARE   ?= arm-none-eabi-
 RISCV_BARE ?= riscv64-unknown-elf-
+AVR_BARE   ?= avr-
 PANEL_BOARDS := versatilepb vexpress-a9
-SMALL_BOARDS := mps2-an385 microbit rv32
+SMALL_BOARDS := mps2-an385 microbit rv32 atmega1284p
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
 microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
 rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
+atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
-BOARD_LD := -nostdlib -static -Wl,--gc-sections,--fatal-warnings -Lport/boards
+BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
+# The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 5760
+# bytes, and 256 for the program itself. tests/slow/boards measures how much of it is used.
+SMALL_STACK := 6016
+comma := ,
+# Other boards' scripts say where everything goes, an AVR's only adds to that of avr-libc.
+board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(SMALL_STACK)) \
+           $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
 
 BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
 PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counter.c pl11x.c pl050.c start-arm.S)
@@ -19,6 +28,7 @@ vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c
 mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
 microbit_SRC    := $(mps2-an385_SRC)
 rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
+atmega1284p_SRC := port/boards/print.c port/boards/atmega1284p.c
 
 # $(call board_compile,board,WHAT,options)
 define board_compile
@@ -30,8 +40,8 @@ endef
 # of the core in another arithmetic lie in a folder of its name.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) port/boards/$(4).ld port/boards/sections.ld
-	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) -T port/boards/$(4).ld -o $$@ $$(filter %.o,$$^) -lgcc
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
+	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
 $(BUILD)/boards/$(1)/$(2)%.o: %.c
@@ -67,21 +77,30 @@ $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.
 $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
-$(foreach b,$(BOARDS_SMALL),$(foreach n,q16 f32 f64,$(eval $(call counted,$(b),$(n),$(if $(findstring microbit,$(b)),$(if $(findstring f64,$(n)),1,2),3),$(if $(findstring microbit,$(b)),0,1)))))
+$(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0
+# A double of the AVR's is a float; its RAM has room for fewer rows, and so has the Cortex-M0's.
+counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
+rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),$(if $(findstring f64,$(2)),1,2),3))
+$(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
-COUNTED := $(foreach n,q16 f32 f64,$(BOARDS_SMALL:%=$(BUILD)/boards/%/count-$(n).elf))
+COUNTED := $(foreach b,$(BOARDS_SMALL),$(patsubst %,$(BUILD)/boards/$(b)/count-%.elf,$(call counted_in,$(b))))
 
 $(BUILD)/boards/insn.so: tests/boards/insn.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
+# Runs an AVR's program; without simavr the tests name it.
+SIMAVR := $(if $(filter atmega1284p,$(BOARDS)),$(if $(wildcard /usr/include/simavr/sim_avr.h),$(BUILD)/boards/simavr))
+$(BUILD)/boards/simavr: tests/boards/simavr.c
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
 .PHONY: boards check-boards size-boards count
-boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(BUILD)/boards/example \
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(BUILD)/boards/example \
         $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
 check: boards
 check-boards: all boards
@@ -89,5 +108,5 @@ check-boards: all boards
 size: size-boards
 size-boards: boards
 	@$(call python,tests/boards/size.py $(BUILD))
-count: $(COUNTED) $(BUILD)/boards/insn.so
+count: $(COUNTED) $(BUILD)/boards/insn.so $(SIMAVR)
 	@$(call python,tests/boards/count.py $(BUILD))

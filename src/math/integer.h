@@ -10,6 +10,7 @@
 #ifndef TIA_SRC_MATH_H
 #define TIA_SRC_MATH_H
 
+#include <limits.h>
 #include <stdint.h>
 #include <tia/vec.h>
 
@@ -49,8 +50,8 @@ static inline unsigned tia_clz32_table(uint32_t x)
 /* Leading zero bits. x must not be 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && !defined(TIA_NO_CLZ)
-    return (unsigned)__builtin_clz((unsigned)x);
+#if defined(__GNUC__) && !defined(TIA_NO_CLZ) && UINT_MAX == UINT32_MAX
+    return (unsigned)__builtin_clz(x);
 #else
     return tia_clz32_table(x);
 #endif
@@ -212,6 +213,13 @@ static inline struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
                              (tia_q30)tia_round_shift(z * scale, shift)};
 }
 
+/* TIA_NO_INT128: without the compiler's 128-bit integers though it has them. */
+#if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
+#define TIA_INT128 1
+#else
+#define TIA_INT128 0
+#endif
+
 /* An unsigned 128-bit integer in two halves. */
 struct tia_wide {
     uint64_t high, low;
@@ -229,7 +237,7 @@ static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
 /* a b, exact. */
 static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 {
-#if defined(__SIZEOF_INT128__)
+#if TIA_INT128
     __extension__ typedef unsigned __int128 wide;
     wide p = (wide)a * b;
     return (struct tia_wide){(uint64_t)(p >> 64), (uint64_t)p};

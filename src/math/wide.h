@@ -9,7 +9,7 @@
 
 #include "integer.h"
 
-#if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
+#if TIA_INT128
 __extension__ typedef __int128 wide;
 
 static inline wide wide_product(int64_t a, int64_t b)

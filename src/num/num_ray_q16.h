@@ -37,7 +37,7 @@ static inline num_length num_length_of_unit(num_unit d)
 
 static inline num_length num_integer(int32_t n)
 {
-    NUM_CHECK(n < 1 << 18 && n > -(1 << 18));
+    NUM_CHECK(n < INT32_C(1) << 18 && n > -(INT32_C(1) << 18));
     return (num_length)n * NUM_LENGTH_ONE;
 }
 

@@ -55,8 +55,7 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
     for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
         reader->warnings[i].count = 0;
-    /* Lines and columns, and so the numbers of things, fit 32 bits. */
-    if ((uint64_t)reader->length >= UINT32_MAX) {
+    if (tia_text_is_too_long(reader->length)) {
         tia_say(&reader->error, "the text is too long, expected less than 4 GiB");
         return TIA_ERR_RANGE;
     }

@@ -3,8 +3,9 @@
 
 static bool is_inside(struct tia_tile tile, struct tia_tile area)
 {
-    return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y &&
-           tile.x - area.x + tile.width <= area.width && tile.y - area.y + tile.height <= area.height;
+    return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y && tile.width <= area.width &&
+           tile.height <= area.height && tile.x - area.x <= area.width - tile.width &&
+           tile.y - area.y <= area.height - tile.height;
 }
 
 static bool has_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile)

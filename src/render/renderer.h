@@ -45,6 +45,17 @@ struct tia_hits {
     void *buffer;     /* the renderer's */
 };
 
+/* Where a tile ends; tia_trace has seen to it that it is inside the image. */
+static inline int tile_right(struct tia_tile tile)
+{
+    return (int)tile.x + (int)tile.width;
+}
+
+static inline int tile_bottom(struct tia_tile tile)
+{
+    return (int)tile.y + (int)tile.height;
+}
+
 static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigned y)
 {
     return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);

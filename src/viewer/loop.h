@@ -22,7 +22,8 @@ struct loop {
     size_t view_size, hits_size;
     void *hits_memory;
     int8_t *status; /* of each tile */
-    unsigned tile_width, tile_height, columns, tiles;
+    unsigned tile_width, tile_height, columns;
+    uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
     bool whole;      /* there is memory for the whole frame's hits */
     bool traced;     /* those hits are valid: relight instead of tracing */

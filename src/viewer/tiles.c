@@ -11,27 +11,27 @@ static void set_tiles(struct loop *loop, unsigned height)
     loop->tile_width = m->tile_width && m->tile_width < m->width ? m->tile_width : m->width;
     loop->tile_height = m->tile_height && m->tile_height < height ? m->tile_height : height;
     loop->columns = (m->width + loop->tile_width - 1) / loop->tile_width;
-    loop->tiles = loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
+    loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
 /* Gets memory from the caller for the current scene, its hierarchy, the view, a status for each tile, and hits. */
 static bool get_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
-    size_t sizes[] = {loop->current_size, loop->bvh_size, loop->view_size, loop->tiles,
-                      loop->core->hits_size(v->scene, hits)};
+    uint64_t sizes[] = {loop->current_size, loop->bvh_size, loop->view_size, loop->tiles,
+                        loop->core->hits_size(v->scene, hits)};
     size_t sum = 0;
     char *parts[5] = {NULL}, *memory;
 
     for (int i = 0; i < 5; i++) {
         if (sizes[i] >= SIZE_MAX / 8)
             return false;
-        sum += ALIGN(sizes[i]);
+        sum += ALIGN((size_t)sizes[i]);
     }
     memory = v->memory(v->memory_ctx, sum);
     for (int i = 0; memory && i < 5; i++) {
         parts[i] = memory;
-        memory += ALIGN(sizes[i]);
+        memory += ALIGN((size_t)sizes[i]);
     }
     if (!memory)
         return false;
@@ -40,7 +40,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits)
     loop->view = (struct tia_view *)(void *)parts[2];
     loop->status = (int8_t *)parts[3];
     loop->hits_memory = parts[4];
-    loop->hits_size = sizes[4];
+    loop->hits_size = (size_t)sizes[4];
     return true;
 }
 
@@ -126,7 +126,7 @@ int tia_viewer_draw_tiles(struct loop *loop)
     int status = TIA_OK;
 
     if (v->workers && loop->mode.concurrent && loop->whole) {
-        v->workers->run(v->workers_ctx, tile_job, loop, loop->tiles);
+        v->workers->run(v->workers_ctx, tile_job, loop, (unsigned)loop->tiles);
         for (unsigned i = 0; !status && i < loop->tiles; i++)
             status = loop->status[i];
     } else {

@@ -1,6 +1,8 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
 #include "loop.h"
 
+#include <limits.h>
+
 /* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
 {
@@ -10,7 +12,8 @@ static int idle_ms(const struct loop *loop)
         next = loop->due_us;
     if (!next)
         return -1;
-    return next > time ? (int)((next - time + 999) / 1000) : 0;
+    uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
+    return ms < INT_MAX ? (int)ms : INT_MAX;
 }
 
 static int draw_frame(struct loop *loop)

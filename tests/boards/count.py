@@ -4,8 +4,8 @@
     count.py [--profile BOARD] [BUILD]      BUILD is the build's folder, default "build"
 
 Each program BUILD/boards/BOARD/count-ARITHMETIC.elf draws a frame of 320 x 240 between marks; a
-plugin of QEMU counts what is executed from mark to mark. --profile shows where the q16
-program's instructions go, by function."""
+plugin of QEMU, or simavr, counts what is executed from mark to mark. --profile shows where the
+q16 program's instructions go, by function; not on the AVR."""
 import bisect
 import os
 import subprocess
@@ -16,7 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import qemu
 
 PIXELS = 320 * 240
-BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'))
+BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'), ('atmega1284p', 'ATmega1284P'))
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
@@ -30,13 +30,16 @@ def symbols(board, image):
 
 def count(board, image, plugin, text=None):
     """What the marks enclose: instructions of the full frame, of the relit one (or None), the
-    frames' checksums, and by address when `text` is a range."""
+    frames' checksums, by address when `text` is a range, and the AVR's cycles."""
     at = {name: address for address, name in symbols(board, image)}
-    arguments = '%s,begin=%#x,end=%#x' % (plugin, at['count_begin'], at['count_end'])
-    if text:
-        arguments += ',text=%#x:%#x' % text
+    begin, end = ('%#x' % at[mark] for mark in ('count_begin', 'count_end'))
     with tempfile.NamedTemporaryFile('r') as log:
-        said = qemu.run(board, image, '-plugin', arguments, '-d', 'plugin', '-D', log.name).split()
+        if board == qemu.AVR:
+            arguments = [begin, end, log.name]
+        else:
+            arguments = ['-plugin', '%s,begin=%s,end=%s' % (plugin, begin, end) + (',text=%#x:%#x' % text if text else ''),
+                         '-d', 'plugin', '-D', log.name]
+        said = qemu.run(board, image, *arguments).split()
         lines = [line.split() for line in log.read().splitlines()]
     passages = [int(line[1]) for line in lines if line[0] == 'passage']
     frames = said[0::2]
@@ -45,7 +48,8 @@ def count(board, image, plugin, text=None):
     each = len(passages) // len(frames)
     relit = sum(passages[each:]) if len(frames) == 2 else None
     addresses = {int(line[1], 16): int(line[2]) for line in lines if line[0] == 'at'}
-    return sum(passages[:each]), relit, said[1::2], addresses
+    cycles = sum(int(line[2]) for line in lines if line[0] == 'passage' and len(line) == 3)
+    return sum(passages[:each]), relit, said[1::2], addresses, cycles
 
 
 def image_of(build, board, arithmetic):
@@ -63,6 +67,7 @@ def per_pixel(instructions):
 def table(build):
     print('| processor | ' + ' | '.join('%s full | relit' % title for _, title in ARITHMETICS) + ' |')
     print('|---|' + '--:|--:|' * len(ARITHMETICS))
+    notes = []
     for board, processor in BOARDS:
         if qemu.missing(board):
             print('| %s | (%s is missing) |' % (processor, qemu.missing(board)[0]))
@@ -71,18 +76,21 @@ def table(build):
         for arithmetic, _ in ARITHMETICS:
             image = image_of(build, board, arithmetic)
             if not os.path.exists(image):
-                cells += ['', '']
+                cells += ['-', '-']
                 continue
-            full, relit, _, _ = count(board, image, plugin_of(build))
+            full, relit, _, _, cycles = count(board, image, plugin_of(build))
+            notes += ['%s, %s: %s cycles a pixel' % (processor, arithmetic, per_pixel(cycles))] if cycles else []
             cells += [per_pixel(full), per_pixel(relit)]
         print('| %s | %s |' % (processor, ' | '.join(cells)), flush=True)
+    for note in notes:
+        print(note)
 
 
 def profile(build, board):
     image = image_of(build, board, 'q16')
     functions = symbols(board, image)
     starts = [address for address, _ in functions]
-    full, relit, _, addresses = count(board, image, plugin_of(build), (starts[0], starts[-1] + 0x1000))
+    full, relit, _, addresses, _ = count(board, image, plugin_of(build), (starts[0], starts[-1] + 0x1000))
     by_function = {}
     for address, executed in addresses.items():
         name = functions[bisect.bisect_right(starts, address) - 1][1]

@@ -3,8 +3,14 @@
 #include "boards/board.h"
 #include <tia/tia.h>
 
-/* Two rows make a strip; its hits take eight bytes a pixel, the prepared scene the rest of the arena. */
-enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ROWS = 2, ARENA = 6 * 1024 };
+/* ROWS rows make a strip; its hits take eight bytes a pixel, the prepared scene the rest of the arena. */
+#ifndef ROWS
+#define ROWS 2
+#endif
+#ifndef LARGE
+#define LARGE 1 /* 0: the small size alone, where an emulator takes minutes */
+#endif
+enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ARENA = WIDTH * ROWS * 8 + 1024 };
 
 static uint64_t arena[ARENA / sizeof(uint64_t)];
 
@@ -29,7 +35,7 @@ static int strip_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
     struct checksum *sum = ctx;
     if (tile.x || tile.width != sum->width || tile.height > ROWS || tile.y != sum->next_row)
         return TIA_ERR_ARGUMENT;
-    *surface = (struct tia_surface){sum->strip, 2, 2 * tile.width};
+    *surface = (struct tia_surface){sum->strip, 2, 2 * (ptrdiff_t)tile.width};
     return TIA_OK;
 }
 
@@ -108,7 +114,7 @@ int main(void)
     static const char states[] = "-adsw"; /* none, then the four keys */
     int failed = 0;
     for (const char *key = states; *key; key++) {
-        failed |= draw(WIDTH, HEIGHT, *key);
+        failed |= LARGE ? draw(WIDTH, HEIGHT, *key) : 0;
         failed |= draw(SMALL_WIDTH, SMALL_HEIGHT, *key);
     }
     board_print("arena ");

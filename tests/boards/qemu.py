@@ -1,4 +1,4 @@
-"""Boards in QEMU, for the tests: what they print, the keys they get, the screen they show."""
+"""Boards in QEMU, and an AVR in simavr, for the tests: what they print, the keys they get, the screen they show."""
 import json
 import os
 import re
@@ -19,20 +19,25 @@ MACHINES = {
     'microbit': ['qemu-system-arm', '-M', 'microbit'],
     'rv32': ['qemu-system-riscv32', '-M', 'virt', '-bios', 'none'],
 }
+AVR = 'atmega1284p'
 PANELS = ('versatilepb', 'vexpress-a9')
 PACKAGES = {'qemu-system-arm': 'qemu-system-arm', 'qemu-system-riscv32': 'qemu-system-misc',
-            'arm-none-eabi-gcc': 'gcc-arm-none-eabi', 'riscv64-unknown-elf-gcc': 'gcc-riscv64-unknown-elf'}
+            'arm-none-eabi-gcc': 'gcc-arm-none-eabi', 'riscv64-unknown-elf-gcc': 'gcc-riscv64-unknown-elf',
+            'avr-gcc': 'gcc-avr'}
+AVR_FILES = {'/usr/lib/avr/include/avr/io.h': 'avr-libc', '/usr/include/simavr/sim_avr.h': 'libsimavr-dev',
+             '/usr/include/libelf.h': 'libelf-dev'}
 
 
 def missing(board):
     """The packages that `board` needs and this machine has not."""
-    compiler = 'riscv64-unknown-elf-gcc' if board == 'rv32' else 'arm-none-eabi-gcc'
-    return [PACKAGES[tool] for tool in (MACHINES[board][0], compiler) if not shutil.which(tool)]
+    tools = [binutil(board, 'gcc')] + ([] if board == AVR else [MACHINES[board][0]])
+    return [PACKAGES[tool] for tool in tools if not shutil.which(tool)] + \
+           [package for path, package in AVR_FILES.items() if board == AVR and not os.path.exists(path)]
 
 
 def binutil(board, tool):
     """nm or size for the board's images."""
-    return ('riscv64-unknown-elf-' if board == 'rv32' else 'arm-none-eabi-') + tool
+    return {'rv32': 'riscv64-unknown-elf-', AVR: 'avr-'}.get(board, 'arm-none-eabi-') + tool
 
 
 class Failed(Exception):
@@ -40,6 +45,8 @@ class Failed(Exception):
 
 
 def command(board, image, *more):
+    if board == AVR:
+        return [os.path.join(os.path.dirname(os.path.dirname(image)), 'simavr'), image, *more]
     return MACHINES[board] + ['-nodefaults', '-display', 'none', '-no-reboot', '-kernel', image] + list(more)
 
 
@@ -50,14 +57,15 @@ def run(board, image, *more):
     """Runs a program that ends by itself: what it printed, once it ended with status 0."""
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, 'out')
-        console = ['-chardev', 'file,id=console,path=' + out, '-serial', 'none',
-                   '-semihosting-config', 'enable=on,target=native,chardev=console']
+        console = [] if board == AVR else [
+            '-chardev', 'file,id=console,path=' + out, '-serial', 'none',
+            '-semihosting-config', 'enable=on,target=native,chardev=console']
         try:
             done = subprocess.run(command(board, image, *console, *more), stdin=subprocess.DEVNULL, env=ENVIRONMENT,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LIMIT * 5, text=True)
         except subprocess.TimeoutExpired:
             raise Failed('did not end')
-        text = open(out).read() if os.path.exists(out) else ''
+        text = open(out).read() if os.path.exists(out) else done.stdout if board == AVR else ''
         if done.returncode:
             raise Failed('ended with status %d: %s%s' % (done.returncode, text[-300:], done.stdout[-300:]))
         return text

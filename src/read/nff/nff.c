@@ -25,6 +25,8 @@
 #include "math/integer.h"
 #include "read/surface.h"
 
+#include <limits.h>
+
 /* ---- view, background, lights ---- */
 
 static int read_v(struct nff *n)
@@ -293,7 +295,7 @@ static const struct nff_field {
     {"shape", "top_radius", "radius", 7},
     {"shape", "radius", "radius", 3},
     {"shape", "top", "", 4},
-    {"shape", "place", "", UINT32_MAX},
+    {"shape", "place", "", UINT_MAX},
 };
 
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault)

@@ -143,9 +143,9 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
 
 /* From the right and from above: 35 degrees to the right of +z, 25 above the horizon. The sphere around the model
  * touches the edges of a field of 40 degrees, at the distance of 1/sin 20 radii. */
-#define TOWARDS_X TIA_Q30(0.519837)
-#define TOWARDS_Y TIA_Q30(0.422618)
-#define TOWARDS_Z TIA_Q30(0.742403)
+#define TOWARDS_X INT32_C(558170729) /* 0.519837, all bits of which TIA_Q30 needs a double of 64 bits for */
+#define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
+#define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
 #define DISTANCE TIA_Q16(2.9238044)
 
 static struct tia_camera look_at(struct tia_vec3 c, uint64_t radius)

@@ -65,7 +65,7 @@ static int fetch(struct obj *o, const struct tia_word *word, const char **why)
     if (status < 0)
         return status;
     *why = "too long";
-    if ((uint64_t)library->length >= UINT32_MAX)
+    if (tia_text_is_too_long(library->length))
         return TIA_ERR_ARGUMENT;
     o->library_count++;
     return TIA_OK;

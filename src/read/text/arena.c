@@ -3,7 +3,7 @@
 
 #define ALIGNMENT sizeof(uint64_t)
 
-void *tia_arena_take(struct tia_arena *arena, size_t count, size_t item)
+void *tia_arena_take(struct tia_arena *arena, uint32_t count, size_t item)
 {
     size_t start = arena->used;
 
@@ -13,7 +13,7 @@ void *tia_arena_take(struct tia_arena *arena, size_t count, size_t item)
         arena->used = SIZE_MAX - ALIGNMENT;
         return NULL;
     }
-    arena->used = start + (count * item + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    arena->used = start + ((size_t)count * item + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     return tia_arena_fits(arena) ? arena->memory + start : NULL;
 }
 

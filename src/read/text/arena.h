@@ -24,7 +24,7 @@ struct tia_arena {
 
 /* Allocates `count` items of `item` bytes, aligned for uint64_t. NULL when they do not fit or the count is 0; `used`
  * grows in any case. */
-void *tia_arena_take(struct tia_arena *arena, size_t count, size_t item);
+void *tia_arena_take(struct tia_arena *arena, uint32_t count, size_t item);
 
 bool tia_arena_fits(const struct tia_arena *arena);
 

@@ -25,10 +25,10 @@ void tia_say(struct tia_read_error *error, const char *string)
 
 void tia_say_word(struct tia_read_error *error, const struct tia_word *word)
 {
-    uint32_t length = word->length <= SHOWN ? word->length : SHOWN;
+    size_t length = word->length <= SHOWN ? (size_t)word->length : SHOWN;
     char shown[SHOWN];
 
-    for (uint32_t i = 0; i < length; i++)
+    for (size_t i = 0; i < length; i++)
         shown[i] = word->at[i] >= ' ' && word->at[i] < 127 ? word->at[i] : '?';
     tia_say(error, "'");
     add(error, shown, length);

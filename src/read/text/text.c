@@ -14,6 +14,12 @@ static bool is_marked(const char *bytes, size_t length)
     return i == MARK_LENGTH;
 }
 
+bool tia_text_is_too_long(size_t length)
+{
+    uint64_t bytes = length; /* where a size has fewer bits, no text is */
+    return bytes >= UINT32_MAX;
+}
+
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error)
 {
     const char *start = is_marked(bytes, length) ? bytes + MARK_LENGTH : bytes;

@@ -34,6 +34,9 @@ struct tia_word {
     uint32_t length, line, column;
 };
 
+/* Whether lines, columns and indices would need more than 32 bits. */
+bool tia_text_is_too_long(size_t length);
+
 /* A byte order mark at the start is skipped. */
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error);
 

@@ -116,7 +116,7 @@ int tia_line_key(struct tia_job *job)
         return status;
     if (!tia_text_word(&job->text, &word) || !tia_word_is(&word, "light"))
         return tia_text_error(&job->text, &word, "is nothing that a key puts", "light");
-    status = tia_text_integer(&job->text, &light, 1, UINT16_MAX + 1);
+    status = tia_text_integer(&job->text, &light, 1, INT32_C(1) + UINT16_MAX);
     status = status ? status : read_light(job, &line, false, NULL);
     if (status)
         return status;

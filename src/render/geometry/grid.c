@@ -11,7 +11,7 @@ struct walker {
     const struct tia_grid *grid;
     num_length corner[3], origin[3], edge;
     num_unit direction[3];
-    int at[3];          /* the cell */
+    int32_t at[3];      /* the cell */
     num_length next[3]; /* where the ray leaves it along each axis */
 };
 
@@ -21,7 +21,7 @@ static int step_of(const struct walker *w, int axis)
 }
 
 /* Where the ray meets the plane below cell `at` of an axis. */
-static num_length plane_at(const struct walker *w, int axis, int at)
+static num_length plane_at(const struct walker *w, int axis, int32_t at)
 {
     return num_div(w->corner[axis] + w->edge * (num_length)at - w->origin[axis], w->direction[axis]);
 }
@@ -36,7 +36,7 @@ static num_length leaves_at(const struct walker *w, int axis)
     return w->direction[axis] == 0 ? NUM_LENGTH_MAX : plane_at(w, axis, w->at[axis] + !(w->direction[axis] < 0));
 }
 
-static bool has_cell(const struct walker *w, int axis, int at)
+static bool has_cell(const struct walker *w, int axis, int32_t at)
 {
     return at >= 0 && at < w->grid->size[axis];
 }
@@ -45,9 +45,9 @@ static bool has_cell(const struct walker *w, int axis, int at)
  * rounding makes of the point itself is only a first guess. */
 static void find_cell(struct walker *w, int axis, num_length t)
 {
-    int step = step_of(w, axis), last = w->grid->size[axis] - 1;
+    int step = step_of(w, axis);
     num_length along = w->origin[axis] + num_times(t, w->direction[axis]) - w->corner[axis];
-    int32_t at = along > 0 ? num_floor(num_ratio(along, w->edge)) : 0;
+    int32_t at = along > 0 ? num_floor(num_ratio(along, w->edge)) : 0, last = (int32_t)w->grid->size[axis] - 1;
 
     w->at[axis] = at > last ? last : at;
     if (w->direction[axis] != 0) {

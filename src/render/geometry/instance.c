@@ -70,7 +70,7 @@ num_length instance_distance(const struct instance_ray *placed, num_length t)
  * axes: 2^-40 k and as much again. */
 num_length instance_limit(const struct instance_ray *placed, num_length t)
 {
-    num_length more = t / (num_length)(INT64_C(1) << 40) + NUM_LENGTH_BIAS / (1 << 27);
+    num_length more = t / (num_length)(INT64_C(1) << 40) + NUM_LENGTH_BIAS / (num_length)(INT32_C(1) << 27);
 
     if (t < placed->start)
         return -1;

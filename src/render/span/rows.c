@@ -124,11 +124,11 @@ static void light_columns(struct chunk *chunk, const struct tia_hits *hits, stru
                           const struct tia_surface *surface, const num_u threshold[8])
 {
     size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
-    char *out = (char *)surface->pixels + (chunk->y - tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
+    char *out = (char *)surface->pixels + (chunk->y - (int)tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
     bool direct = surface->step == sizeof(tia_rgb565);
     tia_rgb565 pixels[CHUNK];
 
-    chunk->x = tile.x + (int)x;
+    chunk->x = (int)(tile.x + x);
     chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
     chunk->t = span_distances_of(hits) + at;
     chunk->object = hits->object + at;
@@ -141,7 +141,8 @@ static void light_columns(struct chunk *chunk, const struct tia_hits *hits, stru
 static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
-    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(chunk->y - tile.y) * tile.width : NULL;
+    size_t before = (size_t)(chunk->y - (int)tile.y) * tile.width;
+    uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
     num_u threshold[8];
 
     dither_thresholds(options->dither, chunk->y, threshold);
@@ -160,7 +161,7 @@ void span_light(const struct tia_view *view, const struct tia_hits *hits, struct
 
     chunk.view = view;
     chunk.spans = view->prepared;
-    for (int y = tile.y; y < tile.y + tile.height; y++) {
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
         chunk.y = y;
         light_row(&chunk, hits, tile, surface, options);
     }

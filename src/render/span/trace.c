@@ -27,11 +27,11 @@ static void trace_span(const struct span_view *spans, struct tia_hits *hits, uin
 static void trace_sphere(const struct span_view *spans, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
     const struct span_sphere *sphere = &spans->spheres[n];
-    struct span rows = span_within(sphere->rows, tile.y, tile.y + tile.height), span = {0, 0};
+    struct span rows = span_within(sphere->rows, (int)tile.y, tile_bottom(tile)), span = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
         span = span_sphere_row(&spans->primary, sphere, y, span);
-        trace_span(spans, hits, n, y, span_within(span, tile.x, tile.x + tile.width));
+        trace_span(spans, hits, n, y, span_within(span, (int)tile.x, tile_right(tile)));
     }
 }
 

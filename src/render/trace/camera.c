@@ -58,8 +58,8 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_camera *given, in
 /* The sample's place in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
 void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct ray *ray)
 {
-    int n = c->side, i = sample % n, j = sample / n;
-    int column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+    int32_t n = c->side, i = sample % n, j = sample / n;
+    int32_t column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
     num_unit right = num_fraction(num_integer(column) / 2, num_integer(n * n * c->width));
     num_unit down = num_fraction(num_integer(row) / 2, num_integer(n * n * c->height));
     num_length h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);

@@ -6,8 +6,8 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
 {
     const struct ray_view *rays = view->prepared;
 
-    for (int y = tile.y; y < tile.y + tile.height; y++) {
-        for (int x = tile.x; x < tile.x + tile.width; x++) {
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+        for (int x = (int)tile.x; x < tile_right(tile); x++) {
             struct ray ray;
             struct hit hit;
 
@@ -54,7 +54,7 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 static void row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
                 ptrdiff_t step, const struct tia_options *options)
 {
-    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - tile.y) * tile.width : NULL;
+    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - (int)tile.y) * tile.width : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
     struct path path = {.view = view->prepared, .hashed = path_hash != NULL};
     num_u threshold[8];
@@ -62,8 +62,8 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     dither_thresholds(options->dither, y, threshold);
-    for (int i = 0; i < tile.width; i++) {
-        int x = tile.x + i;
+    for (int i = 0; i < (int)tile.width; i++) {
+        int x = (int)tile.x + i;
         num_length mean[3];
 
         path.class = ray_pixel_class(x, y);
@@ -78,8 +78,8 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
 static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
-    for (int y = tile.y; y < tile.y + tile.height; y++) {
-        char *out = (char *)surface->pixels + (y - tile.y) * surface->pitch;
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+        char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
         row(view, hits, tile, y, out, surface->step, options);
     }
 }
