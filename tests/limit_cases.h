@@ -142,6 +142,8 @@ LIMIT(most_repeats)
 {
     materials[1].texture = 1;
     texture.repeat[0] = texture.repeat[1] = 1024 * ONE + beyond;
+    texture.offset[0] = INT32_MIN;
+    texture.offset[1] = INT32_MAX;
 }
 
 LIMIT(widest_image)
