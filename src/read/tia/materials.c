@@ -106,22 +106,16 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
 {
     struct tia_reader *reader = job->reader;
     struct tia_texture image = {.kind = TIA_IMAGE};
-    char name[TIA_NAME_MAX + 1];
+    char path[TIA_NAME_MAX + 1];
     const char *why = "cannot be read";
 
     if (!reader->image)
         return tia_text_error(&job->text, file, "cannot be fetched here", "a scene without images");
-    if (job->pass != TIA_FILLING || job->seeking)
-        return TIA_OK;
-    tia_word_copy(name, file);
-    if (reader->image(reader->ctx, name, &image, &why) != TIA_OK) {
-        (void)tia_text_error_at(&job->text, file);
-        tia_say_word(job->text.error, file);
-        tia_say(job->text.error, ": ");
-        tia_say(job->text.error, why);
-        tia_say(job->text.error, ", expected a picture");
-        return TIA_ERR_RANGE;
-    }
+    int status = tia_include_path(job, file, path);
+    if (status || job->pass != TIA_FILLING || job->seeking)
+        return status;
+    if (reader->image(reader->ctx, path, &image, &why) != TIA_OK)
+        return tia_job_missing(job, file, why, "a picture");
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;
