@@ -31,8 +31,8 @@ static void set_up(void)
     *shape = (struct tia_shape){.kind = TIA_SPHERE, .material = 1, .sphere = {TIA_VEC3(0, 0, -6), 2 * ONE}};
     light = (struct tia_light){.centre = TIA_VEC3(3, 5, -2), .emission = TIA_RGB(1, 1, 1)};
     transform = (struct tia_transform){{0, 0, 0}, {0, 0, 0}, {ONE, ONE, ONE}};
-    texture = (struct tia_texture){.repeat = {ONE, ONE}, .width = 1, .height = 1, .texels = texels};
-    texture.cells[1] = matt.colour;
+    texture = (struct tia_texture){.repeat = {ONE, ONE}, .offset = {INT32_MIN, INT32_MAX}, .cells[1] = matt.colour};
+    texture.width = texture.height = 1, texture.texels = texels;
     grid = (struct tia_grid){TIA_VEC3(-1, -1, -6), ONE, {1, 1, 1}, cells};
     scene = (struct tia_scene){.camera = {.fov = 40 * ONE}, .materials = materials, .material_count = 2};
     scene.shapes = shapes;

@@ -47,10 +47,16 @@ static real face_distance(const struct box *box, struct vec p, uint32_t face)
 
 static void face_coordinates(const struct box *box, struct vec p, uint32_t face, real uv[2])
 {
-    int i = face / 2 == 0 ? 2 : 0, k = face / 2 == 1 ? 2 : 1;
+    /* At -x z y, at +x -z y, at -y x z, at +y x -z, at -z -x y, at +z x y. */
+    static const int axes[6][2] = {{2, 1}, {2, 1}, {0, 2}, {0, 2}, {0, 1}, {0, 1}};
+    static const bool back[6][2] = {{false, false}, {true, false}, {false, false},
+                                    {false, true},  {true, false}, {false, false}};
 
-    uv[0] = (part(p, i) - box->min[i]) / (box->max[i] - box->min[i]);
-    uv[1] = (part(p, k) - box->min[k]) / (box->max[k] - box->min[k]);
+    for (int i = 0; i < 2; i++) {
+        int axis = axes[face][i];
+        real along = back[face][i] ? box->max[axis] - part(p, axis) : part(p, axis) - box->min[axis];
+        uv[i] = along / (box->max[axis] - box->min[axis]);
+    }
 }
 
 static int box_candidates(const struct subject *s, struct vec o, struct vec d, struct candidate found[])

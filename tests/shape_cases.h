@@ -1,13 +1,12 @@
 /* shape_cases.h - planes, discs, cylinders and cones, see shape_check.h. */
 #include "shape_check.h"
 
-static void axes_of(struct vec n, struct vec *a, struct vec *b)
+static void tangents_of(struct vec n, struct vec *u, struct vec *v)
 {
-    real x = size(n.x), y = size(n.y), z = size(n.z);
-    struct vec e = {x <= y && x <= z, !(x <= y && x <= z) && y <= z, !(x <= y && x <= z) && !(y <= z)};
+    bool level = !(size(n.x) > 0) && !(size(n.z) > 0);
 
-    *a = unit(cross(e, n));
-    *b = cross(n, *a);
+    *u = level ? (struct vec){1, 0, 0} : unit((struct vec){n.z, 0, -n.x});
+    *v = cross(n, *u);
 }
 
 static struct tia_dir3 any_normal(void)
@@ -25,7 +24,7 @@ static struct vec normal_of(struct tia_dir3 n)
 
 /* ---- planes and discs: a plane is a disc of radius 0 ---- */
 struct flat {
-    struct vec point, normal, a, b;
+    struct vec point, normal, u, v;
     real radius;
 };
 
@@ -68,11 +67,12 @@ static void flat_coordinates(const struct subject *s, struct vec p, uint32_t ele
 {
     const struct flat *f = s->what;
     struct vec v = add(p, -1, f->point);
-    real unit_length = f->radius > 0 ? f->radius : 1;
 
     (void)element;
-    uv[0] = dot(v, f->a) / unit_length;
-    uv[1] = dot(v, f->b) / unit_length;
+    uv[0] = dot(v, f->u);
+    uv[1] = dot(v, f->v);
+    for (int i = 0; i < 2 && f->radius > 0; i++)
+        uv[i] = (1 + uv[i] / f->radius) / 2;
 }
 
 static real flat_curvature(const struct subject *s, struct vec p, uint32_t element)
@@ -96,7 +96,7 @@ static void check_flat(double radius, double far)
                         .uv = flat_coordinates,
                         .curvature = flat_curvature};
 
-    axes_of(f.normal, &f.a, &f.b);
+    tangents_of(f.normal, &f.u, &f.v);
     s.extent = length(f.point) + f.radius;
     if (radius > 0)
         PREPARE(&s.shape, TIA_DISC, disc, disc);
@@ -112,7 +112,7 @@ static void check_flat(double radius, double far)
 
 /* ---- cylinders and cones ---- */
 struct cone {
-    struct vec base, axis, a, b;
+    struct vec base, axis, u, v;
     real length, base_radius, top_radius, slant; /* the side's length */
     bool capped;
 };
@@ -210,11 +210,19 @@ static real cone_distance(const struct subject *s, struct vec p, uint32_t elemen
 static void cone_coordinates(const struct subject *s, struct vec p, uint32_t element, real uv[2])
 {
     const struct cone *c = s->what;
-    struct vec v = add(p, -1, c->base);
-    real a = dot(v, c->a), b = dot(v, c->b), radius = element == 1 ? c->base_radius : c->top_radius;
+    struct vec v = add(p, -1, c->base), right = c->u, up = c->v;
 
-    uv[0] = element == 0 ? (real)(atan2l((long double)a, (long double)b) / (2 * acosl(-1)) + 0.5L) : a / radius;
-    uv[1] = element == 0 ? dot(v, c->axis) / c->length : b / radius;
+    if (element == 0) {
+        long double y = (long double)-dot(v, up), x = (long double)dot(v, right);
+        uv[0] = (real)(0.5L - atan2l(y, x) / (2 * acosl(-1)));
+        uv[1] = dot(v, c->axis) / c->length;
+        return;
+    }
+    if (element == 1)
+        tangents_of((struct vec){-c->axis.x, -c->axis.y, -c->axis.z}, &right, &up);
+    real radius = element == 1 ? c->base_radius : c->top_radius;
+    uv[0] = (1 + dot(v, right) / radius) / 2;
+    uv[1] = (1 + dot(v, up) / radius) / 2;
 }
 
 static real cone_curvature(const struct subject *s, struct vec p, uint32_t element)
@@ -233,7 +241,7 @@ static void prepare_cone(struct subject *s, struct cone *c, const struct tia_con
     struct vec along = add(position(cone->top), -1, position(cone->base));
 
     *c = (struct cone){.base = position(cone->base), .axis = unit(along), .length = length(along)};
-    axes_of(c->axis, &c->a, &c->b);
+    tangents_of(c->axis, &c->u, &c->v);
     c->base_radius = cone->base_radius / 65536.0;
     c->top_radius = cone->top_radius / 65536.0;
     real step = c->base_radius - c->top_radius;

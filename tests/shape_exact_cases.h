@@ -97,24 +97,31 @@ static void check_uv(const struct shape *s, double x, double y, double z, uint32
     CHECK_MSG(fabs((double)real_x(uv[1]) - v) < 1e-14, "v is %g, not %g", (double)real_x(uv[1]), v);
 }
 
-/* For an axis along y A is z and B is x. */
+/* For an axis along y U is x and V is -z; for one along x U is -z and V is y. */
 TEST(surface_coordinates)
 {
     struct shape s;
 
     PREPARE(&s, TIA_CYLINDER, cylinder, {{0, 0, 0}, TIA_VEC3(0, 4, 0), TIA_Q16(2), true});
     check_uv(&s, 2, 1, 0, 0, 0.5, 0.25);
-    check_uv(&s, 0, 4, 2, 0, 0.75, 1);
-    check_uv(&s, 0, 0, -2, 0, 0.25, 0);
-    check_uv(&s, 1, 0, 0.5, 1, 0.25, 0.5);
-    check_uv(&s, 1, 4, -0.5, 2, -0.25, 0.5);
+    check_uv(&s, 0, 4, 2, 0, 0.25, 1);
+    check_uv(&s, 0, 0, -2, 0, 0.75, 0);
+    check_uv(&s, 1, 0, 0.5, 1, 0.75, 0.625);
+    check_uv(&s, 1, 4, -0.5, 2, 0.75, 0.625);
+    PREPARE(&s, TIA_CYLINDER, cylinder, {{0, 0, 0}, TIA_VEC3(4, 0, 0), TIA_Q16(2), true});
+    check_uv(&s, 1, 2, 0, 0, 0.75, 0.25);
+    check_uv(&s, 0, 1, 0.5, 1, 0.625, 0.75);
+    check_uv(&s, 4, 1, 0.5, 2, 0.375, 0.75);
     PREPARE(&s, TIA_DISC, disc, {TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}, TIA_Q16(4)});
-    check_uv(&s, 2, 0, 3, 0, 0.75, 0.25);
+    check_uv(&s, 2, 0, 3, 0, 0.625, 0.125);
     PREPARE(&s, TIA_PLANE, plane, {TIA_VEC3(1, 0, 0), {0, TIA_Q30(1), 0}});
-    check_uv(&s, 2, 0, -3, 0, -3, 1);
+    check_uv(&s, 2, 0, -3, 0, 1, 3);
     PREPARE(&s, TIA_BOX, box, {{0, 0, 0}, TIA_VEC3(2, 4, 8)});
     check_uv(&s, 0, 1, 2, 0, 0.25, 0.25);
-    check_uv(&s, 1, 4, 2, 3, 0.5, 0.25);
+    check_uv(&s, 2, 1, 2, 1, 0.75, 0.25);
+    check_uv(&s, 0.5, 0, 2, 2, 0.25, 0.25);
+    check_uv(&s, 1, 4, 2, 3, 0.5, 0.75);
+    check_uv(&s, 0.5, 1, 0, 4, 0.75, 0.25);
     check_uv(&s, 0.5, 1, 8, 5, 0.25, 0.25);
 }
 

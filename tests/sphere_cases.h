@@ -123,7 +123,7 @@ TEST(spheres_are_met_at_grazing_angles)
 
 static void check_uv(real3 n, const num_length uv[2], long double error)
 {
-    long double u = atan2l(n.z, n.x) / (2 * PI) + 0.5L, v = acosl(n.y) / PI;
+    long double u = 0.5L - atan2l(n.z, n.x) / (2 * PI), v = 1 - acosl(n.y) / PI;
     long double off = fabsl(real_of(uv[0]) - u);
 
     CHECK_MSG(fminl(off, 1 - off) < error, "u %Lg, not %Lg", real_of(uv[0]), u);

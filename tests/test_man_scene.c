@@ -11,6 +11,16 @@ static int fetch(void *ctx, const char *name, struct tia_texture *texture, const
     return TIA_OK;
 }
 
+/* What the page's scenes include. */
+static int fetch_chair(void *ctx, const char *name, const char **text, size_t *length, const char **why)
+{
+    (void)ctx;
+    *why = "no such file";
+    *text = "box min 0 0 0 max 1 1 1 material wood\n";
+    *length = strlen(*text);
+    return strcmp(name, "models/chair.tia") ? TIA_ERR_DEVICE : TIA_OK;
+}
+
 static char examples[20000];
 
 /* Copies a line of an example as a reader of the page sees it: "\-" is "-", "\e" a backslash. */
@@ -26,7 +36,7 @@ static char *copy_line(char *to, const char *line, size_t length)
 
 static void check_example(const char *example)
 {
-    struct reading r = {.reader = {.text = example, .length = strlen(example), .image = fetch}};
+    struct reading r = {.reader = {.text = example, .length = strlen(example), .library = fetch_chair, .image = fetch}};
 
     read_begin(&r);
     CHECK_MSG(r.status == TIA_OK, "%u:%u: %s: %.60s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
@@ -57,9 +67,10 @@ static unsigned check_page(const char *page)
 
 TEST(examples_are_scenes)
 {
-    static const char *const words[] = {"camera",   "samples", "background", "depth", "material", "texture", "sphere",
-                                        "plane",    "disc",    "cylinder",   "cone",  "box",      "mesh",    "triangle",
-                                        "instance", "grid",    "light",      "key",   "animate"};
+    static const char *const words[] = {"camera",  "samples",  "background", "depth",    "material", "texture",
+                                        "sphere",  "plane",    "disc",       "cylinder", "cone",     "box",
+                                        "mesh",    "triangle", "instance",   "grid",     "light",    "key",
+                                        "animate", "group",    "define",     "include"};
     size_t length = 0;
     char *page = load_file("man/tia-scene.5", &length), line[20];
 

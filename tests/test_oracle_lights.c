@@ -248,7 +248,7 @@ static double texture_at(const struct tia_texture *t, double u, double v)
     return oracle_texture(t, u, v, &cell).channel[0];
 }
 
-/* 1 x 1 cells; floor(-0.5) + floor(0.5) = -1 is odd. The floor's u is its z, its v its x. */
+/* 1 x 1 cells; floor(-0.5) + floor(0.5) = -1 is odd. The floor's u is its x, its v its -z. */
 TEST(checker)
 {
     struct tia_texture t = {
@@ -264,10 +264,14 @@ TEST(checker)
     scene.textures = &t;
     materials[0].texture = 1;
     materials[0].colour = (struct tia_rgb)TIA_RGB(0.5, 0.5, 0.5);
-    light.centre = (struct tia_vec3)TIA_VEC3(0.25, 4, -0.5);
-    NEAR(red_at(0.25, -0.5), 0.125); /* u = -0.5 */
-    light.centre.z = TIA_Q16(0.5);
-    NEAR(red_at(0.25, 0.5), 0.5);
+    light.centre = (struct tia_vec3)TIA_VEC3(-0.5, 4, -0.125);
+    NEAR(red_at(-0.5, -0.125), 0.125); /* u = -0.5, 2v = 0.25 */
+    light.centre.x = TIA_Q16(0.5);
+    NEAR(red_at(0.5, -0.125), 0.5);
+    t.offset[0] = TIA_Q16(0.75);
+    NEAR(red_at(0.5, -0.125), 0.125);
+    t.offset[1] = TIA_Q16(0.25);
+    NEAR(red_at(0.5, -0.125), 0.5);
 }
 
 /* Two texels wide and high, upper row 0 255, lower row 51 102. */
@@ -277,19 +281,23 @@ TEST(image)
     struct tia_texture t = {
         .kind = TIA_IMAGE, .repeat = {TIA_Q16(1), TIA_Q16(1)}, .width = 2, .height = 2, .texels = texels};
 
-    NEAR(texture_at(&t, 0.1, 0.1), 0);
-    NEAR(texture_at(&t, 0.9, 0.1), 1);
-    NEAR(texture_at(&t, 0.1, 0.9), 0.2);
+    NEAR(texture_at(&t, 0.1, 0.9), 0);
+    NEAR(texture_at(&t, 0.9, 0.9), 1);
+    NEAR(texture_at(&t, 0.1, 0.1), 0.2);
     CHECK_EQ(cell, 2);
-    NEAR(texture_at(&t, -0.1, -0.1), 0.4);
+    NEAR(texture_at(&t, -0.1, 1.1), 0.4);
     CHECK_EQ(cell, 3);
     t.bilinear = true;
-    NEAR(texture_at(&t, 0.75, 0.25), 1);
+    NEAR(texture_at(&t, 0.75, 0.75), 1);
     CHECK_EQ(cell, ORACLE_BLENDED);
-    NEAR(texture_at(&t, 0.5, 0.25), 0.5);
+    NEAR(texture_at(&t, 0.5, 0.75), 0.5);
     NEAR(texture_at(&t, 0.5, 0.5), (0 + 1 + 0.2 + 0.4) / 4);
-    NEAR(texture_at(&t, 0.25 + 0.125, 0.25), 0.25);
-    NEAR(texture_at(&t, 1, 0.25), 0.5); /* around the edge */
+    NEAR(texture_at(&t, 0.25 + 0.125, 0.75), 0.25);
+    NEAR(texture_at(&t, 1, 0.75), 0.5); /* around the edge */
+    t.offset[0] = TIA_Q16(-0.125);
+    t.offset[1] = TIA_Q16(2.5);
+    NEAR(texture_at(&t, 0.25, 3.25), 0.25);
+    NEAR(texture_at(&t, 0.625, 2.75), 0.4);
 }
 
 static struct oracle_vec towards(const struct tia_camera *camera, double x, double y)

@@ -31,7 +31,7 @@ static struct ray ray(double ox, double oy, double oz, double dx, double dy, dou
     return (struct ray){{ox, oy, oz}, unit((struct oracle_vec){dx, dy, dz})};
 }
 
-/* y = -2. With N = y the coordinate nearest to 0 is x: A = x x y = z, B = y x z = x. */
+/* y = -2. With N = y: U = x, V = -z; seen from below, too, as the normal does not turn. */
 TEST(plane)
 {
     struct tia_shape s = {.kind = TIA_PLANE, .plane = {TIA_VEC3(1, -2, 0), {0, TIA_Q30(1.25), 0}}};
@@ -40,8 +40,8 @@ TEST(plane)
     CHECK(meets(&s, ray(0, 0, 0, 3, -2, 6), &h));
     NEAR(h.t, 7);
     NEAR_VEC(h.normal, 0, 1, 0);
-    NEAR(h.u, 6);
-    NEAR(h.v, 2);
+    NEAR(h.u, 2);
+    NEAR(h.v, -6);
     CHECK(meets(&s, ray(0, -4, 0, 0, 1, 0), &h));
     NEAR(h.t, 2);
     NEAR_VEC(h.normal, 0, 1, 0);
@@ -74,7 +74,7 @@ TEST(points_farther_than_65536_are_not_met)
     CHECK(!meets(&s, ray(0, 0, 0, 65537.0, -1, 0), &h));
 }
 
-/* N = z: A = x x z = -y, B = z x -y = x. */
+/* N = z: U = y x z = x, V = z x x = y, 2 on each side of the centre. */
 TEST(disc)
 {
     struct tia_shape s = {.kind = TIA_DISC, .disc = {TIA_VEC3(1, 0, -4), {0, 0, TIA_Q30(1)}, TIA_Q16(2)}};
@@ -82,13 +82,13 @@ TEST(disc)
 
     CHECK(meets(&s, ray(2, 1, 0, 0, 0, -1), &h));
     NEAR(h.t, 4);
-    NEAR(h.u, -0.5);
-    NEAR(h.v, 0.5);
+    NEAR(h.u, 0.75);
+    NEAR(h.v, 0.75);
     CHECK(meets(&s, ray(2.99, 0, 0, 0, 0, -1), &h));
     CHECK(!meets(&s, ray(3.01, 0, 0, 0, 0, -1), &h));
 }
 
-/* At (3, 0, 4)/5 r from the centre: atan2(4, 3)/(2 pi) + 1/2, acos(0)/pi. */
+/* At (3, 0, 4)/5 r from the centre: 1/2 - atan2(4, 3)/(2 pi), 1 - acos(0)/pi. */
 TEST(sphere)
 {
     struct tia_shape s = {.kind = TIA_SPHERE, .sphere = {TIA_VEC3(0, 0, -10), TIA_Q16(5)}};
@@ -97,10 +97,10 @@ TEST(sphere)
     CHECK(meets(&s, ray(3, 0, 0, 0, 0, -1), &h));
     NEAR(h.t, 6);
     NEAR_VEC(h.normal, 0.6, 0, 0.8);
-    NEAR(h.u, atan2(4, 3) / (2 * PI) + 0.5);
+    NEAR(h.u, 0.5 - atan2(4, 3) / (2 * PI));
     NEAR(h.v, 0.5);
     CHECK(meets(&s, ray(0, 3, 0, 0, 0, -1), &h));
-    NEAR(h.v, acos(0.6) / PI);
+    NEAR(h.v, 1 - acos(0.6) / PI);
     CHECK(!meets(&s, ray(0, 0, 0, 0, 0, 1), &h));
     CHECK(meets(&s, ray(0, 0, -9, 0, 0, -1), &h)); /* from inside, towards the centre */
     NEAR(h.t, 6);
@@ -109,7 +109,7 @@ TEST(sphere)
     NEAR_VEC(h.normal, 0, 0, 1);
 }
 
-/* Axis y from 0 to 4: A = z, B = x as for the plane; u = atan2(z, x)/(2 pi) + 1/2, as on a sphere. */
+/* Axis y from 0 to 4: U = x, V = -z as for the plane; u = 1/2 - atan2(z, x)/(2 pi), as on a sphere. */
 TEST(cylinder)
 {
     struct tia_shape s = {.kind = TIA_CYLINDER, .cylinder = {TIA_VEC3(0, 0, 0), TIA_VEC3(0, 4, 0), TIA_Q16(2), false}};
@@ -118,7 +118,7 @@ TEST(cylinder)
     CHECK(meets(&s, ray(0, 1, 10, 0, 0, -1), &h));
     NEAR(h.t, 8);
     NEAR_VEC(h.normal, 0, 0, 1);
-    NEAR(h.u, 0.75);
+    NEAR(h.u, 0.25);
     NEAR(h.v, 0.25);
     CHECK(meets(&s, ray(1, 1, 0, 1, 0, 0), &h)); /* from inside */
     NEAR(h.t, 1);
@@ -138,13 +138,13 @@ TEST(caps)
     CHECK(meets(&s, ray(1, 6, -1, 0, -1, 0), &h));
     NEAR(h.t, 2);
     NEAR_VEC(h.normal, 0, 1, 0);
-    NEAR(h.u, -0.5);
-    NEAR(h.v, 0.5);
+    NEAR(h.u, 0.75); /* (x, -z) */
+    NEAR(h.v, 0.75);
     CHECK(meets(&s, ray(1, -6, -1, 0, 1, 0), &h));
     NEAR(h.t, 6);
     NEAR_VEC(h.normal, 0, -1, 0);
-    NEAR(h.u, -0.5);
-    NEAR(h.v, 0.5);
+    NEAR(h.u, 0.75); /* (x, z) */
+    NEAR(h.v, 0.25);
     CHECK(meets(&s, ray(0, 1, 0, 0, 1, 0), &h)); /* from inside */
     NEAR(h.t, 3);
     CHECK_EQ(h.part, 2);
@@ -201,8 +201,8 @@ TEST(box)
     NEAR(h.v, 0.25);
     CHECK(meets(&s, ray(0, 9, -2.5, 0, -1, 0), &h));
     NEAR_VEC(h.normal, 0, 1, 0);
-    NEAR(h.u, 0.25); /* (x, z) */
-    NEAR(h.v, 0.75);
+    NEAR(h.u, 0.25); /* (x, -z) */
+    NEAR(h.v, 0.25);
     CHECK_EQ(h.part, 3);
     CHECK(meets(&s, ray(-9, 0.5, -2.5, 1, 0, 0), &h));
     NEAR_VEC(h.normal, -1, 0, 0);
@@ -318,7 +318,7 @@ TEST(ellipsoid)
     NEAR(h.t, 5 - sqrt(0.5));
     NEAR_VEC(h.normal, 1 / sqrt(5), 2 / sqrt(5), 0);
     NEAR(h.u, 0.5); /* z = 0, x > 0 */
-    NEAR(h.v, 0.25);
+    NEAR(h.v, 0.75);
     transforms[0].rotation.z = TIA_Q16(90);
     CHECK(meets(&s, ray(0, 5, -9, 0, -1, 0), &h));
     NEAR(h.t, 3);

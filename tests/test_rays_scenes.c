@@ -224,6 +224,7 @@ TEST(textures)
         begin();
         texture = (struct tia_texture){.kind = i < 2 ? TIA_CHECKER : TIA_IMAGE,
                                        .repeat = {TIA_Q16(2), TIA_Q16(1.25)},
+                                       .offset = {i % 2 * TIA_Q16(0.3), i % 2 * TIA_Q16(-7.1)},
                                        .cells = {WHITE, TIA_RGB(0.2, 0.1, 0)},
                                        .bilinear = i == 3,
                                        .width = 3,

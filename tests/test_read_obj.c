@@ -51,9 +51,8 @@ TEST(crate)
           r.scene.meshes[1].vertex_count == 4);
     CHECK(r.scene.meshes[1].vertices[0].x == TIA_Q16(-4) && r.scene.meshes[1].vertices[0].z == TIA_Q16(4));
     CHECK(r.scene.meshes[1].uv_count == 0 && r.scene.meshes[1].faces[0].corner[2].uv == TIA_NO_INDEX);
-    /* vt 0 0 is the lower left: the last row of texels */
-    CHECK(r.scene.meshes[0].uvs[0].u == 0 && r.scene.meshes[0].uvs[0].v == TIA_Q16_ONE);
-    CHECK(r.scene.meshes[0].uvs[2].u == TIA_Q16_ONE && r.scene.meshes[0].uvs[2].v == 0);
+    CHECK(r.scene.meshes[0].uvs[0].u == 0 && r.scene.meshes[0].uvs[0].v == 0);
+    CHECK(r.scene.meshes[0].uvs[2].u == TIA_Q16_ONE && r.scene.meshes[0].uvs[2].v == TIA_Q16_ONE);
     const struct tia_material *wood = &r.scene.materials[r.scene.shapes[0].material];
     const struct tia_material *floor_of = &r.scene.materials[r.scene.shapes[1].material];
     CHECK(wood->texture == 1 && wood->colour.r == TIA_Q30_ONE && wood->specular.g == TIA_Q30(0.2));
@@ -252,7 +251,7 @@ TEST(errors)
         {"v 1 2 x\n", "1:7: 'x' is no number, expected a number below 2147483648"},
         {"v 1 2 3e9\n", "1:7: '3e9' is out of range, expected a number below 2147483648"},
         {"vt 40000\n", "1:4: '40000" OUT_OF_Q16},
-        {"vt 0 -32767\n", "1:6: '-32767' is out of range, expected a number from -32766 to below 32768"},
+        {"vt 0 -32769\n", "1:6: '-32769" OUT_OF_Q16},
         {"vn 0 0 0\n", "1:4: '0' begins a direction of no length, expected three numbers that are not all 0"},
         {"face 1 2 3\n", "1:1: 'face' is no statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib"},
         {TRIANGLE "f 1 2\n", "4:6: the line ends here, expected V, V/VT, V//VN or V/VT/VN"},

@@ -83,7 +83,8 @@ TEST(materials)
         "material a colour 1 0.5 0.25 texture t specular 0.5 exponent 10.5 mirror 0.1 refraction 0.9 index 1.25 "
         "fresnel transmission 0 0 1 emission 0.3 facing 0.2\n"
         "material b specular 1 refraction 1\nmaterial c\n"
-        "texture other checker\ntexture t checker even 0.1 odd 0.2 0.3 0.4 repeat 3\n");
+        "texture other checker\ntexture t checker even 0.1 odd 0.2 0.3 0.4 repeat 3\n"
+        "texture lying checker offset 0.5 -2 scale 4 0.3\n");
     m = scene->materials;
     CHECK(scene->material_count == 3 && is_rgb(m[0].colour, 1, 0.5, 0.25) && m[0].texture == 2);
     CHECK(is_rgb(m[0].specular, 0.5, 0.5, 0.5) && m[0].exponent == TIA_Q16(10.5) && is_rgb(m[0].mirror, 0.1, 0.1, 0.1));
@@ -92,10 +93,13 @@ TEST(materials)
           is_rgb(m[0].facing, 0.2, 0.2, 0.2));
     CHECK(m[1].exponent == TIA_Q16(32) && m[1].index == TIA_Q16(1.5) && !m[1].texture && !m[1].fresnel);
     CHECK(is_rgb(m[2].colour, 0, 0, 0) && !m[2].exponent && !m[2].index);
-    CHECK(scene->texture_count == 2 && scene->textures[1].kind == TIA_CHECKER);
+    CHECK(scene->texture_count == 3 && scene->textures[1].kind == TIA_CHECKER);
     CHECK(is_rgb(scene->textures[0].cells[0], 1, 1, 1) && is_rgb(scene->textures[0].cells[1], 0, 0, 0));
     CHECK(is_rgb(scene->textures[1].cells[0], 0.1, 0.1, 0.1) && is_rgb(scene->textures[1].cells[1], 0.2, 0.3, 0.4));
     CHECK(scene->textures[0].repeat[0] == TIA_Q16_ONE && scene->textures[1].repeat[1] == TIA_Q16(3));
+    CHECK(!scene->textures[1].offset[0] && !scene->textures[1].offset[1]);
+    CHECK(scene->textures[2].offset[0] == TIA_Q16(0.5) && scene->textures[2].offset[1] == TIA_Q16(-2));
+    CHECK(scene->textures[2].repeat[0] == TIA_Q16(0.25) && scene->textures[2].repeat[1] == 218451); /* 2^32/19661 */
 }
 
 static const uint8_t texels[6] = {1, 2, 3, 4, 5, 6};

@@ -19,7 +19,7 @@ static void read_bytes(const char *bytes, size_t length)
 #define M "material m\n"
 #define STATEMENTS                                                                                                     \
     "sphere, plane, disc, cylinder, cone, box, triangle, instance, mesh, grid, material, texture, light, key, "        \
-    "animate, camera, background, samples or depth"
+    "animate, group, end, include, define, camera, background, samples or depth"
 
 TEST(statements)
 {
@@ -65,7 +65,12 @@ TEST(looks)
     check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker or image");
     check_refused("texture t", "1:10: the line ends here, expected checker or image");
     check_refused("texture t checker repeat 1 2 3",
-                  "1:30: '3' is nothing that a checker has, expected even, odd or repeat");
+                  "1:30: '3' is nothing that a checker has, expected repeat, scale, offset, even or odd");
+    check_refused("texture t checker repeat 2 scale 3",
+                  "1:35: the line ends here, expected either repeat or scale, not both");
+    check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1024 to 1024");
+    check_refused("texture t checker offset 1",
+                  "1:27: the line ends here, expected a number from -32768 to below 32768");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");
     check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");
 }

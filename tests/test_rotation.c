@@ -114,6 +114,48 @@ TEST(axes_by_hand)
         CHECK_EQ(axes[i / 3][i % 3], i % 4 ? 0 : ONE);
 }
 
+static void check_angles(struct tia_vec3 rotation)
+{
+    const long double unit = pi / 180 / 65536;
+    int64_t axes[3][3], again[3][3];
+    struct tia_vec3 found;
+
+    tia_rotation_axes(rotation, axes);
+    tia_rotation_angles((const int64_t(*)[3])axes, &found);
+    tia_rotation_axes(found, again);
+    /* Half a unit from each angle, and an eighth more where the pole swallows one. */
+    for (int i = 0; i < 9; i++)
+        CHECK_MSG(error(again[i / 3][i % 3], (long double)axes[i / 3][i % 3] / ONE) < 1.625L * unit,
+                  "%d %d %d: %d %d %d", (int)rotation.x, (int)rotation.y, (int)rotation.z, (int)found.x, (int)found.y,
+                  (int)found.z);
+    CHECK(found.y >= -RIGHT && found.y <= RIGHT);
+}
+
+/* Anywhere, and nearer and nearer to where y is a right angle. */
+TEST(angles_of_axes)
+{
+    for (int i = 0; i < 20000; i++) {
+        tia_q16 near = (i % 2 ? RIGHT : -RIGHT) + any_angle() % (2 << i % 20);
+        check_angles((struct tia_vec3){any_angle(), i % 4 < 2 ? any_angle() : near, any_angle()});
+    }
+    for (int i = 0; i < 64; i++)
+        check_angles((struct tia_vec3){i % 4 * RIGHT, i / 4 % 4 * RIGHT, i / 16 * RIGHT});
+}
+
+TEST(angles_by_hand)
+{
+    const struct tia_vec3 rotation = {20 * 65536 + 1, -70 * 65536 - 3, 170 * 65536 + 7};
+    int64_t axes[3][3];
+    struct tia_vec3 found;
+
+    tia_rotation_axes(rotation, axes);
+    tia_rotation_angles((const int64_t(*)[3])axes, &found);
+    CHECK(!memcmp(&found, &rotation, sizeof found));
+    tia_rotation_axes((struct tia_vec3){0, RIGHT, 0}, axes);
+    tia_rotation_angles((const int64_t(*)[3])axes, &found);
+    CHECK(found.x == 0 && found.y == RIGHT && found.z == 0);
+}
+
 int main(void)
 {
     RUN(sine_and_cosine);
@@ -121,5 +163,7 @@ int main(void)
     RUN(symmetry);
     RUN(axes);
     RUN(axes_by_hand);
+    RUN(angles_of_axes);
+    RUN(angles_by_hand);
     return check_status();
 }

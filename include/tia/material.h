@@ -54,16 +54,18 @@ struct tia_material {
 
 enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE };
 
-/* Multiplies a material's colour. The surface coordinates u, v (see shape.h) are multiplied by `repeat` first. */
+/* Multiplies a material's colour at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see
+ * shape.h. */
 struct tia_texture {
     enum tia_texture_kind kind;
     tia_q16 repeat[2]; /* of u and v, TIA_Q16(1/1024)..TIA_Q16(1024) */
+    tia_q16 offset[2]; /* where on the surface the texture's (0, 0) lies */
 
     /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */
     struct tia_rgb cells[2];
 
-    /* TIA_IMAGE: covers 1 x 1 and repeats. The centre of texel (x, y), counted from the upper left, is at
-     * u = (x + 1/2)/width, v = (y + 1/2)/height. */
+    /* TIA_IMAGE: covers 1 x 1 and repeats, its first row at the top, v = 1. The centre of texel (x, y), counted from
+     * the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
     bool bilinear;          /* false: nearest texel */
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
     const uint8_t *texels;  /* red, green, blue; row by row; 255 is 1.0 */

@@ -2,7 +2,7 @@
  *
  * Decimal numbers are converted to fixed point directly, rounded to nearest, ties away from zero, so that a
  * file means the same scene on every machine. The caller holds the whole text in memory, and loads the files
- * that it refers to (material libraries, images) by name.
+ * that it refers to (material libraries, included scenes, images) by name.
  */
 #ifndef TIA_READ_H
 #define TIA_READ_H
@@ -22,7 +22,7 @@ enum tia_format {
 struct tia_read_error {
     char file[TIA_NAME_MAX + 1]; /* the included file with the error; "" for the scene's own text */
     uint32_t line, column;       /* from 1; 0 when no single place is wrong */
-    char text[200];
+    char text[240];
 };
 
 /* What a reader of .obj and .mtl puts up with, and what it does then. */
@@ -51,10 +51,10 @@ struct tia_reader {
     const char *text;
     size_t length; /* the text may hold any bytes and needs no final 0 */
 
-    /* Load a file that the text names, or return a negative status and set *why to a static string. The
-     * loaded memory stays the caller's and must outlive the scene. With NULL, a scene that refers to such
-     * files is an error. The text is read in several passes: `library` may be called again for the same
-     * name and must then return the same text. `image` is called once for each texture, and only when the
+    /* Load a file that the text names, `name` being its path from the scene's folder, or return a negative status
+     * and set *why to a static string. The loaded memory stays the caller's and must outlive the scene. With NULL, a
+     * scene that refers to such files is an error. The text is read in several passes: `library` may be called again
+     * for the same name and must then return the same text. `image` is called once for each texture, and only when the
      * memory is known to suffice. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);

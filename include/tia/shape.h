@@ -1,15 +1,23 @@
 /* shape.h - shapes and instancing.
  *
- *     shape      surface coordinates u, v, before the transform
- *     sphere     (atan2(z, x)/(2 pi) + 1/2, acos(y/r)/pi) of the point relative to the centre
- *     plane      the coordinates along the axes A and B that light.h defines for its normal, in world units
- *     disc       the same, divided by the radius: -1..1
- *     cylinder,  u around the axis like a sphere's around y, from the axes B and A of the direction from base
- *     cone       to top; v from 0 at the base to 1 at the top; both caps like a disc whose normal is that
- *                direction
- *     box        on each face: (z, y) where x is the normal, (x, z) where y is, (x, y) where z is, each
- *                from 0 at the box's minimum to 1 at its maximum
- *     triangle   the barycentric coordinates of corners 1 and 2
+ * Surface coordinates: seen from the side that the normal points to, u grows to the right and v grows upwards, so
+ * that an image can be read; seen from behind it is mirrored. On a flat surface with the normal N, right and up are
+ * the tangents
+ *
+ *     U = normalise(y x N), V = N x U; for N = y: U = x, V = -z; for N = -y: U = x, V = z.
+ *
+ *     shape      u, v, before the transform                                    u = 0         v = 0
+ *     sphere     (1/2 - atan2(z, x)/(2 pi), 1 - acos(y/r)/pi), the point       at -x; +z is  at the bottom,
+ *                relative to the centre                                        at u = 1/4    -y
+ *     plane      (P.U, P.V) of P relative to `point`, in world units           along V       along U
+ *     disc       (1/2 + P.U/(2r), 1/2 + P.V/(2r)), P relative to the centre:   at the left   at the bottom
+ *                0..1 on the square around it
+ *     cylinder,  u = 1/2 - atan2(-P.V, P.U)/(2 pi) around the axis, with the   at -U         at the base
+ *     cone       tangents of the direction N from base to top; v from 0 at
+ *                the base to 1 at the top; a cap is a disc, its normal outwards
+ *     box        on each face, 0..1 along its U and V:                         at the left   at the bottom
+ *                -z, y at +x   z, y at -x   x, -z at +y   x, z at -y   x, y at +z   -x, y at -z
+ *     triangle   the barycentric coordinates of corners 1 and 2                edge 0-2      edge 0-1
  *     mesh       its own, interpolated; without them, a triangle's
  *     grid       like a box, on each cell
  *

@@ -1,7 +1,8 @@
 #include "rotation.h"
 
-#include "integer.h"
+#include "atan2.h"
 #include "trig.h"
+#include "wide.h"
 
 #define RIGHT (90 * TIA_Q16_ONE)
 
@@ -45,4 +46,26 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
         axes[i][1] = product(sz, tilted[i][0]) + product(cz, tilted[i][1]);
         axes[i][2] = tilted[i][2];
     }
+}
+
+/* 360 turns in 62 bits behind the point are degrees; those with 16 are nearest. */
+static tia_q16 degrees(int64_t y, int64_t x)
+{
+    return (tia_q16)wide_round(wide_product(tia_atan2(y, x), 360), 46);
+}
+
+/* axes[0] is at (cz cy, sz cy, -sy), and axes[1] and [2] have cy sx and cy cx along z. Where cy is nothing but
+ * rounding, x and z turn alike: with z = 0 axes[1] is at (sy sx, cx, 0). */
+void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
+{
+    int64_t level = wide_sqrt(wide_sum(wide_product(axes[0][0], axes[0][0]), wide_product(axes[0][1], axes[0][1])));
+    int64_t up = -axes[0][2];
+
+    rotation->y = degrees(up, level);
+    rotation->z = 0;
+    rotation->x = degrees(up < 0 ? -axes[1][0] : axes[1][0], axes[1][1]);
+    if (level < INT64_C(1) << 38) /* 2^-24, an eighth of the angles' unit */
+        return;
+    rotation->z = degrees(axes[0][1], axes[0][0]);
+    rotation->x = degrees(axes[1][2], axes[2][2]);
 }

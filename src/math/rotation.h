@@ -12,4 +12,8 @@ void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine);
  * rotation.x degrees about x, then rotation.y about y, then rotation.z about z. Q2.62, each within 2^-57. */
 void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
 
+/* The other way round: a rotation whose axes are those, each angle to nearest in -180..180, about y in -90..90. Where y
+ * is +-90 the angle about z is 0. */
+void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation);
+
 #endif

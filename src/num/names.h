@@ -56,6 +56,7 @@
 #define shape_occludes NAMES(shape_occludes)
 #define shape_material NAMES(shape_material)
 #define shape_axes NAMES(shape_axes)
+#define shape_tangents NAMES(shape_tangents)
 #define flat_prepare NAMES(flat_prepare)
 #define flat_intersect NAMES(flat_intersect)
 #define flat_surface NAMES(flat_surface)

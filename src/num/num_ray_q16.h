@@ -2,6 +2,7 @@
 #ifndef TIA_NUM_RAY_Q16_H
 #define TIA_NUM_RAY_Q16_H
 
+#include "math/atan2.h"
 #include "math/wide.h"
 
 typedef int64_t num_length;
@@ -288,27 +289,9 @@ static inline num_length num_unscaled(num_length t, struct num_scale k)
     return wide_quotient(t, k.mantissa, 62 - k.exponent);
 }
 
-/* CORDIC: rotates the vector onto the x axis by angles with the tangents 1, 1/2, 1/4, ...; error below 2^-55. */
 static inline num_unit num_atan2(num_unit y, num_unit x)
 {
-    num_unit angle = 0;
-
-    if (x < 0) {
-        angle = y < 0 ? -(NUM_UNIT_ONE / 2) : NUM_UNIT_ONE / 2;
-        x = -x;
-        y = -y;
-    }
-    x /= 2; /* CORDIC lengthens the vector by 1.65 */
-    y /= 2;
-    if (x == 0 && y == 0)
-        return 0;
-    for (int i = 0; i < 60; i++) {
-        num_unit dx = y >> i, dy = x >> i;
-        angle += y < 0 ? -tia_turns[i] : tia_turns[i];
-        x += y < 0 ? -dx : dx;
-        y += y < 0 ? dy : -dy;
-    }
-    return angle;
+    return tia_atan2(y, x);
 }
 
 static inline unsigned num_levels(num_length c, unsigned levels, num_u threshold)

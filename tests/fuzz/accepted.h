@@ -61,6 +61,8 @@ static inline void make_texture(struct bytes *b, struct made *m, struct tia_text
     t->bilinear = kind & 2;
     t->repeat[0] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
     t->repeat[1] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+    t->offset[0] = kind & 16 ? INT32_MIN : kind & 32 ? TIA_Q16(0.3) : 0;
+    t->offset[1] = kind & 64 ? INT32_MAX : kind & 128 ? TIA_Q16(-0.3) : 0;
     t->cells[0] = take_colour(b, TIA_Q30_ONE);
     t->cells[1] = take_colour(b, TIA_Q30_ONE);
     t->width = sizes[kind >> 2 & 3][0];

@@ -1,5 +1,6 @@
 /* read.h - any bytes as a scene file: an error with a text, or a scene that tia_scene_check accepts, in
- * exactly the memory that was asked for. What follows the first zero byte is the text of every library. */
+ * exactly the memory that was asked for. What follows the first zero byte is the text of every library, and of every
+ * file that a .tia file includes, which it may 64 times. */
 #ifndef TESTS_FUZZ_READ_H
 #define TESTS_FUZZ_READ_H
 
@@ -51,7 +52,7 @@ static void must_warn(const struct tia_read_warning *warnings, size_t size)
 static inline void read_any(enum tia_format format, const uint8_t *data, size_t size)
 {
     const uint8_t *zero = size ? memchr(data, 0, size) : NULL;
-    size_t length = format == TIA_FORMAT_OBJ && zero ? (size_t)(zero - data) : size;
+    size_t length = format != TIA_FORMAT_NFF && zero ? (size_t)(zero - data) : size;
     struct rest rest = {(const char *)data + length, size - length};
     struct tia_read_warning warnings[TIA_WARNINGS];
     struct tia_reader reader = {.format = format,
@@ -75,7 +76,7 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
     }
     int status = tia_read(&reader, &scene, NULL, 0, &need);
     if (status == TIA_ERR_MEMORY) {
-        MUST(need > 0 && need < 100 * size + 1000);
+        MUST(need > 0 && need < 100 * (size + (format == TIA_FORMAT_TIA ? 64 * rest.length : 0)) + 1000);
         memory = malloc(need);
         MUST(tia_read(&reader, &scene, memory, need - 1, &again) == TIA_ERR_MEMORY && again == need);
         status = tia_read(&reader, &scene, memory, need, &again);

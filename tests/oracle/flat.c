@@ -12,6 +12,18 @@ static struct oracle_vec axis_vec(int axis, double sign)
     return (struct oracle_vec){axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
+/* How far a point is along a tangent of a face, from where that begins: 0 to 1. */
+static double share(const double part[3], struct oracle_vec tangent)
+{
+    double sum = 0;
+
+    for (int i = 0; i < 3; i++) {
+        double along = coordinate(tangent, i);
+        sum += along > 0 ? along * part[i] : along < 0 ? -along * (1 - part[i]) : 0;
+    }
+    return sum;
+}
+
 /* The face of a box whose outward normal is sign times the axis: met at *t, when the point lies in it. */
 static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec max, int axis, double sign,
                      struct hit *hit)
@@ -28,11 +40,12 @@ static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec ma
         if (i != axis && (part[i] < 0 || part[i] > 1))
             return false;
     }
-    struct oracle_vec n = axis_vec(axis, sign);
+    struct oracle_vec n = axis_vec(axis, sign), right, up;
+    tangents(n, &right, &up);
     *hit = (struct hit){.t = t, .normal = n, .smooth = n};
     hit->part = 2u * (unsigned)axis + (sign > 0);
-    hit->u = axis == 0 ? part[2] : part[0];
-    hit->v = axis == 1 ? part[2] : part[1];
+    hit->u = share(part, right);
+    hit->v = share(part, up);
     return true;
 }
 

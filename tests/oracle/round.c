@@ -1,10 +1,10 @@
 /* round.c - spheres, discs, cylinders and cones. */
 #include "shape.h"
 
-/* atan2(z, x)/(2 pi) + 1/2 */
+/* 1/2 - atan2(z, x)/(2 pi) */
 static double turn(double z, double x)
 {
-    return atan2(z, x) / (2.0 * PI) + 0.5;
+    return 0.5 - atan2(z, x) / (2.0 * PI);
 }
 
 bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struct hit *hit)
@@ -21,20 +21,20 @@ bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struc
     struct oracle_vec p = sub(along(ray.origin, t, d), centre), n = unit(p);
     double cosine = p.y / radius;
     *hit = (struct hit){.t = t / scale, .normal = n, .smooth = n, .u = turn(p.z, p.x)};
-    hit->v = acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine) / PI;
+    hit->v = 1 - acos(cosine > 1 ? 1 : cosine < -1 ? -1 : cosine) / PI;
     return true;
 }
 
 bool shape_plane(struct ray ray, struct oracle_vec point, struct oracle_vec normal, struct hit *hit)
 {
     double slope = dot(ray.direction, normal), t = dot(sub(point, ray.origin), normal) / slope;
-    struct oracle_vec a, b;
+    struct oracle_vec right, up;
 
     if (!(t >= 0) || isinf(t))
         return false;
     struct oracle_vec p = sub(at(ray, t), point);
-    axes(normal, &a, &b);
-    *hit = (struct hit){.t = t, .normal = normal, .smooth = normal, .u = dot(p, a), .v = dot(p, b)};
+    tangents(normal, &right, &up);
+    *hit = (struct hit){.t = t, .normal = normal, .smooth = normal, .u = dot(p, right), .v = dot(p, up)};
     return true;
 }
 
@@ -42,8 +42,8 @@ bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec norm
 {
     if (!shape_plane(ray, centre, normal, hit) || length(sub(at(ray, hit->t), centre)) > radius)
         return false;
-    hit->u /= radius;
-    hit->v /= radius;
+    hit->u = 0.5 + hit->u / (2 * radius);
+    hit->v = 0.5 + hit->v / (2 * radius);
     return true;
 }
 
@@ -74,7 +74,7 @@ static int roots(double a, double b, double c, double t[2])
 /* Fills in the hit at t when that lies on the side. */
 static bool on_side(const struct side *side, struct ray ray, double t, struct hit *hit)
 {
-    struct oracle_vec p = sub(at(ray, t), side->base), a, b;
+    struct oracle_vec p = sub(at(ray, t), side->base), u, v;
     double rise = dot(p, side->axis);
 
     if (!(t >= 0) || rise < 0 || rise > side->height)
@@ -82,10 +82,10 @@ static bool on_side(const struct side *side, struct ray ray, double t, struct hi
     struct oracle_vec out = along(p, -rise, side->axis);
     if (length(out) > 0)
         out = unit(out);
-    axes(side->axis, &a, &b);
+    tangents(side->axis, &u, &v);
     hit->t = t;
     hit->normal = hit->smooth = unit(along(out, -side->slope, side->axis));
-    hit->u = turn(dot(p, a), dot(p, b));
+    hit->u = turn(-dot(p, v), dot(p, u));
     hit->v = rise / side->height;
     return true;
 }
@@ -108,14 +108,11 @@ static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
     return false;
 }
 
-/* A cap, its normal outwards, its u and v those of a disc whose normal is the axis. */
-static bool cap_hit(struct ray ray, struct oracle_vec centre, struct oracle_vec axis, double radius, double sign,
+/* A cap is a disc, its normal outwards. */
+static bool cap_hit(struct ray ray, struct oracle_vec centre, struct oracle_vec outwards, double radius,
                     struct hit *hit)
 {
-    if (!(radius > 0) || !shape_disc(ray, centre, axis, radius, hit))
-        return false;
-    hit->normal = hit->smooth = scaled(axis, sign);
-    return true;
+    return radius > 0 && shape_disc(ray, centre, outwards, radius, hit);
 }
 
 bool shape_cone(struct ray ray, struct oracle_vec base, struct oracle_vec top, double base_radius, double top_radius,
@@ -129,8 +126,8 @@ bool shape_cone(struct ray ray, struct oracle_vec base, struct oracle_vec top, d
     side.base_radius = base_radius;
     side.slope = (top_radius - base_radius) / side.height;
     met[0] = side_hit(&side, ray, &found[0]);
-    met[1] = capped && cap_hit(ray, base, side.axis, base_radius, -1, &found[1]);
-    met[2] = capped && cap_hit(ray, top, side.axis, top_radius, 1, &found[2]);
+    met[1] = capped && cap_hit(ray, base, scaled(side.axis, -1), base_radius, &found[1]);
+    met[2] = capped && cap_hit(ray, top, side.axis, top_radius, &found[2]);
     for (int i = 0; i < 3; i++)
         if (met[i] && (nearest < 0 || found[i].t < found[nearest].t))
             nearest = i;

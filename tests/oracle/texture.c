@@ -1,7 +1,7 @@
 /* texture.c - what a texture multiplies a colour with. */
 #include "rays.h"
 
-/* The index of a texel, wherever the whole numbers x and y are. */
+/* The index of a texel, wherever the whole numbers x and y, from the upper left, are. */
 static uint32_t texel_index(const struct tia_texture *texture, double x, double y)
 {
     double w = texture->width, h = texture->height;
@@ -35,15 +35,16 @@ static struct colour bilinear(const struct tia_texture *texture, double x, doubl
 
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell)
 {
-    u *= q16(texture->repeat[0]);
-    v *= q16(texture->repeat[1]);
+    u = q16(texture->repeat[0]) * (u - q16(texture->offset[0]));
+    v = q16(texture->repeat[1]) * (v - q16(texture->offset[1]));
     if (texture->kind == TIA_CHECKER) {
         *cell = fmod(floor(u) + floor(v), 2.0) != 0;
         return rgb(texture->cells[*cell]);
     }
     *cell = ORACLE_BLENDED;
     if (texture->bilinear)
-        return bilinear(texture, u * texture->width - 0.5, v * texture->height - 0.5);
-    *cell = texel_index(texture, floor(u * texture->width), floor(v * texture->height));
+        return bilinear(texture, u * texture->width - 0.5, (1 - v) * texture->height - 0.5);
+    /* From the lower left a texel has its lower and left edge. */
+    *cell = texel_index(texture, floor(u * texture->width), texture->height - 1 - floor(v * texture->height));
     return texel(texture, *cell);
 }

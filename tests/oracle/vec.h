@@ -98,6 +98,15 @@ static inline struct oracle_vec at(struct ray ray, double t)
     return along(ray.origin, t, ray.direction);
 }
 
+/* shape.h: U = normalise(y x N), V = N x U; where N is y: U = x, V = -z; where N is -y: U = x, V = z. */
+static inline void tangents(struct oracle_vec n, struct oracle_vec *u, struct oracle_vec *v)
+{
+    const struct oracle_vec x = {1, 0, 0}, y = {0, 1, 0};
+
+    *u = length(cross(y, n)) > 0 ? unit(cross(y, n)) : x;
+    *v = cross(n, *u);
+}
+
 /* light.h: A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0. */
 static inline void axes(struct oracle_vec n, struct oracle_vec *a, struct oracle_vec *b)
 {

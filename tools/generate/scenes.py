@@ -34,7 +34,7 @@ light sphere at 6 9 7 radius 1.2 emission 1.2 1.1 0.95 samples 16
 light directional direction 1 -0.4 -0.3 emission 0.22 0.26 0.36
 light ambient emission 0.08 0.09 0.12
 
-texture tiles checker even 0.75 0.72 0.66 odd 0.46 0.46 0.48 repeat 0.7
+texture tiles checker even 0.46 0.46 0.48 odd 0.75 0.72 0.66 repeat 0.7
 material floor texture tiles colour 1 mirror 0.12
 plane point 0 -1.35 0 normal 0 1 0 material floor
 
@@ -257,7 +257,7 @@ texture pattern image vase.ppm bilinear repeat 3 1
 material porcelain texture pattern colour 1 mirror 0.07 specular 0.8 exponent 160
 material inside colour 0.80 0.82 0.85
 
-texture weave checker even 0.60 0.22 0.17 odd 0.52 0.17 0.14 repeat 3
+texture weave checker even 0.52 0.17 0.14 odd 0.60 0.22 0.17 repeat 3
 material cloth texture weave colour 1
 material wall colour 0.52 0.50 0.46
 material lemon colour 0.92 0.76 0.12 specular 0.25 exponent 30 facing 0.06 0.04 0
@@ -306,7 +306,7 @@ def vase():
             a = 2 * math.pi * i / AROUND
             vertices.append(f"vertex {numbers(r * math.cos(a), y, r * math.sin(a))}\n")
             normals.append(f"normal {numbers(dy / length * math.cos(a), -dr / length, dy / length * math.sin(a))}\n")
-        uvs.extend(f"uv {numbers(i / AROUND, 1 - y / PROFILE[-1][1])}\n" for i in range(AROUND + 1))
+        uvs.extend(f"uv {numbers(i / AROUND, y / PROFILE[-1][1])}\n" for i in range(AROUND + 1))
     for j in range(rings - 1):
         for i in range(AROUND):
             corners = []

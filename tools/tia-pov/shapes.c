@@ -83,12 +83,21 @@ bool pov_flat(const struct tia_shape *s)
     return s != NULL && (s->kind == TIA_PLANE || s->kind == TIA_DISC);
 }
 
-static void write_frame(struct pov *pov, struct point normal, struct point origin, double scale)
+/* tia/shape.h's tangents of a unit normal. */
+static void tangents(struct point n, struct point *u, struct point *v)
+{
+    *u = n.x == 0 && n.z == 0 ? (struct point){1, 0, 0} : pov_unit((struct point){n.z, 0, -n.x});
+    *v = pov_cross(n, *u);
+}
+
+/* Maps the unit square of the pattern to a square of that side, its corner or (`around`) its centre at the origin. */
+static void write_frame(struct pov *pov, struct point normal, struct point origin, double side, bool around)
 {
     struct point a, b;
 
-    pov_axes(normal, &a, &b);
-    text_word(&pov->text, "scale %.10g matrix <%.10g, %.10g, %.10g, %.10g, %.10g, %.10g,", scale, a.x, a.y, a.z, b.x,
+    tangents(normal, &a, &b);
+    text_word(&pov->text, around ? "translate <-0.5, -0.5, 0>" : "");
+    text_word(&pov->text, "scale %.10g matrix <%.10g, %.10g, %.10g, %.10g, %.10g, %.10g,", side, a.x, a.y, a.z, b.x,
               b.y, b.z);
     text_word(&pov->text, "%.10g, %.10g, %.10g, %.10g, %.10g, %.10g>", normal.x, normal.y, normal.z, origin.x, origin.y,
               origin.z);
@@ -100,15 +109,15 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
         return;
     switch (s->kind) {
     case TIA_SPHERE:
-        text_word(&pov->text, "scale <1, -1, 1> translate <-0.5, 1, 0>");
+        text_word(&pov->text, "scale <-1, 1, 1> translate <0.5, 0, 0>");
         if (!pov_closes(pov, material))
             pov_note(pov, "material %u: half of its texture is shifted on spheres here", material);
         break;
     case TIA_PLANE:
-        write_frame(pov, pov_dir3(s->plane.normal), pov_vec3(s->plane.point), 1);
+        write_frame(pov, pov_dir3(s->plane.normal), pov_vec3(s->plane.point), 1, false);
         break;
     case TIA_DISC:
-        write_frame(pov, pov_dir3(s->disc.normal), pov_vec3(s->disc.centre), pov_q16(s->disc.radius));
+        write_frame(pov, pov_dir3(s->disc.normal), pov_vec3(s->disc.centre), 2 * pov_q16(s->disc.radius), true);
         break;
     case TIA_CYLINDER:
     case TIA_CONE:

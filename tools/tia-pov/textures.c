@@ -66,8 +66,6 @@ static void write_image(struct pov *pov, uint32_t material, double transmit)
         text_word(&pov->text, "image_map { ppm ");
         write_string(&pov->text, slash != NULL ? slash + 1 : path);
         text_word(&pov->text, "gamma 1.0 %s transmit all %.10g }", t->bilinear ? "interpolate 2" : "", transmit);
-        /* POV-Ray's pictures have their bottom at y = 0, ours their top at v = 0. */
-        text_word(&pov->text, "scale <1, -1, 1>");
     }
     free(path);
 }
@@ -100,7 +98,10 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
         write_image(pov, material, transmit);
     else
         write_checker(pov, material, transmit);
-    text_word(&pov->text, "scale <%.10g, %.10g, 1> }", 1 / pov_q16(t->repeat[0]), 1 / pov_q16(t->repeat[1]));
+    text_word(&pov->text, "scale <%.10g, %.10g, 1>", 1 / pov_q16(t->repeat[0]), 1 / pov_q16(t->repeat[1]));
+    if (t->offset[0] != 0 || t->offset[1] != 0)
+        pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]), pov_q16(t->offset[1]), 0});
+    text_word(&pov->text, "}");
     return true;
 }
 

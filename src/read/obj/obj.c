@@ -1,7 +1,7 @@
 /* obj.c - Wavefront's .obj: polygons with materials, normals and texture coordinates.
  *
  *     v x y z          a weight or a colour behind it is skipped
- *     vt u [v [w]]     v points up: the scene's is 1 - v
+ *     vt u [v [w]]     v points up, as the scene's does
  *     vn x y z         of any length
  *     f                V, V/VT, V//VN or V/VT/VN, counted from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
  *     usemtl mtllib    see material.c and mtl.c; before the first usemtl things are grey
@@ -29,7 +29,7 @@ static int read_texture_coordinate(struct obj *o, tia_q16 *out)
         return status;
     enum tia_decimal result = tia_decimal(&wide, &word, 16);
     bool below = word.length && *word.at == '-';
-    *out = result == TIA_DECIMAL_NONE ? 0 : below ? 2 * TIA_Q16_ONE - INT32_MAX : INT32_MAX;
+    *out = result == TIA_DECIMAL_NONE ? 0 : below ? INT32_MIN : INT32_MAX;
     return tia_obj_forgive(o, result == TIA_DECIMAL_NONE ? TIA_WARN_NUMBER : TIA_WARN_RANGE);
 }
 
@@ -44,12 +44,6 @@ static int read_uv(struct obj *o)
         status = read_texture_coordinate(o, &uv.v);
     if (!status && tia_text_has_number(&o->text))
         status = read_texture_coordinate(o, &more);
-    if (!status && uv.v <= TIA_Q16_ONE - INT32_MAX) {
-        (void)tia_text_error(&o->text, &word, "is out of range", "a number from -32766 to below 32768");
-        status = tia_obj_forgive(o, TIA_WARN_RANGE);
-        uv.v = 2 * TIA_Q16_ONE - INT32_MAX;
-    }
-    uv.v = TIA_Q16_ONE - uv.v;
     tia_array_add(&o->uvs, &uv);
     return status;
 }

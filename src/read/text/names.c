@@ -23,8 +23,10 @@ static bool is_before(const struct tia_name *a, const struct tia_name *b)
 {
     int order = compare(a, b);
 
-    if (order || a->word.line != b->word.line)
-        return order ? order < 0 : a->word.line < b->word.line;
+    if (order || a->order != b->order)
+        return order ? order < 0 : a->order < b->order;
+    if (a->word.line != b->word.line)
+        return a->word.line < b->word.line;
     return a->word.column < b->word.column;
 }
 
@@ -58,7 +60,7 @@ void tia_names_sort(struct tia_name *names, uint32_t count)
 
 struct tia_name *tia_names_find(struct tia_name *names, uint32_t count, uint32_t kind, const struct tia_word *word)
 {
-    struct tia_name sought = {*word, kind, 0};
+    struct tia_name sought = {.word = *word, .kind = kind};
     uint32_t low = 0, high = count;
 
     while (low < high) {

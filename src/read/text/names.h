@@ -13,6 +13,7 @@ struct tia_name {
     struct tia_word word;
     uint32_t kind;  /* material, light, ...: each kind has a name space of its own */
     uint32_t index; /* for the reader's use */
+    uint32_t order; /* how many names came before it, where they come from several files; else 0 */
 };
 
 /* Sorts names[0] .. names[count - 1]. */

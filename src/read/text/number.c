@@ -5,7 +5,7 @@
  * the first bits + 1 digits of x's fraction, since k / 2^(bits + 1) has no more than those. So all further digits
  * can be skipped.
  */
-#include "text.h"
+#include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
 #define LIMBS 4 /* 36 digits; 32 bits and the rounding bit need 33 */
@@ -122,10 +122,19 @@ enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned
 
 bool tia_text_has_number(const struct tia_text *t)
 {
+    struct tia_text copy = *t;
     struct tia_word word;
     struct digits d;
 
-    return tia_text_peek(t, &word) && parse_digits(&d, &word);
+    return tia_text_word(&copy, &word) && (tia_constant_use(&copy, &word) || parse_digits(&d, &word));
+}
+
+/* Reads the next word; of a constant, the first of its numbers. */
+static void read_numeral(struct tia_text *t, struct tia_word *word)
+{
+    (void)tia_text_word(t, word);
+    if (tia_constant_use(t, word))
+        (void)tia_text_word(t, word);
 }
 
 /* Reads the next word, times 2^bits, which must be in min..max. */
@@ -133,10 +142,11 @@ static int read_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t 
 {
     struct tia_word word;
 
-    (void)tia_text_word(t, &word);
+    read_numeral(t, &word);
     enum tia_decimal result = tia_decimal(out, &word, bits);
     if (result == TIA_DECIMAL_NONE)
         return tia_text_error(t, &word, "is no number", expected);
+    *out = t->negated && result == TIA_DECIMAL_FINE ? -*out : *out;
     if (result == TIA_DECIMAL_RANGE || *out < min || *out > max)
         return tia_text_error(t, &word, "is out of range", expected);
     return TIA_OK;
@@ -192,10 +202,13 @@ int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max)
 {
     struct tia_word word;
 
-    (void)tia_text_word(t, &word);
+    read_numeral(t, &word);
     bool whole = is_whole(&word);
-    if (whole && tia_decimal(out, &word, 0) == TIA_DECIMAL_FINE && *out >= min && *out <= max)
-        return TIA_OK;
+    if (whole && tia_decimal(out, &word, 0) == TIA_DECIMAL_FINE) {
+        *out = t->negated ? -*out : *out;
+        if (*out >= min && *out <= max)
+            return TIA_OK;
+    }
     (void)tia_text_error(t, &word, whole ? "is out of range" : "is no whole number", "a whole number from ");
     tia_say_number(t->error, min);
     tia_say(t->error, " to ");

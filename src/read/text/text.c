@@ -23,7 +23,7 @@ bool tia_text_is_too_long(size_t length)
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error)
 {
     const char *start = is_marked(bytes, length) ? bytes + MARK_LENGTH : bytes;
-    struct tia_text t = {start, bytes, start, 1, file, error};
+    struct tia_text t = {.next = start, .end = bytes, .line_start = start, .line = 1, .file = file, .error = error};
 
     if (length)
         t.end = bytes + length;
@@ -98,7 +98,8 @@ static struct tia_word empty_word(const struct tia_text *t)
     return (struct tia_word){t->next, 0, t->line, (uint32_t)(t->next - t->line_start) + 1};
 }
 
-bool tia_text_word(struct tia_text *t, struct tia_word *word)
+/* Reads the next word of the line itself. */
+static bool take_word(struct tia_text *t, struct tia_word *word)
 {
     bool found = has_word(t);
 
@@ -109,6 +110,26 @@ bool tia_text_word(struct tia_text *t, struct tia_word *word)
         t->next++;
     word->length = (uint32_t)(t->next - word->at);
     return true;
+}
+
+/* Reads the next number of a constant, as a word at the place where the constant is used. */
+static bool take_rest(struct tia_text *t, struct tia_word *word)
+{
+    struct tia_text rest = {.next = t->numbers, .end = t->numbers_end, .line_start = t->numbers};
+    bool found = take_word(&rest, word);
+
+    t->numbers = found ? rest.next : NULL;
+    word->line = t->use.line;
+    word->column = t->use.column;
+    return found;
+}
+
+bool tia_text_word(struct tia_text *t, struct tia_word *word)
+{
+    if (t->numbers && take_rest(t, word))
+        return true;
+    t->negated = false;
+    return take_word(t, word);
 }
 
 bool tia_text_peek(const struct tia_text *t, struct tia_word *word)

@@ -21,17 +21,24 @@
 
 #include <tia/read.h>
 
+/* Part of the text; empty, at the end of the line, if the line has no more words. */
+struct tia_word {
+    const char *at;
+    uint32_t length, line, column;
+};
+
 struct tia_text {
     const char *next, *end, *line_start;
     uint32_t line;
     const char *file; /* "", or the name of the library being read */
     struct tia_read_error *error;
-};
 
-/* Part of the text; empty, at the end of the line, if the line has no more words. */
-struct tia_word {
-    const char *at;
-    uint32_t length, line, column;
+    /* Names for numbers, see constants.h; NULL: none. A use of one is replaced by its numbers: those still to be read
+     * come before the next word of the line, with the place of the use. */
+    const struct tia_constants *constants;
+    const char *numbers, *numbers_end; /* NULL: none is left */
+    struct tia_word use;
+    bool negated; /* the last word is one of those numbers, and its name had a minus */
 };
 
 /* Whether lines, columns and indices would need more than 32 bits. */
@@ -74,7 +81,7 @@ enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
 /* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..32, the result below 2^63. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
-/* Whether the next word of the line is a number. */
+/* Whether the next word of the line is a number, or a name for some. */
 bool tia_text_has_number(const struct tia_text *t);
 
 /* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. */

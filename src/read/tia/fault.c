@@ -27,6 +27,7 @@ static void seek(struct tia_job *job, const struct tia_fault *fault)
     struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
 
     job->seeking = true;
+    job->seeking_in = TIA_FILLING;
     job->sought = TIA_ARRAYS;
     job->sought_index = fault->index;
     for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)

@@ -22,7 +22,7 @@ const void *tia_job_at(const struct tia_job *job, enum tia_job_array array, uint
 
 void tia_job_name(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index)
 {
-    struct tia_name entry = {*name, kind, index};
+    struct tia_name entry = {*name, kind, index, tia_job_count(job, TIA_OF_NAMES)};
 
     if (job->pass != TIA_FILLING)
         (void)tia_job_add(job, TIA_OF_NAMES, &entry);
@@ -62,7 +62,7 @@ int tia_job_find(struct tia_job *job, enum tia_kind_of_name kind, const struct t
 
 void tia_job_animate(struct tia_job *job, const struct tia_word *name)
 {
-    struct tia_name entry = {*name, TIA_NAMED_MOVER, 0};
+    struct tia_name entry = {.word = *name, .kind = TIA_NAMED_MOVER};
 
     if (job->pass != TIA_FILLING)
         (void)tia_job_add(job, TIA_OF_ANIMATED, &entry);

@@ -7,6 +7,7 @@
 #ifndef TIA_SRC_READ_TIA_JOB_H
 #define TIA_SRC_READ_TIA_JOB_H
 
+#include "read/text/constants.h"
 #include "read/text/fields.h"
 #include "read/text/names.h"
 
@@ -41,8 +42,37 @@ enum tia_job_array {
 
 enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 
+#define TIA_INCLUDE_DEPTH 8 /* files within files */
+#define TIA_INCLUDES_MAX 64 /* in all: eight files that each include the next twice would be 256 */
+#define TIA_GROUP_DEPTH 8
+
+/* The stack of included files. */
+struct tia_includes {
+    struct {
+        struct tia_text text;
+        unsigned groups; /* open groups at the include statement */
+    } outer[TIA_INCLUDE_DEPTH];
+    struct tia_word names[TIA_INCLUDE_DEPTH]; /* of the included files, as written; the innermost last */
+    unsigned depth, count;
+    struct tia_text next;        /* the file of an include statement just read; next.next is NULL: none */
+    char file[TIA_NAME_MAX + 1]; /* path of the innermost file, from the scene's folder */
+};
+
+/* A transform of higher precision than tia_transform: see groups.c. */
+struct tia_place {
+    int64_t axes[3][3];            /* as from tia_rotation_axes */
+    int64_t scale[3], position[3]; /* Q31.32 */
+    struct tia_vec3 rotation;      /* the angles as written, if `as_written` */
+    bool as_written;
+};
+
 struct tia_job {
     struct tia_text text;
+    struct tia_word first; /* word of the line */
+    struct tia_constants constants;
+    struct tia_includes includes;
+    struct tia_place groups[TIA_GROUP_DEPTH]; /* each composed with those around it */
+    unsigned group_count;
     struct tia_reader *reader;
     struct tia_scene *scene;
     enum tia_pass pass;
@@ -54,6 +84,7 @@ struct tia_job {
 
     /* When reading again to find the line of a thing: item sought_index of an array, or a statement. */
     bool seeking;
+    enum tia_pass seeking_in;
     unsigned sought; /* enum tia_job_array; TIA_ARRAYS: none */
     uint32_t sought_index;
     const char *sought_statement; /* NULL: none */
@@ -82,6 +113,19 @@ void tia_job_animate(struct tia_job *job, const struct tia_word *name);
 bool tia_job_moves(const struct tia_job *job, const struct tia_word *name);
 struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name);
 
+/* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
+int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name);
+
+/* The path, from the scene's folder, of a file named in the file being read. */
+int tia_include_path(struct tia_job *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
+
+/* The error that a file could not be loaded, for the reason that the callback gave. */
+int tia_job_missing(struct tia_job *job, const struct tia_word *file, const char *why, const char *expected);
+
+/* Switches to the file of the last include statement; back, at the end of a file. */
+void tia_include_begin(struct tia_job *job);
+int tia_include_end(struct tia_job *job);
+
 /* Read the rest of a statement's line, and its block if it has one. */
 int tia_line_camera(struct tia_job *job);
 int tia_line_samples(struct tia_job *job);
@@ -96,5 +140,9 @@ int tia_line_grid(struct tia_job *job);
 int tia_line_light(struct tia_job *job);
 int tia_line_key(struct tia_job *job);
 int tia_line_animate(struct tia_job *job);
+int tia_line_group(struct tia_job *job);
+int tia_line_end(struct tia_job *job);
+int tia_line_include(struct tia_job *job);
+int tia_line_define(struct tia_job *job);
 
 #endif

@@ -58,73 +58,108 @@ int tia_line_material(struct tia_job *job)
     return status;
 }
 
+struct texture_line {
+    struct tia_texture texture;
+    tia_q16 scale[2];
+};
+
+/* What every texture begins with. */
+enum { REPEAT_FIELD, SCALE_FIELD };
+#define LYING                                                                                                          \
+    {.word = "repeat", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct texture_line, texture.repeat)},       \
+        {.word = "scale", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct texture_line, scale)},             \
+    {                                                                                                                  \
+        .word = "offset", .kind = TIA_NUMBERS, .count = 2, .offset = offsetof(struct texture_line, texture.offset)     \
+    }
+
 static const struct tia_field checker_fields[] = {
-    {.word = "even", .kind = TIA_COLOUR, .offset = offsetof(struct tia_texture, cells[0])},
-    {.word = "odd", .kind = TIA_COLOUR, .offset = offsetof(struct tia_texture, cells[1])},
-    {.word = "repeat", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct tia_texture, repeat)},
+    LYING,
+    {.word = "even", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[0])},
+    {.word = "odd", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[1])},
 };
 
 static const struct tia_field image_fields[] = {
-    {.word = "bilinear", .kind = TIA_FLAG, .offset = offsetof(struct tia_texture, bilinear)},
-    {.word = "repeat", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct tia_texture, repeat)},
+    LYING,
+    {.word = "bilinear", .kind = TIA_FLAG, .offset = offsetof(struct texture_line, texture.bilinear)},
 };
+
+/* `scale` is 1/`repeat`. */
+static int set_repeat(struct tia_text *t, struct texture_line *line, uint32_t given)
+{
+    struct tia_word end;
+
+    if (!has(given, SCALE_FIELD))
+        return TIA_OK;
+    (void)tia_text_peek(t, &end);
+    if (has(given, REPEAT_FIELD))
+        return tia_text_error(t, &end, "", "either repeat or scale, not both");
+    for (int i = 0; i < 2; i++) {
+        if (line->scale[i] < TIA_SCALE_MIN || line->scale[i] > TIA_SCALE_MAX)
+            return tia_text_error(t, &end, "", "a scale of 1/1024 to 1024");
+        line->texture.repeat[i] = (tia_q16)(((INT64_C(1) << 33) / line->scale[i] + 1) >> 1);
+    }
+    return TIA_OK;
+}
 
 /* Loads the file only once, in the last pass, when the rest of the text is known to be right. */
 static int fetch_image(struct tia_job *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;
     struct tia_texture image = {.kind = TIA_IMAGE};
-    char name[TIA_NAME_MAX + 1];
+    char path[TIA_NAME_MAX + 1];
     const char *why = "cannot be read";
 
     if (!reader->image)
         return tia_text_error(&job->text, file, "cannot be fetched here", "a scene without images");
-    if (job->pass != TIA_FILLING || job->seeking)
-        return TIA_OK;
-    tia_word_copy(name, file);
-    if (reader->image(reader->ctx, name, &image, &why) != TIA_OK) {
-        (void)tia_text_error_at(&job->text, file);
-        tia_say_word(job->text.error, file);
-        tia_say(job->text.error, ": ");
-        tia_say(job->text.error, why);
-        tia_say(job->text.error, ", expected a picture");
-        return TIA_ERR_RANGE;
-    }
+    int status = tia_include_path(job, file, path);
+    if (status || job->pass != TIA_FILLING || job->seeking)
+        return status;
+    if (reader->image(reader->ctx, path, &image, &why) != TIA_OK)
+        return tia_job_missing(job, file, why, "a picture");
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;
     return TIA_OK;
 }
 
-static int read_image(struct tia_job *job, struct tia_texture *texture)
+static int read_image(struct tia_job *job, struct texture_line *line)
 {
+    uint32_t given = 0;
     struct tia_word file;
     int status = tia_text_file(&job->text, &file, "an image's file");
 
-    texture->kind = TIA_IMAGE;
+    line->texture.kind = TIA_IMAGE;
     if (!status)
-        status = tia_fields(&job->text, "an image", image_fields, TIA_COUNT_OF(image_fields), texture, NULL);
-    return status ? status : fetch_image(job, &file, texture);
+        status = tia_fields(&job->text, "an image", image_fields, TIA_COUNT_OF(image_fields), line, &given);
+    status = status ? status : set_repeat(&job->text, line, given);
+    return status ? status : fetch_image(job, &file, &line->texture);
+}
+
+static int read_checker(struct tia_job *job, struct texture_line *line)
+{
+    uint32_t given = 0;
+
+    line->texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+    int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
+    return status ? status : set_repeat(&job->text, line, given);
 }
 
 int tia_line_texture(struct tia_job *job)
 {
-    struct tia_texture texture = {.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
+    struct texture_line line = {.texture = {.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}}};
     struct tia_word kind;
     int status = tia_job_define(job, TIA_NAMED_TEXTURE, tia_job_count(job, TIA_OF_TEXTURES));
 
     if (status)
         return status;
     (void)tia_text_word(&job->text, &kind);
-    if (tia_word_is(&kind, "checker")) {
-        texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
-        status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), &texture, NULL);
-    } else if (tia_word_is(&kind, "image")) {
-        status = read_image(job, &texture);
-    } else {
+    if (tia_word_is(&kind, "checker"))
+        status = read_checker(job, &line);
+    else if (tia_word_is(&kind, "image"))
+        status = read_image(job, &line);
+    else
         return tia_text_error(&job->text, &kind, "is no kind of texture", "checker or image");
-    }
     if (!status)
-        (void)tia_job_add(job, TIA_OF_TEXTURES, &texture);
+        (void)tia_job_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;
 }

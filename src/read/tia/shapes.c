@@ -118,6 +118,12 @@ static int read_fields(struct tia_job *job, struct shape_line *line)
     if (!status)
         status =
             tia_job_find(job, TIA_NAMED_MATERIAL, &line->material, "the name of a material", &line->shape.material);
+    if (!status && job->group_count && !description->add_bounds)
+        status = tia_text_error(&job->text, &job->first, "is not moved by groups", "it outside of them");
+    if (!status && job->group_count) {
+        status = tia_group_place(job, &line->transform, given & NAMED ? &line->name : NULL);
+        given |= PLACED;
+    }
     if (!status)
         add_shape(job, line, given);
     return status;

@@ -7,14 +7,24 @@
 static const struct statement {
     const char *word;
     int (*read)(struct tia_job *job);
-    bool once;
+    bool once, outside; /* at most one in a scene; not inside groups, which do not transform it */
 } statements[] = {
-    {"instance", tia_line_instance, false}, {"mesh", tia_line_mesh, false},
-    {"grid", tia_line_grid, false},         {"material", tia_line_material, false},
-    {"texture", tia_line_texture, false},   {"light", tia_line_light, false},
-    {"key", tia_line_key, false},           {"animate", tia_line_animate, false},
-    {"camera", tia_line_camera, true},      {"background", tia_line_background, true},
-    {"samples", tia_line_samples, true},    {"depth", tia_line_depth, true},
+    {"instance", tia_line_instance, false, false},
+    {"mesh", tia_line_mesh, false, false},
+    {"grid", tia_line_grid, false, false},
+    {"material", tia_line_material, false, false},
+    {"texture", tia_line_texture, false, false},
+    {"light", tia_line_light, false, true},
+    {"key", tia_line_key, false, true},
+    {"animate", tia_line_animate, false, false},
+    {"group", tia_line_group, false, false},
+    {"end", tia_line_end, false, false},
+    {"include", tia_line_include, false, false},
+    {"define", tia_line_define, false, false},
+    {"camera", tia_line_camera, true, true},
+    {"background", tia_line_background, true, false},
+    {"samples", tia_line_samples, true, false},
+    {"depth", tia_line_depth, true, false},
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 
@@ -64,6 +74,8 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
         return refuse(job, word);
     if (statements[i].once && job->once >> i & 1)
         return tia_text_error(&job->text, word, "is here for a second time", "it once");
+    if (statements[i].outside && job->group_count)
+        return tia_text_error(&job->text, word, "is not moved by groups", "it outside of them");
     job->once |= UINT32_C(1) << i;
     job->statement = statements[i].word;
     int status = statements[i].read(job);
@@ -78,30 +90,67 @@ static bool is_sought(const struct tia_job *job, const struct tia_word *word)
     return job->sought < TIA_ARRAYS && job->arrays[job->sought].count > job->sought_index;
 }
 
-static int read_pass(struct tia_job *job, enum tia_pass pass)
+static void begin_pass(struct tia_job *job, enum tia_pass pass)
 {
     struct tia_reader *reader = job->reader;
-    struct tia_word word;
 
     job->pass = pass;
     job->once = 0;
+    job->constants.count = 0;
+    job->includes.depth = job->includes.count = 0;
+    job->includes.next.next = NULL;
+    job->group_count = 0;
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
             tia_array_restart(&job->arrays[i]);
     *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}};
     job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
-    while (tia_text_line(&job->text)) {
-        (void)tia_text_word(&job->text, &word);
-        int status = read_statement(job, &word);
+    job->text.constants = &job->constants;
+}
+
+/* Goes to the next line, of this file or of one that includes it; false at the end of the scene. */
+static bool next_line(struct tia_job *job, int *status)
+{
+    while (!tia_text_line(&job->text)) {
+        bool inner = job->includes.depth > 0;
+        *status = tia_include_end(job);
+        if (*status || !inner)
+            return false;
+    }
+    return true;
+}
+
+static int read_pass(struct tia_job *job, enum tia_pass pass)
+{
+    int status = TIA_OK;
+
+    begin_pass(job, pass);
+    while (next_line(job, &status)) {
+        (void)tia_text_word(&job->text, &job->first);
+        status = read_statement(job, &job->first);
         if (status)
             return status;
-        if (job->seeking && pass == TIA_FILLING && is_sought(job, &word)) {
-            reader->error.line = word.line;
-            reader->error.column = word.column;
+        if (job->seeking && pass == job->seeking_in && is_sought(job, &job->first)) {
+            (void)tia_text_error_at(&job->text, &job->first);
             return TIA_OK;
         }
+        if (job->includes.next.next)
+            tia_include_begin(job);
     }
-    return TIA_OK;
+    return status;
+}
+
+/* Reads up to the name again, so that job->text is the file that it is in. */
+static int refuse_twice(struct tia_job *job, const struct tia_name *twice)
+{
+    struct tia_word word = twice->word;
+
+    job->seeking = true;
+    job->seeking_in = TIA_NAMING;
+    job->sought = TIA_OF_NAMES;
+    job->sought_index = twice->order;
+    (void)read_pass(job, TIA_NAMING);
+    return tia_text_error(&job->text, &word, "is defined for a second time", "another name");
 }
 
 static int sort_names(struct tia_job *job)
@@ -113,7 +162,7 @@ static int sort_names(struct tia_job *job)
     tia_names_sort((struct tia_name *)(void *)animated->items, animated->count);
     tia_names_sort(first, names->count);
     twice = tia_names_twice(first, names->count);
-    return twice ? tia_text_error(&job->text, &twice->word, "is defined for a second time", "another name") : TIA_OK;
+    return twice ? refuse_twice(job, twice) : TIA_OK;
 }
 
 /* A camera without a reference point, but with a track for it, looks at the track's first value. */

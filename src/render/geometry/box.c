@@ -95,6 +95,10 @@ void box_uv(const struct prepared_box *box, struct num_point point, uint32_t fac
 {
     struct num_point v = num_point_sub(point, box->min), size = num_point_sub(box->max, box->min);
 
+    if (face == 1 || face == 3) /* at +x U is -z, at +y V is */
+        v.z = size.z - v.z;
+    if (face == 4) /* at -z U is -x */
+        v.x = size.x - v.x;
     uv[0] = face / 2 == 0 ? num_ratio(v.z, size.z) : num_ratio(v.x, size.x);
     uv[1] = face / 2 == 1 ? num_ratio(v.z, size.z) : num_ratio(v.y, size.y);
 }

@@ -14,10 +14,12 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
 
 static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
+    num_length radius = shape->plane.radius;
+
     (void)element;
     flat_uv(&shape->plane, point, uv);
-    uv[0] = num_ratio(uv[0], shape->plane.radius);
-    uv[1] = num_ratio(uv[1], shape->plane.radius);
+    uv[0] = num_ratio(uv[0] + radius, 2 * radius);
+    uv[1] = num_ratio(uv[1] + radius, 2 * radius);
 }
 
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)

@@ -6,7 +6,7 @@ void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct ti
 {
     plane->point = num_point_of(point);
     plane->normal = num_dir_of(normal);
-    shape_axes(plane->normal, plane->axes);
+    shape_tangents(plane->normal, plane->tangents);
 }
 
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t)
@@ -30,6 +30,6 @@ void flat_uv(const struct prepared_plane *plane, struct num_point point, num_len
 {
     struct num_point v = num_point_sub(point, plane->point);
 
-    uv[0] = num_point_dot(v, plane->axes[0]);
-    uv[1] = num_point_dot(v, plane->axes[1]);
+    uv[0] = num_point_dot(v, plane->tangents[0]);
+    uv[1] = num_point_dot(v, plane->tangents[1]);
 }

@@ -12,7 +12,7 @@ bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, n
 /* shape_kind's: the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
-/* The coordinates along the axes. */
+/* The coordinates along the tangents. */
 void flat_uv(const struct prepared_plane *plane, struct num_point point, num_length uv[2]);
 
 #endif

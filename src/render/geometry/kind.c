@@ -25,3 +25,13 @@ void shape_axes(struct num_dir normal, struct num_dir axes[2])
     axes[0] = num_dir_normalised(across(normal));
     axes[1] = num_dir_cross(normal, axes[0]);
 }
+
+void shape_tangents(struct num_dir normal, struct num_dir tangents[2])
+{
+    struct num_dir right = {normal.z, 0, -normal.x}; /* y x N */
+
+    if (shape_is_upright(normal))
+        right.x = NUM_UNIT_ONE;
+    tangents[0] = num_dir_normalised(right);
+    tangents[1] = num_dir_cross(normal, tangents[0]);
+}

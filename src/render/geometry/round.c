@@ -192,21 +192,34 @@ void round_surface(const struct shape *shape, struct num_point point, uint32_t e
     surface->smooth = surface->normal;
 }
 
+/* A disc's coordinates, of a point relative to the base. The base's normal is the negated axis: that negates U, or,
+ * with the axis along y, V. */
+static void cap_uv(const struct prepared_cone *cone, struct num_point v, bool is_base, num_length uv[2])
+{
+    num_length radius = is_base ? cone->base_radius : cone->top_radius;
+    num_length right = num_point_dot(v, cone->across[0]), down = num_point_dot(v, cone->across[1]);
+
+    if (is_base && shape_is_upright(cone->axis))
+        down = -down;
+    else if (is_base)
+        right = -right;
+    uv[0] = num_ratio(radius + right, 2 * radius);
+    uv[1] = num_ratio(radius - down, 2 * radius);
+}
+
 void round_uv(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     const struct prepared_cone *cone = &shape->cone;
     struct num_point v = num_point_sub(point, cone->base);
     num_unit out[2];
 
-    if (element == ROUND_SIDE) {
-        aside(cone, v, out);
-        uv[0] = num_length_of_unit(num_atan2(out[1], out[0])) + NUM_LENGTH_ONE / 2;
-        uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
+    if (element != ROUND_SIDE) {
+        cap_uv(cone, v, element == ROUND_BASE, uv);
         return;
     }
-    num_length radius = element == ROUND_TOP ? cone->top_radius : cone->base_radius;
-    uv[0] = num_ratio(num_point_dot(v, cone->across[1]), radius); /* A */
-    uv[1] = num_ratio(num_point_dot(v, cone->across[0]), radius); /* B */
+    aside(cone, v, out);
+    uv[0] = NUM_LENGTH_ONE / 2 - num_length_of_unit(num_atan2(out[1], out[0]));
+    uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
 }
 
 /* Lengths are rounded down: a reach of 2^-13 more hides no point. */
@@ -225,16 +238,16 @@ static void set_anchor(struct prepared_cone *cone, struct num_point top)
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped)
 {
     struct num_point top = num_point_of(ends->top), along;
-    struct num_dir axes[2];
+    struct num_dir tangents[2];
     num_unit none;
 
     cone->capped = capped;
     cone->base = num_point_of(ends->base);
     along = num_point_sub(top, cone->base);
     (void)num_normalise(along, &cone->axis);
-    shape_axes(cone->axis, axes);
-    cone->across[0] = axes[1];
-    cone->across[1] = axes[0];
+    shape_tangents(cone->axis, tangents);
+    cone->across[0] = tangents[0];
+    cone->across[1] = num_dir_negated(tangents[1]);
     cone->length = num_norm(along);
     cone->base_radius = num_length_of(ends->base_radius);
     cone->top_radius = num_length_of(ends->top_radius);

@@ -48,14 +48,14 @@ struct shape_kind {
 /* Constants of the prepared shapes. */
 struct prepared_plane {
     struct num_point point; /* of a disc its centre */
-    struct num_dir normal, axes[2];
+    struct num_dir normal, tangents[2];
     num_length radius;
 };
 
 /* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */
 struct prepared_cone {
     struct num_point base;
-    struct num_dir axis, across[2]; /* of length 1, at right angles; across are B and A of light.h for `axis` */
+    struct num_dir axis, across[2]; /* of length 1, at right angles; across are the tangents U and -V of `axis` */
     num_length length, base_radius, top_radius;
     struct num_point anchor;           /* that end of the axis where it is thinner, */
     num_length anchored;               /* its height above the base, */
@@ -116,6 +116,13 @@ uint32_t shape_material(const struct shape *shape, uint32_t element);
 
 /* The axes A, B of tia/light.h for a normal. */
 void shape_axes(struct num_dir normal, struct num_dir axes[2]);
+
+/* The tangents U, V of tia/shape.h for a normal; whether it is y or -y, which are special. */
+void shape_tangents(struct num_dir normal, struct num_dir tangents[2]);
+static inline bool shape_is_upright(struct num_dir normal)
+{
+    return normal.x == 0 && normal.z == 0;
+}
 
 /* The spheres of a scene are not prepared: they are met as they are. */
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,

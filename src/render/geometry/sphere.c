@@ -26,15 +26,15 @@ void sphere_surface(struct num_point centre, struct num_point point, struct surf
     surface->smooth = surface->normal;
 }
 
-/* (atan2(z, x)/(2 pi) + 1/2, acos(y)/pi), the latter as atan2(sqrt(1 - y^2), y)/pi. */
+/* (1/2 - atan2(z, x)/(2 pi), 1 - acos(y)/pi), the latter as atan2(sqrt(1 - y^2), y)/pi. */
 void sphere_uv(struct num_point centre, struct num_point point, num_length uv[2])
 {
     struct num_dir n;
 
     (void)num_normalise(num_point_sub(point, centre), &n);
     num_unit aside = num_unit_sqrt(num_times(n.x, n.x) + num_times(n.z, n.z));
-    uv[0] = num_length_of_unit(num_atan2(n.z, n.x)) + NUM_LENGTH_ONE / 2;
-    uv[1] = 2 * num_length_of_unit(num_atan2(aside, n.y));
+    uv[0] = NUM_LENGTH_ONE / 2 - num_length_of_unit(num_atan2(n.z, n.x));
+    uv[1] = NUM_LENGTH_ONE - 2 * num_length_of_unit(num_atan2(aside, n.y));
 }
 
 static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,

@@ -10,25 +10,26 @@ static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_
     return colour;
 }
 
+/* Texel (x, y) from the lower left, at most one beyond the image's edges; rows are stored from the top. */
 static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
 {
     x = x < 0 ? x + t->width : x >= t->width ? x - t->width : x;
     y = y < 0 ? y + t->height : y >= t->height ? y - t->height : y;
-    return t->texels + 3 * ((size_t)y * t->width + (size_t)x);
+    return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
 /* The four texels around the place, each weighted by its nearness. */
 static void blend(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
 {
     int32_t x = num_floor(u), y = num_floor(v);
-    num_length right = u - num_integer(x), down = v - num_integer(y);
-    const uint8_t *upper[2] = {texel(t, x, y), texel(t, x + 1, y)};
-    const uint8_t *lower[2] = {texel(t, x, y + 1), texel(t, x + 1, y + 1)};
+    num_length right = u - num_integer(x), up = v - num_integer(y);
+    const uint8_t *lower[2] = {texel(t, x, y), texel(t, x + 1, y)};
+    const uint8_t *upper[2] = {texel(t, x, y + 1), texel(t, x + 1, y + 1)};
 
     for (int c = 0; c < 3; c++) {
         num_length above = num_integer(upper[0][c]) + right * (upper[1][c] - upper[0][c]);
         num_length below = num_integer(lower[0][c]) + right * (lower[1][c] - lower[0][c]);
-        rgb[c] = num_ratio(above + num_product(below - above, down), num_integer(255));
+        rgb[c] = num_ratio(below + num_product(above - below, up), num_integer(255));
     }
 }
 
@@ -44,7 +45,8 @@ static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v,
 uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], num_length rgb[3])
 {
     int32_t cell[2];
-    num_length u = num_repeat(uv[0], t->repeat[0], &cell[0]), v = num_repeat(uv[1], t->repeat[1], &cell[1]);
+    num_length u = num_repeat(uv[0] - num_length_of(t->offset[0]), t->repeat[0], &cell[0]);
+    num_length v = num_repeat(uv[1] - num_length_of(t->offset[1]), t->repeat[1], &cell[1]);
 
     if (t->kind == TIA_CHECKER)
         return checker(t, cell, rgb);

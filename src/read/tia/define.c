@@ -1,0 +1,32 @@
+/* define.c - names for numbers:  define RADIUS 2.5 */
+#include "job.h"
+
+static int check_name(struct tia_job *job, const struct tia_word *name)
+{
+    if (!tia_constant_named(name->at))
+        return tia_text_error(&job->text, name, "names no number", "a name that begins with a capital letter");
+    if (tia_constant_find(&job->constants, name->at, name->length))
+        return tia_text_error(&job->text, name, "is defined for a second time", "another name");
+    if (job->constants.count == TIA_CONSTANTS_MAX)
+        return tia_text_error(&job->text, name, "is one name too many", "at most 128");
+    return TIA_OK;
+}
+
+int tia_line_define(struct tia_job *job)
+{
+    struct tia_text *t = &job->text;
+    struct tia_word name, word;
+    int64_t value;
+    int status = tia_text_name(t, &name, "a name");
+
+    status = status ? status : check_name(job, &name);
+    if (status)
+        return status;
+    do {
+        (void)tia_text_word(t, &word);
+        if (tia_decimal(&value, &word, 0) == TIA_DECIMAL_NONE)
+            return tia_text_error(t, &word, "is no number", "numbers");
+    } while (tia_text_peek(t, &word));
+    job->constants.at[job->constants.count++] = (struct tia_constant){name.at, t->end, name.length};
+    return TIA_OK;
+}

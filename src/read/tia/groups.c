@@ -1,0 +1,192 @@
+/* groups.c - transforms within transforms.
+ *
+ * A shape is scaled, rotated and moved: p + R S x. With the transforms o of a group and i of something in it that
+ * is
+ *
+ *     p_o + R_o S_o (p_i + R_i S_i x) = (p_o + R_o S_o p_i) + (R_o R_i) (S S_i) x   if S_o R_i = R_i S.
+ *
+ * Such a diagonal S exists if every inner axis, a column of R_i, mixes only outer axes of equal scale: if S_o is
+ * uniform, if R_i turns by right angles, if it turns about an axis across which the scale is the same. All others
+ * would shear the shape, which no tia_transform can express, and are refused.
+ *
+ * Composition is in Q1.62 and Q31.32; a shape's transform is rounded once, at the end. Its angles then have an
+ * error of 2^-17 degrees each, except where only one of the composed rotations is not 0: they stay as written. */
+#include "job.h"
+#include "math/rotation.h"
+#include "math/wide.h"
+
+#define ONE_Q62 (INT64_C(1) << 62)
+#define NOTHING (INT64_C(1) << 20)         /* 2^-42: a component of an axis that is 0 but for rounding */
+#define FARTHEST (INT64_C(1) << (18 + 32)) /* limit of a group's position */
+#define LEAST_SCALE ((int64_t)TIA_SCALE_MIN << 16)
+#define MOST_SCALE ((int64_t)TIA_SCALE_MAX << 16)
+
+static bool is_turned(const struct tia_vec3 *rotation)
+{
+    return rotation->x || rotation->y || rotation->z;
+}
+
+static struct tia_place place_of(const struct tia_transform *t)
+{
+    struct tia_place place = {
+        .scale = {(int64_t)t->scale.x << 16, (int64_t)t->scale.y << 16, (int64_t)t->scale.z << 16},
+        .position = {(int64_t)t->position.x * 65536, (int64_t)t->position.y * 65536, (int64_t)t->position.z * 65536},
+        .rotation = t->rotation,
+        .as_written = true};
+
+    tia_rotation_axes(t->rotation, place.axes);
+    return place;
+}
+
+/* S: for each inner axis the scale of the outer axes that it mixes; false if they differ. */
+static bool scale_along(const struct tia_place *outer, const struct tia_place *inner, int64_t scale[3])
+{
+    for (int i = 0; i < 3; i++) {
+        scale[i] = 0;
+        for (int k = 0; k < 3; k++) {
+            if (inner->axes[i][k] < NOTHING && inner->axes[i][k] > -NOTHING)
+                continue;
+            if (scale[i] && scale[i] != outer->scale[k])
+                return false;
+            scale[i] = outer->scale[k];
+        }
+    }
+    return true;
+}
+
+/* R_o v, in v's format. */
+static void turn(const struct tia_place *outer, const int64_t v[3], int64_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int64_t row[3] = {outer->axes[0][k], outer->axes[1][k], outer->axes[2][k]};
+        out[k] = wide_round(wide_dot(row, v), 62);
+    }
+}
+
+static void turn_axes(const struct tia_place *outer, const struct tia_place *inner, struct tia_place *out)
+{
+    out->as_written = false;
+    for (int i = 0; i < 3; i++)
+        turn(outer, inner->axes[i], out->axes[i]);
+}
+
+static void move(const struct tia_place *outer, const struct tia_place *inner, struct tia_place *out)
+{
+    int64_t scaled[3];
+
+    for (int i = 0; i < 3; i++)
+        scaled[i] = wide_round(wide_product(outer->scale[i], inner->position[i]), 32);
+    turn(outer, scaled, out->position);
+    for (int i = 0; i < 3; i++)
+        out->position[i] += outer->position[i];
+}
+
+static int refuse(struct tia_job *job, const char *what, const char *expected)
+{
+    return tia_text_error(&job->text, &job->first, what, expected);
+}
+
+/* Composes *place with the open groups. */
+static int compose(struct tia_job *job, struct tia_place *place)
+{
+    if (!job->group_count)
+        return TIA_OK;
+    const struct tia_place *outer = &job->groups[job->group_count - 1];
+    const struct tia_place inner = *place;
+    int64_t scale[3];
+
+    if (!scale_along(outer, &inner, scale))
+        return refuse(job, "would be sheared: it is rotated in a group that is scaled unevenly",
+                      "one scale for that group, or the rotation around it");
+    if (!inner.as_written || is_turned(&inner.rotation)) {
+        if (!outer->as_written || is_turned(&outer->rotation))
+            turn_axes(outer, &inner, place);
+    } else {
+        *place = *outer;
+    }
+    move(outer, &inner, place);
+    for (int i = 0; i < 3; i++) {
+        place->scale[i] = wide_round(wide_product(scale[i], inner.scale[i]), 32);
+        if (place->scale[i] < LEAST_SCALE || place->scale[i] > MOST_SCALE)
+            return refuse(job, "is scaled out of range with its groups", "1/1024 to 1024 in all");
+        if (place->position[i] > FARTHEST || place->position[i] < -FARTHEST)
+            return refuse(job, "is moved out of range by its groups", "less than 262144");
+    }
+    return TIA_OK;
+}
+
+/* Rounds Q31.32 to nearest; false if the result is out of range. */
+static bool rounded(const int64_t from[3], struct tia_vec3 *to)
+{
+    tia_q16 *const out[3] = {&to->x, &to->y, &to->z};
+
+    for (int i = 0; i < 3; i++) {
+        int64_t q = tia_round_shift(from[i], 16);
+        if (q > INT32_MAX || q < INT32_MIN)
+            return false;
+        *out[i] = (tia_q16)q;
+    }
+    return true;
+}
+
+int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name)
+{
+    struct tia_place place = place_of(transform);
+
+    if (name && tia_job_moves(job, name))
+        return tia_text_error(&job->text, name, "moves", "it outside of groups");
+    int status = compose(job, &place);
+    if (status)
+        return status;
+    if (!rounded(place.position, &transform->position))
+        return refuse(job, "is moved out of range by its groups", "a place of -32768 to below 32768");
+    (void)rounded(place.scale, &transform->scale);
+    transform->rotation = place.rotation;
+    if (!place.as_written)
+        tia_rotation_angles((const int64_t(*)[3])place.axes, &transform->rotation);
+    return TIA_OK;
+}
+
+#define NUMBERS(field, part)                                                                                           \
+    {                                                                                                                  \
+        .word = field, .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_transform, part)                 \
+    }
+static const struct tia_field group_fields[] = {
+    NUMBERS("at", position),
+    NUMBERS("rotate", rotation),
+    {.word = "scale", .kind = TIA_SPREAD, .count = 3, .offset = offsetof(struct tia_transform, scale)},
+};
+
+static bool has_scale(const struct tia_transform *t)
+{
+    return t->scale.x >= TIA_SCALE_MIN && t->scale.x <= TIA_SCALE_MAX && t->scale.y >= TIA_SCALE_MIN &&
+           t->scale.y <= TIA_SCALE_MAX && t->scale.z >= TIA_SCALE_MIN && t->scale.z <= TIA_SCALE_MAX;
+}
+
+int tia_line_group(struct tia_job *job)
+{
+    struct tia_transform transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
+    int status = tia_fields(&job->text, "a group", group_fields, TIA_COUNT_OF(group_fields), &transform, NULL);
+
+    if (status)
+        return status;
+    if (job->group_count == TIA_GROUP_DEPTH)
+        return refuse(job, "is one too deep", "at most 8 groups within each other");
+    if (!has_scale(&transform))
+        return refuse(job, "is scaled out of range", "1/1024 to 1024");
+    struct tia_place place = place_of(&transform);
+    status = compose(job, &place);
+    if (!status)
+        job->groups[job->group_count++] = place;
+    return status;
+}
+
+int tia_line_end(struct tia_job *job)
+{
+    const struct tia_includes *includes = &job->includes;
+
+    if (job->group_count == (includes->depth ? includes->outer[includes->depth - 1].groups : 0))
+        return refuse(job, "ends nothing", "a group before it, in the same file");
+    job->group_count--;
+    return TIA_OK;
+}

@@ -1,0 +1,129 @@
+/* include.c - scenes of several files.
+ *
+ * The caller loads a file by its path from the scene's folder; names inside it are relative to its own folder: leg.tia
+ * in models/chair.tia is models/leg.tia. The stack holds only the words that name the files: a path follows from them.
+ */
+#include "job.h"
+
+/* Replaces `path`, of a file, by that of `name` relative to the file's folder; false: too long. */
+static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
+{
+    size_t folder = 0;
+
+    for (size_t i = 0; path[i] && *name->at != '/'; i++)
+        folder = path[i] == '/' ? i + 1 : folder;
+    if (folder + name->length > TIA_NAME_MAX)
+        return false;
+    for (uint32_t i = 0; i < name->length; i++)
+        path[folder + i] = name->at[i];
+    path[folder + name->length] = 0;
+    return true;
+}
+
+/* The path of the file at a depth; "" at depth 0, the scene itself. */
+static void path_at(const struct tia_includes *includes, unsigned depth, char path[TIA_NAME_MAX + 1])
+{
+    path[0] = 0;
+    for (unsigned i = 0; i < depth; i++)
+        (void)follow(path, &includes->names[i]);
+}
+
+int tia_include_path(struct tia_job *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1])
+{
+    path_at(&job->includes, job->includes.depth, path);
+    if (!follow(path, name))
+        return tia_text_error(&job->text, name, "is too far down", "a path of at most 255 bytes from the scene");
+    return TIA_OK;
+}
+
+int tia_job_missing(struct tia_job *job, const struct tia_word *file, const char *why, const char *expected)
+{
+    (void)tia_text_error_at(&job->text, file);
+    tia_say_word(job->text.error, file);
+    tia_say(job->text.error, ": ");
+    tia_say(job->text.error, why);
+    tia_say(job->text.error, ", expected ");
+    tia_say(job->text.error, expected);
+    return TIA_ERR_RANGE;
+}
+
+static bool is_same(const char *a, const char *b)
+{
+    while (*a && *a == *b)
+        a++, b++;
+    return *a == *b;
+}
+
+static int check(struct tia_job *job, const struct tia_word *name, const char *path)
+{
+    const struct tia_includes *includes = &job->includes;
+    char other[TIA_NAME_MAX + 1];
+
+    for (unsigned i = 1; i <= includes->depth; i++) {
+        path_at(includes, i, other);
+        if (is_same(path, other))
+            return tia_text_error(&job->text, name, "is being read already", "a file that does not include itself");
+    }
+    if (includes->depth == TIA_INCLUDE_DEPTH)
+        return tia_text_error(&job->text, name, "is one file too deep", "at most 8 within each other");
+    if (includes->count == TIA_INCLUDES_MAX)
+        return tia_text_error(&job->text, name, "is one file too many", "at most 64 includes");
+    if (!job->reader->library)
+        return tia_text_error(&job->text, name, "cannot be fetched here", "a scene of one file");
+    return TIA_OK;
+}
+
+int tia_line_include(struct tia_job *job)
+{
+    struct tia_reader *reader = job->reader;
+    char path[TIA_NAME_MAX + 1];
+    const char *text = NULL, *why = "cannot be read";
+    struct tia_word name;
+    size_t length = 0;
+    int status = tia_text_file(&job->text, &name, "a file's name");
+
+    status = status ? status : tia_include_path(job, &name, path);
+    status = status ? status : check(job, &name, path);
+    if (status)
+        return status;
+    if (reader->library(reader->ctx, path, &text, &length, &why) != TIA_OK)
+        return tia_job_missing(job, &name, why, "a scene's file");
+    if ((uint64_t)length >= UINT32_MAX)
+        return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
+    job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
+    job->includes.next.constants = &job->constants;
+    job->includes.names[job->includes.depth] = name;
+    return TIA_OK;
+}
+
+void tia_include_begin(struct tia_job *job)
+{
+    struct tia_includes *includes = &job->includes;
+
+    includes->outer[includes->depth].text = job->text;
+    includes->outer[includes->depth].groups = job->group_count;
+    includes->depth++;
+    includes->count++;
+    path_at(includes, includes->depth, includes->file);
+    job->text = includes->next;
+    includes->next.next = NULL;
+}
+
+int tia_include_end(struct tia_job *job)
+{
+    struct tia_includes *includes = &job->includes;
+    struct tia_word end;
+
+    (void)tia_text_word(&job->text, &end);
+    if (job->group_count > (includes->depth ? includes->outer[includes->depth - 1].groups : 0)) {
+        (void)tia_text_error_at(&job->text, &end);
+        tia_say(job->text.error, "the text ends within a group, expected end");
+        return TIA_ERR_RANGE;
+    }
+    if (!includes->depth)
+        return TIA_OK;
+    includes->depth--;
+    job->text = includes->outer[includes->depth].text;
+    path_at(includes, includes->depth, includes->file);
+    return TIA_OK;
+}
