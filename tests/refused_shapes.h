@@ -54,7 +54,7 @@ static inline void set_up(enum tia_shape_kind kind)
     for (uint32_t i = 0; i < 3; i++)
         face.corner[i] = (struct tia_corner){i, TIA_NO_INDEX, TIA_NO_INDEX};
     memset(cells, 0, sizeof cells);
-    meshes[0] = (struct tia_mesh){vertices, normals, uvs, &face, 3, 2, 2, 1};
+    meshes[0] = (struct tia_mesh){vertices, normals, uvs, &face, 3, 2, 2, 1, NULL};
     grids[0] = (struct tia_grid){{0, 0, 0}, ONE, {2, 1, 2}, cells};
     shapes[0] = sample(kind);
     transform = unit;

@@ -226,7 +226,7 @@ TEST(smooth_normals)
     static const struct tia_vec3 vertices[] = {TIA_VEC3(-9, -9, -2), TIA_VEC3(9, -9, -2), TIA_VEC3(0, 9, -2)};
     static const struct tia_dir3 normals[] = {{TIA_Q30(0.6), 0, TIA_Q30(0.8)}};
     static const struct tia_face faces[] = {{{{0, 0, TIA_NO_INDEX}, {1, 0, TIA_NO_INDEX}, {2, 0, TIA_NO_INDEX}}}};
-    static const struct tia_mesh mesh = {vertices, normals, NULL, faces, 3, 1, 0, 1};
+    static const struct tia_mesh mesh = {vertices, normals, NULL, faces, 3, 1, 0, 1, NULL};
 
     begin(1, 1);
     scene.meshes = &mesh;
@@ -250,7 +250,7 @@ TEST(smooth_mirror)
     static const struct tia_vec3 vertices[] = {TIA_VEC3(-9, -9, -2), TIA_VEC3(9, -9, -2), TIA_VEC3(0, 9, -2)};
     static const struct tia_dir3 normals[] = {{TIA_Q30(0.6), 0, TIA_Q30(0.8)}};
     static const struct tia_face faces[] = {{{{0, 0, TIA_NO_INDEX}, {1, 0, TIA_NO_INDEX}, {2, 0, TIA_NO_INDEX}}}};
-    static const struct tia_mesh mesh = {vertices, normals, NULL, faces, 3, 1, 0, 1};
+    static const struct tia_mesh mesh = {vertices, normals, NULL, faces, 3, 1, 0, 1, NULL};
 
     begin(2, 0);
     scene.meshes = &mesh;

@@ -243,7 +243,7 @@ TEST(mesh)
     struct tia_shape s = {.kind = TIA_MESH, .mesh = 0};
     struct hit h;
 
-    meshes[0] = (struct tia_mesh){vertices, normals, uvs, faces, 3, 3, 3, 2};
+    meshes[0] = (struct tia_mesh){vertices, normals, uvs, faces, 3, 3, 3, 2, NULL};
     CHECK(meets(&s, ray(1, 1, 0, 0, 0, -1), &h));
     NEAR(h.t, 2);
     NEAR_VEC(h.normal, 0, 0, 1);

@@ -280,6 +280,27 @@ TEST(what_is_taken_in)
     read_end(&r);
 }
 
+/* With T > 0 each polygon is a group of its own, all triangles of it; without, none is needed. */
+TEST(polygons_filter_one_by_one)
+{
+    struct reading r;
+
+    read_string(&r, TIA_FORMAT_NFF,
+                VIEW "f 1 1 1 1 0 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n"
+                     "f 1 1 1 0.5 0 0 0.5 1\np 3\n0 0 1\n1 0 1\n0 1 1\np 4\n0 0 2\n1 0 2\n1 1 2\n0 1 2\n"
+                     "pp 4\n0 0 3 0 0 1\n1 0 3 0 0 1\n1 1 3 0 0 1\n0 1 3 0 0 1\n");
+    CHECK_EQ(r.status, TIA_OK);
+    CHECK_EQ(r.scene.mesh_count, 2);
+    const struct tia_mesh *m = r.scene.meshes;
+    if (!check_failed && m[1].groups) {
+        CHECK_EQ(m[1].face_count, 5);
+        CHECK(m[1].groups[1] == m[1].groups[2] && m[1].groups[3] == m[1].groups[4]);
+        CHECK(m[1].groups[0] != m[1].groups[1] && m[1].groups[0] != m[1].groups[3] && m[1].groups[1] != m[1].groups[3]);
+    }
+    CHECK(!check_failed && !m[0].groups && m[1].groups);
+    read_end(&r);
+}
+
 TEST(errors)
 {
     static const struct {
@@ -359,6 +380,7 @@ int main(void)
     RUN(databases);
     RUN(what_is_not_said);
     RUN(what_is_taken_in);
+    RUN(polygons_filter_one_by_one);
     RUN(errors);
     RUN(places_of_faults);
     RUN(truncated);

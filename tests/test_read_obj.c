@@ -240,6 +240,29 @@ TEST(faces_by_material)
 
 #define OUT_OF_Q16 "' is out of range, expected a number from -32768 to below 32768"
 
+/* Faces below lines that say the same are one group; an o is no g; before the first line is a group too. */
+TEST(groups)
+{
+    static const uint8_t same[] = {0, 1, 2, 1, 3, 4, 3, 5}; /* faces of equal numbers */
+    static const char faces[] =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng a b\nf 1 2 3\ng b\nf 1 2 3\ng a b # again\nf 1 2 3\n"
+        "o a b\nf 1 2 3\ng\nf 1 2 3\no a b\nf 1 2 3\ng a\nf 1 2 3\n";
+    struct reading r;
+
+    read_string(&r, TIA_FORMAT_OBJ, faces);
+    CHECK_EQ(r.status, TIA_OK);
+    CHECK(r.scene.mesh_count == 1 && r.scene.meshes[0].face_count == 8 && r.scene.meshes[0].groups);
+    for (uint32_t i = 0; i < 64 && !check_failed; i++) {
+        const uint32_t *g = r.scene.meshes[0].groups;
+        CHECK_MSG((g[i / 8] == g[i % 8]) == (same[i / 8] == same[i % 8]), "faces %u, %u: %u, %u", i / 8, i % 8,
+                  g[i / 8], g[i % 8]);
+    }
+    read_end(&r);
+    read_string(&r, TIA_FORMAT_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    CHECK(r.status == TIA_OK && r.scene.mesh_count == 1 && !r.scene.meshes[0].groups);
+    read_end(&r);
+}
+
 TEST(errors)
 {
     static const struct wrong cases[] = {
@@ -335,6 +358,7 @@ int main(void)
     RUN(frames);
     RUN(frames_of_models);
     RUN(faces_by_material);
+    RUN(groups);
     RUN(errors);
     RUN(too_many_corners);
     RUN(truncated);

@@ -187,10 +187,10 @@ void parts_random_meshes(uint64_t *state, struct corpus_rays *out)
     const uint32_t points = CORPUS_RAYS_LAND_POINTS, faces = 2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND;
 
     random_land(state, out);
-    out->meshes[0] =
-        (struct tia_mesh){ball_vertices, ball_normals, NULL, ball_faces, BALL_VERTICES, BALL_VERTICES, 0, BALL_FACES};
+    out->meshes[0] = (struct tia_mesh){ball_vertices, ball_normals, NULL, ball_faces, BALL_VERTICES, BALL_VERTICES, 0,
+                                       BALL_FACES,    NULL};
     out->meshes[1] =
-        (struct tia_mesh){out->heights, out->slopes, out->places, out->land, points, points, points, faces};
+        (struct tia_mesh){out->heights, out->slopes, out->places, out->land, points, points, points, faces, NULL};
     if (dice_one_in(state, 3)) /* flat */
         for (uint32_t i = 0; i < faces * 3; i++)
             out->land[i / 3].corner[i % 3].normal = TIA_NO_INDEX;
@@ -211,4 +211,65 @@ void parts_random_grid(uint64_t *state, struct corpus_rays *out)
         if (dice_one_in(state, fill))
             out->cells[i] = (uint8_t)dice_between(state, 1, 3);
     out->cells[0] = 1;
+}
+
+/* Glass of an index that others have too. */
+static void random_medium(uint64_t *state, struct tia_material *m)
+{
+    static const tia_q16 indices[] = {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1.33), TIA_Q16(1.5), TIA_Q16(1.5), TIA_Q16(1.5)};
+
+    *m = (struct tia_material){.exponent = TIA_Q16_ONE, .colour = dice_rgb(state, 0, 20)};
+    random_glass(state, m);
+    if (!dice_one_in(state, 4))
+        m->index = indices[dice_next(state) % (sizeof indices / sizeof indices[0])];
+    if (dice_one_in(state, 6))
+        m->mirror = dice_rgb(state, 5, 40);
+}
+
+/* About `size` large around the centre. */
+static void random_vessel(uint64_t *state, struct corpus_rays *out, struct tia_shape *shape, struct tia_vec3 centre,
+                          tia_q16 size)
+{
+    static const enum tia_shape_kind kinds[] = {TIA_SPHERE,   TIA_SPHERE, TIA_BOX, TIA_MESH,
+                                                TIA_CYLINDER, TIA_DISC,   TIA_GRID};
+    struct tia_transform *t = &out->transforms[out->scene.transform_count];
+
+    shape->kind = kinds[dice_next(state) % (sizeof kinds / sizeof kinds[0])];
+    if (shape->kind == TIA_SPHERE) {
+        shape->sphere.centre = centre;
+        shape->sphere.radius = size;
+    } else if (shape->kind == TIA_BOX) {
+        shape->box.min = parts_moved(centre, (struct tia_vec3){size, size, size}, -1);
+        shape->box.max = parts_moved(centre, (struct tia_vec3){size, size, size}, 1);
+    } else if (shape->kind == TIA_CYLINDER) {
+        shape->cylinder = (struct tia_cylinder){parts_moved(centre, (struct tia_vec3){0, size, 0}, -1),
+                                                parts_moved(centre, (struct tia_vec3){0, size, 0}, 1), size, true};
+    } else if (shape->kind == TIA_DISC) {
+        shape->disc = (struct tia_disc){centre, parts_random_direction(state), size};
+    } else { /* the ball, or the grid, whose other cells have the materials that follow */
+        *t = (struct tia_transform){centre, {0, dice_between(state, 0, TIA_Q16(90)), 0}, {size, size, size}};
+        shape->transform = ++out->scene.transform_count;
+    }
+}
+
+void parts_random_nest(uint64_t *state, struct corpus_rays *out, uint32_t material)
+{
+    static const struct tia_vec3 range[2] = {TIA_VEC3(-1.5, 0.8, -1.5), TIA_VEC3(1.5, 2, 1.5)};
+    struct tia_vec3 centre = dice_vec3(state, range[0], range[1]);
+    tia_q16 size = dice_between(state, TIA_Q16(0.8), TIA_Q16(2));
+    uint32_t count = (uint32_t)dice_between(state, 2, CORPUS_RAYS_NESTED);
+
+    for (uint32_t i = 0; i < CORPUS_RAYS_NESTED; i++)
+        random_medium(state, &out->materials[material + i]);
+    for (uint32_t i = 0; i < count; i++) {
+        struct tia_shape *shape = &out->shapes[out->scene.shape_count++];
+        shape->material = material + (i < CORPUS_RAYS_NESTED - 2 ? i : 0);
+        random_vessel(state, out, shape, centre, size);
+        centre.x += dice_between(state, -size / 4, size / 4);
+        centre.z += dice_between(state, -size / 4, size / 4);
+        size = size / 16 * dice_between(state, 10, 16);
+    }
+    for (uint32_t i = 0; i < sizeof out->groups / sizeof out->groups[0]; i++)
+        out->groups[i] = (uint32_t)dice_between(state, 0, 40);
+    out->meshes[0].groups = out->meshes[1].groups = dice_one_in(state, 2) ? out->groups : NULL;
 }

@@ -204,7 +204,7 @@ static void connect(struct corpus_rays *out)
     s->textures = out->textures;
     s->meshes = out->meshes;
     s->grids = &out->grid;
-    s->material_count = CORPUS_RAYS_OBJECTS + 3;
+    s->material_count = CORPUS_RAYS_OBJECTS + 3 + CORPUS_RAYS_NESTED;
     s->texture_count = 3;
     s->mesh_count = 2;
     s->grid_count = 1;
@@ -224,7 +224,7 @@ void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index)
     parts_random_textures(&state, out);
     parts_random_meshes(&state, out);
     parts_random_grid(&state, out);
-    for (uint32_t i = 0; i < out->scene.material_count; i++)
+    for (uint32_t i = 0; i < CORPUS_RAYS_OBJECTS + 3; i++)
         parts_random_material(&state, &out->materials[i]);
     random_ground(&state, out);
     uint32_t count = (uint32_t)dice_between(&state, 1, CORPUS_RAYS_OBJECTS);
@@ -233,4 +233,6 @@ void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index)
     out->scene.light_count = (uint32_t)dice_between(&state, 1, CORPUS_RAYS_LIGHTS);
     for (uint32_t i = 0; i < out->scene.light_count; i++)
         parts_random_light(&state, &out->lights[i]);
+    if (dice_one_in(&state, 3))
+        parts_random_nest(&state, out, CORPUS_RAYS_OBJECTS + 3);
 }

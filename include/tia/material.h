@@ -16,16 +16,35 @@
  *
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where
  * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + 2^-13 G,
- * refracted rays at P - 2^-13 G, so that rounding cannot make them hit their own surface. A light gives
- * nothing where G.L <= 0 or N.L <= 0. Where an interpolated normal has N.V <= 0, F = 1. T is the product of
- * `transmission` over the objects that the shadow ray hits before the light, each counted once; a grid counts
- * with the first cell that the ray hits.
+ * refracted rays at P - 2^-13 G, so that rounding cannot make them hit their own surface. A shadow ray ends
+ * exactly at the light's sample. A light gives nothing where G.L <= 0 or N.L <= 0. Where an interpolated
+ * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
+ * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
+ * hits, a mesh that has groups once for each group that is hit.
  *
- * A ray that hits a front side goes from the index of refraction 1 to the material's, one that hits a back
- * side from the material's to 1: media do not nest. A ray's throughput is the product of the kr and kt along
- * its path. A ray is not traced when its throughput is below 2^-16 in every channel, or after scene.depth
- * bounces. A ray that hits nothing sees the background. Only a sample's final colour is clamped; no
- * intermediate value exceeds 2^17.
+ * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
+ * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty
+ * list, wherever the eye is. When a refracted ray hits
+ *   - a front side, it goes from its medium to the material, and the object is added to the list; a grid
+ *     that is on the list already is removed first;
+ *   - a back side of the object entered last, it goes from the material to the medium before that one, and
+ *     the object is removed;
+ *   - a back side of an object entered earlier, it goes straight on, and the object is removed;
+ *   - a back side of an object that is not on the list, it goes from the material to its medium.
+ * A reflected ray keeps the list. Objects without an inside are never added: discs, triangles, cylinders and
+ * cones without caps, and open meshes. A mesh is closed when for each edge from one corner of a face to the
+ * next there is one that runs back, corners being equal when their coordinates are. Nor is an object added
+ * to a full list. A ray may miss one of two surfaces less than 2^-13 apart, so objects that touch should
+ * overlap instead.
+ *
+ * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
+ * straight on from P - 2^-13 V. Such layers do not count as bounces; a path may have TIA_LAYERS of them.
+ *
+ * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
+ * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS layers, or when TIA_RAYS rays of
+ * its sample have been traced, in the order of path_hash in render.h (without layers there are never more).
+ * A ray that hits nothing sees the background. Only a sample's final colour is clamped; no intermediate value
+ * exceeds 2^17.
  */
 #ifndef TIA_MATERIAL_H
 #define TIA_MATERIAL_H
@@ -35,6 +54,9 @@
 #define TIA_EXPONENT_MAX TIA_Q16(10000)
 #define TIA_INDEX_MIN TIA_Q16(0.25) /* of refraction */
 #define TIA_INDEX_MAX TIA_Q16(4)
+#define TIA_MEDIA 8                  /* entered objects that a ray keeps track of */
+#define TIA_LAYERS 256               /* straight layers in a path */
+#define TIA_RAYS (UINT32_C(1) << 17) /* of a sample, without shadow rays */
 
 /* Every channel of a material's colours lies in [0, 1]. */
 struct tia_material {

@@ -48,7 +48,7 @@ struct tia_scene {
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
-    uint32_t depth;            /* maximum reflections and refractions along a path; 0 means TIA_DEPTH */
+    uint32_t depth;            /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
     const struct tia_bvh *bvh; /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */

@@ -166,6 +166,8 @@ struct tia_mesh {
     const struct tia_uv *uvs;
     const struct tia_face *faces;
     uint32_t vertex_count, normal_count, uv_count, face_count;
+    const uint32_t *groups; /* NULL, or a number for each face: faces with equal numbers filter a shadow ray
+                               once, see material.h */
 };
 
 /* Voxels: cell (x, y, z) is cells[(z * size[1] + y) * size[0] + x]. */

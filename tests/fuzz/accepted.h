@@ -102,7 +102,7 @@ static inline void make_mesh(struct bytes *b, struct made *m)
                                                         kind & 1 ? (kind / 4 + k) % 3 : TIA_NO_INDEX,
                                                         kind & 2 ? (kind / 4 + k) % 3 : TIA_NO_INDEX};
     }
-    m->meshes[0] = (struct tia_mesh){m->vertices, m->normals, m->uvs, m->faces, MADE_VERTICES, 3, 3, 1};
+    m->meshes[0] = (struct tia_mesh){m->vertices, m->normals, m->uvs, m->faces, MADE_VERTICES, 3, 3, 1, NULL};
     m->meshes[1] = m->meshes[0];
     m->meshes[1].face_count = MADE_FACES;
 }

@@ -90,6 +90,8 @@ static inline void take_shape(struct bytes *b, struct tia_shape *s)
 
 static inline void take_meshes(struct bytes *b, struct fuzz_general *g)
 {
+    static const uint32_t groups[2] = {7, 3};
+
     for (int i = 0; i < 5; i++)
         g->vertices[i] = take_vec3(b);
     g->normals[0] = take_dir3(b);
@@ -104,8 +106,8 @@ static inline void take_meshes(struct bytes *b, struct fuzz_general *g)
             c->uv = take_index(b, 2);
     }
     for (int i = 0; i < 2; i++)
-        g->meshes[i] =
-            (struct tia_mesh){g->vertices, g->normals, g->uvs, g->faces + 2 * i, 5, 2, 2, (uint32_t)take_byte(b) % 3};
+        g->meshes[i] = (struct tia_mesh){
+            g->vertices, g->normals, g->uvs, g->faces + 2 * i, 5, 2, 2, (uint32_t)take_byte(b) % 3, i ? groups : NULL};
 }
 
 static inline void take_grid(struct bytes *b, struct fuzz_general *g)

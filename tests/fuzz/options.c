@@ -19,7 +19,8 @@ static void must_keep_limits(const struct options *o)
     MUST(o->threads >= 1);
     MUST(!o->key_count || o->keys);
     MUST(!o->scene_path || o->scene_format != SCENE_UNKNOWN);
-    MUST(o->samples <= TIA_SAMPLES_MAX && o->time >= 0 && o->rate[0] >= 1 && o->rate[1] >= 1);
+    MUST(o->samples <= TIA_SAMPLES_MAX && o->depth <= TIA_DEPTH_MAX && o->time >= 0 && o->rate[0] >= 1 &&
+         o->rate[1] >= 1);
     MUST(o->first_frame <= o->last_frame && o->first_row <= o->last_row);
     MUST(!o->tile_rows || o->format == IMAGE_PART);
 }

@@ -120,6 +120,30 @@ bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit)
     return met;
 }
 
+/* Whether the ray meets the face before t. */
+static bool meets_before(struct ray ray, const struct tia_mesh *mesh, uint32_t face, double t)
+{
+    struct oracle_vec corner[3];
+    struct hit hit;
+
+    for (int k = 0; k < 3; k++)
+        corner[k] = position(mesh->vertices[mesh->faces[face].corner[k].vertex]);
+    return shape_triangle(ray, corner, &hit) && hit.t < t;
+}
+
+unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t)
+{
+    unsigned count = 0;
+
+    for (uint32_t i = 0; i < mesh->face_count; i++) {
+        bool counts = meets_before(ray, mesh, i, t);
+        for (uint32_t k = 0; k < i && counts; k++)
+            counts = mesh->groups[k] != mesh->groups[i] || !meets_before(ray, mesh, k, t);
+        count += counts;
+    }
+    return count;
+}
+
 static size_t cell_index(const struct tia_grid *grid, const int at[3])
 {
     return ((size_t)at[2] * grid->size[1] + (size_t)at[1]) * grid->size[0] + (size_t)at[0];

@@ -82,14 +82,15 @@ static double spot(const struct tia_light *light, struct oracle_vec way)
 bool light_beam(const struct tia_light *light, struct oracle_vec p, unsigned pixel_class, unsigned i, struct beam *beam)
 {
     if (light->kind == TIA_DIRECTIONAL_LIGHT) {
-        *beam = (struct beam){scaled(direction(light->direction), -1), INFINITY, 1};
+        *beam =
+            (struct beam){.direction = scaled(direction(light->direction), -1), .distance = INFINITY, .strength = 1};
         return true;
     }
-    struct oracle_vec way = sub(source(light, p, pixel_class, i), p);
+    struct oracle_vec from = source(light, p, pixel_class, i), way = sub(from, p);
     double distance = length(way);
     if (!(distance > 0))
         return false;
-    *beam = (struct beam){divide(way, distance), distance, attenuation(light, distance) / light_samples(light)};
+    *beam = (struct beam){divide(way, distance), from, distance, attenuation(light, distance) / light_samples(light)};
     if (light->kind == TIA_SPOT_LIGHT)
         beam->strength *= spot(light, beam->direction);
     return true;

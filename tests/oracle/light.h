@@ -7,7 +7,8 @@
 /* Light on its way to a point. */
 struct beam {
     struct oracle_vec direction; /* to the light, of length 1 */
-    double distance;             /* infinite from a directional light */
+    struct oracle_vec source;    /* where it comes from; none of a directional light */
+    double distance;             /* from there; infinite from a directional light */
     double strength;             /* attenuation, spot and the sample's share */
 };
 

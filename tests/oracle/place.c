@@ -75,15 +75,22 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
     }
 }
 
+/* The ray in the axes of a shape that is an instance: distances along it are the same. */
+static struct ray local_ray(const struct tia_transform *t, struct ray ray)
+{
+    struct oracle_vec scale = position(t->scale), from = sub(ray.origin, position(t->position));
+
+    return (struct ray){quotient(transform_turn_back(t, from), scale),
+                        quotient(transform_turn_back(t, ray.direction), scale)};
+}
+
 bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit)
 {
     if (shape->transform == 0)
         return local_hit(scene, shape, ray, hit);
     const struct tia_transform *t = &scene->transforms[shape->transform - 1];
-    struct oracle_vec scale = position(t->scale), from = sub(ray.origin, position(t->position));
-    struct ray local = {quotient(transform_turn_back(t, from), scale),
-                        quotient(transform_turn_back(t, ray.direction), scale)};
-    if (!local_hit(scene, shape, local, hit))
+    struct oracle_vec scale = position(t->scale);
+    if (!local_hit(scene, shape, local_ray(t, ray), hit))
         return false;
     /* Normals go by the inverse's transpose. */
     hit->normal = unit(transform_turn(t, quotient(hit->normal, scale)));
@@ -106,4 +113,15 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
     }
     struct oracle_vec p = at(ray, hit->t);
     return fabs(p.x) < FAR && fabs(p.y) < FAR && fabs(p.z) < FAR;
+}
+
+unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, double distance)
+{
+    const struct tia_shape *s = index < scene->sphere_count ? NULL : &scene->shapes[index - scene->sphere_count];
+
+    if (s == NULL || s->kind != TIA_MESH || scene->meshes[s->mesh].groups == NULL)
+        return 1;
+    if (s->transform != 0)
+        ray = local_ray(&scene->transforms[s->transform - 1], ray);
+    return shape_mesh_groups(ray, &scene->meshes[s->mesh], distance);
 }

@@ -1,6 +1,7 @@
 #include "rays.h"
 
 #include "light.h"
+#include "media.h"
 
 #define BIAS (1.0 / 8192.0)
 #define FAINT (1.0 / 65536.0)
@@ -10,6 +11,14 @@ struct look {
     const struct tia_scene *scene;
     unsigned pixel_class;
     uint32_t path; /* FNV-1a of what was met */
+    uint32_t rays; /* of the sample, so far */
+};
+
+/* A ray's way from the eye: what it was multiplied by, how often it was bent and how often not, what it is in. */
+struct way {
+    struct colour weight;
+    unsigned bounces, layers;
+    struct media media;
 };
 
 /* What a ray's hit needs for its colour. */
@@ -19,10 +28,11 @@ struct surface {
     double cosine;                /* N.V */
     struct colour colour;         /* with its texture */
     bool front;
+    uint32_t object;
     uint32_t cell; /* of the texture */
 };
 
-static struct colour trace(struct look *look, struct ray ray, struct colour weight, unsigned bounces);
+static struct colour trace(struct look *look, struct ray ray, const struct way *way);
 
 static void feed(uint32_t *path, uint32_t word)
 {
@@ -84,9 +94,12 @@ static struct colour transmission(const struct tia_scene *scene, struct ray ray,
     struct colour left = {{1, 1, 1}};
     struct hit h;
 
-    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
-        if (object_hit(scene, i, ray, &h) && h.t < distance)
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
+        if (!object_hit(scene, i, ray, &h) || h.t >= distance)
+            continue;
+        for (unsigned n = groups_hit(scene, i, ray, distance); n > 0; n--)
             left = product(left, rgb(scene->materials[h.material].transmission));
+    }
     return left;
 }
 
@@ -107,8 +120,14 @@ static bool add_beam(const struct look *look, const struct tia_light *light, con
 
     if (!(dot(s->g, beam->direction) > 0) || !(cosine > 0) || !(beam->strength > 0))
         return false;
-    struct colour left =
-        transmission(look->scene, (struct ray){along(s->p, BIAS, s->g), beam->direction}, beam->distance);
+    struct ray shadow = {along(s->p, BIAS, s->g), beam->direction};
+    double distance = INFINITY;
+    if (!isinf(beam->distance)) {
+        struct oracle_vec way = sub(beam->source, shadow.origin);
+        distance = length(way);
+        shadow.direction = divide(way, distance);
+    }
+    struct colour left = distance > 0 ? transmission(look->scene, shadow, distance) : (struct colour){{1, 1, 1}};
     struct colour arrives = product(left, rgb(light->emission));
     add(sum, beam->strength * cosine, product(arrives, s->colour));
     if (!is_black(rgb(s->material->specular)))
@@ -155,40 +174,55 @@ static bool refract(const struct surface *s, double ratio, struct oracle_vec *wa
     return true;
 }
 
-/* Adds what is seen along `way`, from the surface's one side (1) or the other (-1). */
-static void add_ray(struct look *look, const struct surface *s, double side, struct oracle_vec way,
-                    struct colour factor, struct colour weight, unsigned bounces, struct colour *sum)
+/* Adds what is seen along `ray`, whose direction may have any length. */
+static void add_ray(struct look *look, struct ray ray, struct colour factor, struct way way, struct colour *sum)
 {
-    struct colour left = product(weight, factor);
     unsigned depth = look->scene->depth == 0 ? TIA_DEPTH : look->scene->depth;
 
-    if (bounces >= depth || is_faint(left))
+    way.weight = product(way.weight, factor);
+    if (way.bounces > depth || way.layers > TIA_LAYERS || is_faint(way.weight))
         return;
-    struct ray ray = {along(s->p, side * BIAS, s->g), unit(way)};
-    add(sum, 1, product(factor, trace(look, ray, left, bounces + 1)));
+    ray.direction = unit(ray.direction);
+    add(sum, 1, product(factor, trace(look, ray, &way)));
 }
 
-static void add_secondary(struct look *look, const struct surface *s, struct colour weight, unsigned bounces,
-                          struct colour *sum)
+/* The refracted ray and its way; F of it goes from kt to kr. */
+static void bend(const struct tia_scene *scene, const struct surface *s, struct way *way, struct ray *ray,
+                 struct colour *kr, struct colour *kt)
 {
     const struct tia_material *m = s->material;
-    struct oracle_vec mirrored = along(scaled(s->v, -1), 2.0 * s->cosine, s->n), refracted = {0, 0, 0};
-    struct colour kr = rgb(m->mirror), kt = {{0, 0, 0}};
+    struct crossing c = media_cross(scene, &way->media, s->object, s->front, m->index);
+    double n1 = q16(c.from), n2 = q16(c.to);
 
-    if (!is_black(rgb(m->refraction))) {
-        double n1 = s->front ? 1 : q16(m->index), n2 = s->front ? q16(m->index) : 1;
-        bool passes = refract(s, n1 / n2, &refracted);
-        double f = !passes ? 1 : m->fresnel ? oracle_fresnel(s->cosine, n1, n2) : 0;
-        add(&kr, f, rgb(m->refraction));
-        add(&kt, 1 - f, rgb(m->refraction));
+    if (c.from == c.to) {
+        *ray = (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)};
+        way->layers++;
+        return;
     }
-    add_ray(look, s, 1, mirrored, kr, weight, bounces, sum);
-    add_ray(look, s, -1, refracted, kt, weight, bounces, sum);
+    way->bounces++;
+    bool passes = refract(s, n1 / n2, &ray->direction);
+    double f = !passes ? 1 : m->fresnel ? oracle_fresnel(s->cosine, n1, n2) : 0;
+    add(kr, f, rgb(m->refraction));
+    add(kt, -f, rgb(m->refraction));
 }
 
-static struct surface surface_at(const struct tia_scene *scene, struct ray ray, const struct hit *hit)
+static void add_secondary(struct look *look, const struct surface *s, const struct way *way, struct colour *sum)
 {
-    struct surface s = {.material = &scene->materials[hit->material], .p = at(ray, hit->t)};
+    struct ray mirrored = {along(s->p, BIAS, s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
+    struct ray on = {along(s->p, -BIAS, s->g), {0, 0, 0}};
+    struct colour kr = rgb(s->material->mirror), kt = rgb(s->material->refraction);
+    struct way reflected = *way, refracted = *way;
+
+    reflected.bounces++;
+    if (!is_black(kt))
+        bend(look->scene, s, &refracted, &on, &kr, &kt);
+    add_ray(look, mirrored, kr, reflected, sum);
+    add_ray(look, on, kt, refracted, sum);
+}
+
+static struct surface surface_at(const struct tia_scene *scene, struct ray ray, uint32_t object, const struct hit *hit)
+{
+    struct surface s = {.material = &scene->materials[hit->material], .p = at(ray, hit->t), .object = object};
 
     s.v = scaled(ray.direction, -1);
     s.front = dot(hit->normal, s.v) >= 0;
@@ -203,10 +237,10 @@ static struct surface surface_at(const struct tia_scene *scene, struct ray ray, 
     return s;
 }
 
-static struct colour shade(struct look *look, struct ray ray, const struct hit *hit, struct colour weight,
-                           unsigned bounces)
+static struct colour shade(struct look *look, struct ray ray, uint32_t object, const struct hit *hit,
+                           const struct way *way)
 {
-    struct surface s = surface_at(look->scene, ray, hit);
+    struct surface s = surface_at(look->scene, ray, object, hit);
     struct colour sum = rgb(s.material->emission);
 
     feed(&look->path, hit->part);
@@ -214,13 +248,16 @@ static struct colour shade(struct look *look, struct ray ray, const struct hit *
         feed(&look->path, s.cell);
     add(&sum, s.cosine > 0 ? s.cosine : 0, rgb(s.material->facing));
     add_lights(look, &s, &sum);
-    add_secondary(look, &s, weight, bounces, &sum);
+    add_secondary(look, &s, way, &sum);
     return sum;
 }
 
-static struct colour trace(struct look *look, struct ray ray, struct colour weight, unsigned bounces)
+static struct colour trace(struct look *look, struct ray ray, const struct way *way)
 {
     struct hit hit;
+
+    if (look->rays++ >= TIA_RAYS)
+        return (struct colour){{0, 0, 0}};
     uint32_t object = nearest_object(look->scene, ray, &hit), light = nearest_light(look->scene, ray, hit.t);
 
     feed(&look->path, light == TIA_NO_OBJECT ? object : TIA_NO_OBJECT - 1 - light);
@@ -228,14 +265,23 @@ static struct colour trace(struct look *look, struct ray ray, struct colour weig
         return rgb(look->scene->lights[light].emission);
     if (object == TIA_NO_OBJECT)
         return rgb(look->scene->background);
-    return shade(look, ray, &hit, weight, bounces);
+    return shade(look, ray, object, &hit, way);
+}
+
+/* What is seen along a ray from the eye. */
+static struct colour see(struct look *look, struct ray ray)
+{
+    const struct way way = {.weight = {{1, 1, 1}}};
+
+    look->rays = 0;
+    return trace(look, ray, &way);
 }
 
 struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned x, unsigned y)
 {
-    struct look look = {scene, light_class(x, y), UINT32_C(2166136261)};
+    struct look look = {scene, light_class(x, y), UINT32_C(2166136261), 0};
 
-    return trace(&look, ray, (struct colour){{1, 1, 1}}, 0);
+    return see(&look, ray);
 }
 
 /* What the first sample sees, without shading it. */
@@ -253,7 +299,8 @@ static void see_first(const struct tia_scene *scene, struct ray ray, struct orac
 
 struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
 {
-    struct look look = {scene, light_class((unsigned)floor(x + 0.5), (unsigned)floor(y + 0.5)), UINT32_C(2166136261)};
+    struct look look = {scene, light_class((unsigned)floor(x + 0.5), (unsigned)floor(y + 0.5)), UINT32_C(2166136261),
+                        0};
     unsigned samples = scene->camera.samples == 0 ? 1 : scene->camera.samples;
     struct oracle_pixel pixel = {0};
 
@@ -263,7 +310,7 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
         struct ray ray = oracle_camera(&scene->camera, width, height, x + dx, y + dy);
         if (i == 0)
             see_first(scene, ray, &pixel);
-        struct colour c = trace(&look, ray, (struct colour){{1, 1, 1}}, 0);
+        struct colour c = see(&look, ray);
         for (int k = 0; k < 3; k++)
             pixel.linear[k] += fmin(fmax(c.channel[k], 0), 1) / samples;
     }

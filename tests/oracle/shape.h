@@ -25,11 +25,18 @@ bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hi
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
 
+/* How many groups of a mesh's faces are met before t. */
+unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);
+
 /* A shape of the scene where its transform puts it. */
 bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit);
 
 /* Object `index`: the spheres, then the shapes. A point 65536 or more away from 0 is not met. */
 bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, struct hit *hit);
+
+/* How many of the groups of object `index`, which the ray meets, it meets before `distance`: of what has no groups
+ * 1. */
+unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, double distance);
 
 /* Rz Ry Rx (scale v) + position of a transform, and without the position the inverse of R and its use. */
 struct oracle_vec transform_point(const struct tia_transform *transform, struct oracle_vec v);

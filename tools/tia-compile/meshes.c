@@ -43,6 +43,16 @@ static void write_faces(struct unit *unit, uint32_t index, const struct tia_mesh
     table_end(unit);
 }
 
+static void write_groups(struct unit *unit, uint32_t index, const struct tia_mesh *m)
+{
+    if (m->groups == NULL || m->face_count == 0)
+        return;
+    table_begin(unit, "uint32_t", "groups_%u", index);
+    for (uint32_t i = 0; i < m->face_count; i++)
+        text_word(&unit->text, "%uu,", m->groups[i]);
+    table_end(unit);
+}
+
 static void write_mesh(struct unit *unit, uint32_t index, const struct tia_mesh *m)
 {
     text_word(&unit->text, "{");
@@ -50,6 +60,7 @@ static void write_mesh(struct unit *unit, uint32_t index, const struct tia_mesh 
     field_table(unit, "normals", m->normal_count, "normals_%u", index);
     field_table(unit, "uvs", m->uv_count, "uvs_%u", index);
     field_table(unit, "faces", m->face_count, "faces_%u", index);
+    field_table(unit, "groups", m->groups == NULL ? 0 : m->face_count, "groups_%u", index);
     text_word(&unit->text, ".vertex_count = %uu,", m->vertex_count);
     field_unsigned(unit, "normal_count", m->normal_count);
     field_unsigned(unit, "uv_count", m->uv_count);
@@ -66,6 +77,7 @@ void unit_meshes(struct unit *unit)
         write_normals(unit, i, &scene->meshes[i]);
         write_uvs(unit, i, &scene->meshes[i]);
         write_faces(unit, i, &scene->meshes[i]);
+        write_groups(unit, i, &scene->meshes[i]);
     }
     if (scene->mesh_count == 0)
         return;

@@ -18,7 +18,7 @@ static void write_object(struct pov *pov, const struct tia_shape *s)
     for (int unseen = 0; unseen <= shadow; unseen++) {
         pov_geometry(pov, s);
         if (unseen) {
-            pov_shadow_material(pov, s->material, pov_closed(s));
+            pov_shadow_material(pov, s->material, pov_closed(pov->scene, s));
         } else {
             text_word(&pov->text, shadow ? "no_shadow" : "");
             pov_material(pov, s->material, s);

@@ -52,7 +52,7 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *sha
 
 /* A shape without its material, not for grids; and whether it has an inside. */
 void pov_geometry(struct pov *pov, const struct tia_shape *shape);
-bool pov_closed(const struct tia_shape *shape);
+bool pov_closed(const struct tia_scene *scene, const struct tia_shape *shape);
 
 /* Write a mesh2 without its material: for a mesh, a triangle, or a box with coordinates on its faces. */
 void pov_mesh(struct pov *pov, const struct tia_mesh *mesh);

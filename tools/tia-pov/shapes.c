@@ -72,9 +72,10 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
     }
 }
 
-bool pov_closed(const struct tia_shape *s)
+bool pov_closed(const struct tia_scene *scene, const struct tia_shape *s)
 {
-    return s->kind == TIA_SPHERE || s->kind == TIA_BOX || s->kind == TIA_MESH || s->kind == TIA_GRID ||
+    return s->kind == TIA_SPHERE || s->kind == TIA_BOX || s->kind == TIA_GRID ||
+           (s->kind == TIA_MESH && scene->meshes[s->mesh].groups == NULL) ||
            (s->kind == TIA_CYLINDER && s->cylinder.capped) || (s->kind == TIA_CONE && s->cone.capped);
 }
 

@@ -19,6 +19,7 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"strict", no_argument, NULL, OPT_STRICT},
                                       {"size", required_argument, NULL, 's'},
                                       {"samples", required_argument, NULL, OPT_SAMPLES},
+                                      {"depth", required_argument, NULL, OPT_DEPTH},
                                       {"keys", required_argument, NULL, 'k'},
                                       {"input", required_argument, NULL, 'i'},
                                       {"frames", required_argument, NULL, 'n'},
@@ -131,6 +132,9 @@ int arguments_load(struct options *options)
     }
     if (options->samples != 0) {
         options->scene.camera.samples = options->samples;
+    }
+    if (options->depth != 0) {
+        options->scene.depth = options->depth;
     }
     return load_keys(options);
 }

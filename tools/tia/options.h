@@ -14,8 +14,9 @@ struct options {
     const char *scene_path; /* NULL: the built-in scene */
     int scene_format;       /* enum tia_format, or SCENE_UNKNOWN */
     struct scene_file file; /* if there is a path */
-    struct tia_scene scene; /* the scene to draw, with --samples applied */
-    uint32_t samples;       /* 0: the scene's own */
+    struct tia_scene scene; /* the scene to draw, with --samples and --depth applied */
+    uint32_t samples;       /* 0: the scene's own; also the depth */
+    uint32_t depth;
     const struct tia_core *core;
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;

@@ -172,6 +172,8 @@ int parse_option(struct options *options, int option, char *value)
         return set_size(options, value);
     case OPT_SAMPLES:
         return set_samples(options, value);
+    case OPT_DEPTH:
+        return set_number("--depth", value, TIA_DEPTH_MAX, &options->depth);
     case 'k':
         options->key_text = value;
         return EXIT_FINE;

@@ -9,6 +9,7 @@ enum {
     OPT_FORMAT = 256, /* greater than any character */
     OPT_SCENE_FORMAT,
     OPT_SAMPLES,
+    OPT_DEPTH,
     OPT_TIME,
     OPT_FPS,
     OPT_FRAME_RANGE,

@@ -17,7 +17,7 @@
  *     s c                     a sphere; a cylinder or, with different radii, a cone, "without endcaps"; a
  *                             negative radius would show the inside only, but here both sides are visible
  *     p pp                    polygons and patches with normals, convex or not; all those after one f make one
- *                             mesh
+ *                             mesh; with T > 0 each is a group, so that it filters shadow rays by itself
  *
  * "Normally, objects have one side": here they have two, as they have there when T > 0.
  */
@@ -126,6 +126,7 @@ static int read_f(struct nff *n)
     m.refraction = m.transmission = tia_grey(transmittance);
     m.index = transmittance && m.index ? m.index : TIA_Q16_ONE;
     tia_nff_close_mesh(n);
+    n->transmits = transmittance > 0;
     tia_array_add(&n->materials, &m);
     return status;
 }
@@ -224,7 +225,8 @@ static struct nff begin(struct tia_scene *scene)
                         .meshes = {.item = sizeof(struct tia_mesh)},
                         .vertices = {.item = sizeof(struct tia_vec3)},
                         .normals = {.item = sizeof(struct tia_dir3)},
-                        .faces = {.item = sizeof(struct tia_face)}};
+                        .faces = {.item = sizeof(struct tia_face)},
+                        .groups = {.item = sizeof(uint32_t)}};
 }
 
 static void place(struct nff *n, struct tia_arena *arena)
@@ -244,6 +246,7 @@ static void place(struct nff *n, struct tia_arena *arena)
     (void)tia_array_place(arena, &n->vertices);
     (void)tia_array_place(arena, &n->normals);
     (void)tia_array_place(arena, &n->faces);
+    (void)tia_array_place(arena, &n->groups);
     n->corners = tia_arena_take(arena, n->most_corners, sizeof *n->corners);
 }
 

@@ -10,8 +10,10 @@ enum view { VIEW_V = 1, VIEW_FROM = 2, VIEW_AT = 4, VIEW_UP = 8, VIEW_ANGLE = 16
 struct nff {
     struct tia_text text;
     struct tia_scene *scene;
-    struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces;
+    struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces, groups;
     struct tia_mesh mesh; /* of the present f; open as long as it has vertices */
+    bool transmits;       /* the present f: each of its polygons filters light by itself */
+    uint32_t polygons;
     struct polygon_corner *corners;
     uint32_t most_corners;
     unsigned view, backgrounds;

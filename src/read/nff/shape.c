@@ -72,6 +72,16 @@ static void open_mesh(struct nff *n)
     tia_array_add(&n->shapes, &shape);
     n->mesh = (struct tia_mesh){
         .vertices = next_item(&n->vertices), .normals = next_item(&n->normals), .faces = next_item(&n->faces)};
+    if (n->transmits)
+        n->mesh.groups = next_item(&n->groups);
+}
+
+/* Adds a face of polygon number n->polygons. */
+static void add_face(struct nff *n, const struct tia_face *face)
+{
+    tia_array_add(&n->faces, face);
+    if (n->transmits)
+        tia_array_add(&n->groups, &n->polygons);
 }
 
 /* Triangulates the polygon of the last `count` vertices and adds its faces. */
@@ -82,10 +92,11 @@ static void add_faces(struct nff *n, uint32_t count, bool has_normals)
     uint32_t triangle[3];
 
     n->mesh.face_count += count - 2;
+    n->polygons++;
     if (!n->corners) {
         n->most_corners = count > n->most_corners ? count : n->most_corners;
         for (uint32_t i = 0; i < count - 2; i++)
-            tia_array_add(&n->faces, &face);
+            add_face(n, &face);
         return;
     }
     uint32_t vertex = n->mesh.vertex_count - count, normal = n->mesh.normal_count - count;
@@ -96,7 +107,7 @@ static void add_faces(struct nff *n, uint32_t count, bool has_normals)
         for (int i = 0; i < 3; i++)
             face.corner[i] = (struct tia_corner){vertex + triangle[i],
                                                  has_normals ? normal + triangle[i] : TIA_NO_INDEX, TIA_NO_INDEX};
-        tia_array_add(&n->faces, &face);
+        add_face(n, &face);
     }
 }
 

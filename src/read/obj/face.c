@@ -124,7 +124,10 @@ static void add_faces(struct obj *o, uint32_t count)
     }
     tia_polygon_begin(&polygon, o->polygon, count);
     while (tia_polygon_next(&polygon, triangle)) {
-        struct tia_face *face = &o->faces[g->next_face++];
+        struct tia_face *face = &o->faces[g->next_face];
+        if (o->face_groups)
+            o->face_groups[g->next_face] = o->face_group;
+        g->next_face++;
         for (int i = 0; i < 3; i++)
             face->corner[i] = o->corners[triangle[i]];
     }
@@ -216,9 +219,11 @@ static const void *item(const struct tia_array *array, uint32_t index)
 /* The mesh of a group: it sees only what lies between the first and the last vertex that it uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
-    struct tia_face *faces = &o->faces[g->next_face - g->face_count];
+    uint32_t first = g->next_face - g->face_count;
+    struct tia_face *faces = &o->faces[first];
     struct tia_mesh mesh = {.faces = faces, .face_count = g->face_count};
 
+    mesh.groups = o->face_groups ? &o->face_groups[first] : NULL;
     mesh.vertices = item(&o->vertices, g->low[PART_VERTEX]);
     mesh.vertex_count = g->high[PART_VERTEX] - g->low[PART_VERTEX] + 1;
     if (g->low[PART_UV] <= g->high[PART_UV]) {

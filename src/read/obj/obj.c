@@ -6,8 +6,10 @@
  *     f                V, V/VT, V//VN or V/VT/VN, counted from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
  *     usemtl mtllib    see material.c and mtl.c; before the first usemtl things are grey
  *
- * The faces of one material, wherever they are, make one mesh. Groups, objects, smoothing groups, points and
- * lines are skipped. The format has no camera, light or unit: see frame.c.
+ *     o g              see group.c
+ *
+ * The faces of one material, wherever they are, make one mesh. Smoothing groups, points and lines are skipped.
+ * The format has no camera, light or unit: see frame.c.
  *
  * The files that programs write are full of small mistakes, and other programs draw them all the same. So most
  * mistakes are warnings, one for each kind; with reader->strict they are errors. Vertices must be right:
@@ -69,13 +71,12 @@ static const struct {
     const char *name;
     int (*read)(struct obj *);
 } statements[] = {
-    {"v", tia_obj_v}, {"f", tia_obj_f},           {"vn", read_vn},
-    {"vt", read_uv},  {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib},
+    {"v", tia_obj_v},           {"f", tia_obj_f},           {"vn", read_vn},  {"vt", read_uv},
+    {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib}, {"o", tia_obj_o}, {"g", tia_obj_g},
 };
 
-static const char *const skipped[] = {"g",          "s",         "o",      "l",        "p",
-                                      "mg",         "lod",       "bevel",  "c_interp", "d_interp",
-                                      "shadow_obj", "trace_obj", "usemap", "maplib",   "vp"};
+static const char *const skipped[] = {"s",        "l",          "p",         "mg",     "lod",    "bevel", "c_interp",
+                                      "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib", "vp"};
 
 /* What is left of the line, after an error. */
 static int skip_mistake(struct obj *o)
@@ -108,7 +109,8 @@ static int read_text(struct obj *o)
     tia_array_restart(&o->vertices);
     tia_array_restart(&o->normals);
     tia_array_restart(&o->uvs);
-    o->group = 0;
+    tia_array_restart(&o->group_lines);
+    o->group = o->face_group = 0;
     o->text = tia_text_begin(o->reader->text, o->reader->length, "", &o->reader->error);
     while (tia_text_line(&o->text)) {
         (void)tia_text_word(&o->text, &word);
@@ -161,6 +163,8 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     p.shapes = tia_arena_take(arena, meshes, sizeof *p.shapes);
     p.lights = tia_arena_take(arena, OBJ_LIGHTS, sizeof *p.lights);
     (void)tia_array_place(arena, &o->names);
+    (void)tia_array_place(arena, &o->group_lines);
+    o->face_groups = tia_arena_take(arena, o->group_lines.capacity ? o->face_count : 0, sizeof *o->face_groups);
     o->groups = tia_arena_take(arena, materials, sizeof *o->groups);
     o->polygon = tia_arena_take(arena, o->most_corners, sizeof *o->polygon);
     o->corners = tia_arena_take(arena, o->most_corners, sizeof *o->corners);
@@ -179,6 +183,8 @@ static int fill(struct obj *o, const struct places *p)
         o->groups[i] = (struct obj_group){.low = {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
     status = status ? status : read_text(o);
     tia_obj_place_groups(o);
+    if (o->group_lines.capacity)
+        tia_names_sort((struct tia_name *)(void *)o->group_lines.items, o->group_lines.capacity);
     o->pass = OBJ_FILL;
     status = status ? status : read_libraries(o);
     status = status ? status : read_text(o);
@@ -195,7 +201,8 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
                     .names = {.item = sizeof(struct tia_name)},
                     .vertices = {.item = sizeof(struct tia_vec3)},
                     .normals = {.item = sizeof(struct tia_dir3)},
-                    .uvs = {.item = sizeof(struct tia_uv)}};
+                    .uvs = {.item = sizeof(struct tia_uv)},
+                    .group_lines = {.item = sizeof(struct tia_name)}};
 
     tia_mtl_add_default(&o);
     int status = read_text(&o);

@@ -15,7 +15,7 @@ enum obj_pass {
     OBJ_FILL
 };
 
-enum obj_name { OBJ_MATERIAL, OBJ_IMAGE };
+enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP };
 
 struct obj_library {
     struct tia_word name; /* in the text */
@@ -42,6 +42,10 @@ struct obj {
     uint32_t face_count, material_uses, most_corners;
     struct polygon_corner *polygon; /* room for the largest */
     struct tia_corner *corners;
+
+    struct tia_array group_lines; /* o and g: names */
+    uint32_t *face_groups;        /* of each face, where there are such lines */
+    uint32_t face_group;          /* of the next face */
 
     struct obj_group *groups; /* one for each material */
     uint32_t group;           /* of the next face */
@@ -75,6 +79,10 @@ int tia_obj_mtllib(struct obj *o);
 int tia_obj_f(struct obj *o);
 void tia_obj_place_groups(struct obj *o);
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes);
+
+/* group.c */
+int tia_obj_o(struct obj *o);
+int tia_obj_g(struct obj *o);
 
 /* frame.c */
 int tia_obj_v(struct obj *o);

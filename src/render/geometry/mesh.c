@@ -2,12 +2,21 @@
 #include "triangle.h"
 #include "walk.h"
 
+#define GROUPS 16
+
+/* The lowest groups from `from` on, in rising order, and whether there are more. */
+struct groups {
+    uint32_t group[GROUPS], count, from;
+    bool more;
+};
+
 /* A search among faces: the nearest intersection so far is at nearest.t, or nothing nearer than that. */
 struct search {
     const struct tia_mesh *mesh;
     struct triangle_ray ray;
     struct intersection nearest;
-    bool any, found; /* any intersection ends the search */
+    bool any, found;       /* any intersection ends the search */
+    struct groups *groups; /* NULL, or those of all intersections are looked for */
 };
 
 static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t face)
@@ -18,6 +27,25 @@ static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t 
         {mesh->vertices[corner[0].vertex], mesh->vertices[corner[1].vertex], mesh->vertices[corner[2].vertex]}};
 }
 
+static void keep_group(struct groups *g, uint32_t group)
+{
+    uint32_t place = g->count;
+
+    if (group < g->from)
+        return;
+    while (place > 0 && g->group[place - 1] > group)
+        place--;
+    if (place > 0 && g->group[place - 1] == group)
+        return;
+    g->more = g->more || g->count == GROUPS;
+    if (place == GROUPS)
+        return;
+    g->count += g->count < GROUPS;
+    for (uint32_t i = g->count - 1; i > place; i--)
+        g->group[i] = g->group[i - 1];
+    g->group[place] = group;
+}
+
 static void try_face(struct search *s, uint32_t face)
 {
     struct triangle_corners corners = corners_of(s->mesh, face);
@@ -25,6 +53,10 @@ static void try_face(struct search *s, uint32_t face)
 
     if (!triangle_intersect(&s->ray, &corners, s->nearest.t, &t))
         return;
+    if (s->groups) {
+        keep_group(s->groups, s->mesh->groups[face]);
+        return;
+    }
     if (s->found && t == s->nearest.t && face > s->nearest.element)
         return;
     s->nearest = (struct intersection){t, face};
@@ -48,31 +80,76 @@ static void try_tree(struct search *s, const struct tia_bvh_tree *tree, const st
         try_faces(s, tree->items, leaf->index, leaf->count);
 }
 
-static bool search(const struct prepared_mesh *prepared, const struct ray *ray, num_length limit, bool any,
-                   struct intersection *intersection)
+static void search(struct search *s, const struct prepared_mesh *prepared, const struct ray *ray)
 {
-    struct search s = {.mesh = prepared->mesh, .nearest = {limit, 0}, .any = any};
-
-    triangle_ray_prepare(&s.ray, ray);
+    s->mesh = prepared->mesh;
+    triangle_ray_prepare(&s->ray, ray);
     if (prepared->tree)
-        try_tree(&s, prepared->tree, ray);
+        try_tree(s, prepared->tree, ray);
     else
-        try_faces(&s, NULL, 0, prepared->mesh->face_count);
-    *intersection = s.nearest;
-    return s.found;
+        try_faces(s, NULL, 0, prepared->mesh->face_count);
 }
 
 static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection)
 {
-    return search(&shape->mesh, ray, limit, false, intersection);
+    struct search s = {.nearest = {limit, 0}};
+
+    search(&s, &shape->mesh, ray);
+    *intersection = s.nearest;
+    return s.found;
 }
 
 static bool occluded(const struct shape *shape, const struct ray *ray, num_length limit)
 {
-    struct intersection intersection;
+    struct search s = {.nearest = {limit, 0}, .any = true};
 
-    return search(&shape->mesh, ray, limit, true, &intersection);
+    search(&s, &shape->mesh, ray);
+    return s.found;
+}
+
+uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit)
+{
+    struct groups groups = {.more = true};
+    struct search s = {.nearest = {limit, 0}, .groups = &groups};
+    uint32_t met = 0;
+
+    while (groups.more) {
+        groups.from = groups.count ? groups.group[GROUPS - 1] + 1 : 0;
+        groups.count = 0;
+        groups.more = false;
+        search(&s, &shape->mesh, ray);
+        met += groups.count;
+    }
+    return met;
+}
+
+/* A number for the edge from a to b, which the one from b to a has not. */
+static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
+{
+    const tia_q16 words[6] = {a->x, a->y, a->z, b->x, b->y, b->z};
+    uint64_t n = UINT64_C(0x9e3779b97f4a7c15);
+
+    for (int i = 0; i < 6; i++) {
+        n = (n ^ (uint32_t)words[i]) * UINT64_C(0xbf58476d1ce4e5b9);
+        n ^= n >> 32;
+    }
+    return n;
+}
+
+/* Where each edge has one that runs back, the sum is 0; elsewhere that is one chance in 2^64. */
+bool mesh_is_closed(const struct tia_mesh *mesh)
+{
+    uint64_t sum = 0;
+
+    for (uint32_t i = 0; i < mesh->face_count; i++) {
+        struct triangle_corners corners = corners_of(mesh, i);
+        for (int k = 0; k < 3; k++) {
+            const struct tia_vec3 *a = &corners.at[k], *b = &corners.at[(k + 1) % 3];
+            sum += edge_number(a, b) - edge_number(b, a);
+        }
+    }
+    return sum == 0;
 }
 
 /* The vertices' normals, each weighted with its part; the face's own where they cancel. */

@@ -84,10 +84,14 @@ struct prepared_grid {
     num_length cell;
 };
 
+/* What a ray that is refracted may enter: nothing, the shape, or one of its cells. */
+enum inside { INSIDE_NONE, INSIDE_WHOLE, INSIDE_CELLS };
+
 struct shape {
     const struct shape_kind *kind;
     const struct instance *instance; /* NULL: the world's axes */
     uint32_t material;
+    enum inside inside; /* of shapes that refract */
     union {
         struct prepared_sphere sphere;
         struct prepared_plane plane; /* of discs too */
@@ -107,6 +111,12 @@ TIA_SHAPES(DECLARE)
 
 /* Sets shape->kind and the constants. */
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
+
+/* Whether a mesh's faces enclose something, as tia/material.h has it. */
+bool mesh_is_closed(const struct tia_mesh *mesh);
+
+/* How many groups of faces a ray meets at 0 <= t <= limit, of a mesh that has them. */
+uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);
 
 /* `occluded` for shapes that have no shorter way. */
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);

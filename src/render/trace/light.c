@@ -162,18 +162,32 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
 
     if (l->kind == TIA_DIRECTIONAL_LIGHT) {
         s->to = num_dir_negated(l->direction);
-        s->distance = NUM_LENGTH_MAX;
         s->factor = NUM_LENGTH_ONE;
         return true;
     }
-    struct num_point way = num_point_sub(source(aim, i), aim->point);
+    s->source = source(aim, i);
+    struct num_point way = num_point_sub(s->source, aim->point);
     if (!num_normalise(way, &s->to))
         return false;
-    s->distance = num_point_dot(way, s->to);
     s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_LENGTH_ONE;
     if (s->factor > 0 && l->fades)
-        s->factor = num_product_within(s->factor, attenuation(l, s->distance));
+        s->factor = num_product_within(s->factor, attenuation(l, num_point_dot(way, s->to)));
     return s->factor > 0;
+}
+
+bool ray_light_shadow(const struct ray_light *l, const struct ray_sample *s, struct num_point from, struct ray *shadow,
+                      num_length *distance)
+{
+    shadow->origin = from;
+    shadow->direction = s->to;
+    *distance = NUM_LENGTH_MAX;
+    if (l->kind == TIA_DIRECTIONAL_LIGHT)
+        return true;
+    struct num_point way = num_point_sub(s->source, from);
+    if (!num_normalise(way, &shadow->direction))
+        return false;
+    *distance = num_point_dot(way, shadow->direction);
+    return true;
 }
 
 /* Where a ray meets the plane of a rectangle or disc. */

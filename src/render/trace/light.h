@@ -22,9 +22,9 @@ struct ray_light {
 
 /* What one sample of a light does to a point. */
 struct ray_sample {
-    struct num_dir to;   /* L */
-    num_length distance; /* shadow rays end here */
-    num_length factor;   /* of the attenuation and the spot; 0: it does not shine here */
+    struct num_point source; /* of a directional light nowhere */
+    struct num_dir to;       /* L */
+    num_length factor;       /* of the attenuation and the spot; 0: it does not shine here */
 };
 
 void ray_light_prepare(struct ray_light *light, const struct tia_light *given);
@@ -41,6 +41,10 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct nu
 
 /* Sample i < light->samples. Not for ambient lights. False when the light gives nothing. */
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
+
+/* The ray from a point to the sample, and how far it is; false: the sample is in the point. */
+bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
+                      struct ray *shadow, num_length *distance);
 
 /* Where a ray meets the light's surface, 0 <= t < limit. */
 bool ray_light_intersect(const struct ray_light *light, const struct ray *ray, num_length limit, num_length *t);

@@ -56,6 +56,29 @@ bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_
     return met;
 }
 
+uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit)
+{
+    const struct tia_scene *scene = view->scene;
+    uint32_t spheres = scene->sphere_count;
+    struct instance_ray placed;
+
+    if (object < spheres || scene->shapes[object - spheres].kind != TIA_MESH ||
+        !scene->meshes[scene->shapes[object - spheres].mesh].groups)
+        return 1;
+    const struct shape *shape = &view->shapes[object - spheres];
+    if (!shape->instance)
+        return mesh_groups_met(shape, ray, limit);
+    instance_transform_ray(shape->instance, ray, &placed);
+    return mesh_groups_met(shape, &placed.ray, instance_distance(&placed, limit));
+}
+
+enum inside ray_inside(const struct ray_view *view, uint32_t object)
+{
+    uint32_t spheres = view->scene->sphere_count;
+
+    return object < spheres ? INSIDE_WHOLE : view->shapes[object - spheres].inside;
+}
+
 static void try_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit)
 {
     struct intersection intersection;

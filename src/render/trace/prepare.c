@@ -1,6 +1,7 @@
 /* prepare.c - a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
 #include "scene/bounds.h"
+#include "scene/colour.h"
 #include "trace.h"
 
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
@@ -9,6 +10,29 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
                     (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance));
 
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
+}
+
+/* What refracted rays can enter. */
+static enum inside inside_of(const struct tia_scene *scene, const struct tia_shape *given)
+{
+    switch (given->kind) {
+    case TIA_GRID:
+        return INSIDE_CELLS;
+    case TIA_CYLINDER:
+        return given->cylinder.capped ? INSIDE_WHOLE : INSIDE_NONE;
+    case TIA_CONE:
+        return given->cone.capped ? INSIDE_WHOLE : INSIDE_NONE;
+    case TIA_MESH:
+        return !colour_is_black(&scene->materials[given->material].refraction) &&
+                       mesh_is_closed(&scene->meshes[given->mesh])
+                   ? INSIDE_WHOLE
+                   : INSIDE_NONE;
+    case TIA_DISC:
+    case TIA_TRIANGLE:
+        return INSIDE_NONE;
+    default:
+        return INSIDE_WHOLE;
+    }
 }
 
 /* False: the shape is where it is. */
@@ -33,6 +57,7 @@ static void prepare_shapes(struct ray_view *view)
         struct shape *shape = &view->shapes[i];
 
         shape->material = given->material;
+        shape->inside = inside_of(scene, given);
         shape->instance = NULL;
         shape_prepare(shape, scene, given);
         if (place(scene, given, instance))

@@ -49,6 +49,12 @@ bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_l
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                      uint32_t *element);
 
+/* How many groups of faces the ray meets at 0 <= t <= limit, of an object that is a mesh with groups; else 1. */
+uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
+
+/* What of an object a refracted ray may enter. */
+enum inside ray_inside(const struct ray_view *view, uint32_t object);
+
 /* The surface of a hit object in the world's axes; its coordinates, for textures; its material. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
 void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);

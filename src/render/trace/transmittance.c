@@ -11,13 +11,13 @@
 
 /* The objects with the lowest indices that let something through, in rising order. */
 struct filters {
-    uint32_t object[KEPT], material[KEPT];
+    uint32_t object[KEPT], material[KEPT], times[KEPT];
     uint32_t count, from; /* only objects from this index on */
     uint32_t blocker;     /* the object that takes all light */
     bool more;
 };
 
-static void keep(struct filters *filters, uint32_t object, uint32_t material)
+static void keep(struct filters *filters, uint32_t object, uint32_t material, uint32_t times)
 {
     uint32_t i = filters->count;
 
@@ -30,9 +30,11 @@ static void keep(struct filters *filters, uint32_t object, uint32_t material)
     for (; i > 0 && filters->object[i - 1] > object; i--) {
         filters->object[i] = filters->object[i - 1];
         filters->material[i] = filters->material[i - 1];
+        filters->times[i] = filters->times[i - 1];
     }
     filters->object[i] = object;
     filters->material[i] = material;
+    filters->times[i] = times;
     filters->count += filters->count < KEPT;
 }
 
@@ -58,7 +60,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
         filters->blocker = object;
         return false;
     }
-    keep(filters, object, material);
+    keep(filters, object, material, ray_groups_met(view, ray, object, limit));
     return true;
 }
 
@@ -80,8 +82,9 @@ static void multiply(const struct ray_view *view, const struct filters *filters,
         num_length t[3];
 
         ray_rgb(&view->scene->materials[filters->material[i]].transmission, t);
-        for (int c = 0; c < 3; c++)
-            through[c] = num_product(through[c], t[c]);
+        for (uint32_t n = 0; n < filters->times[i]; n++)
+            for (int c = 0; c < 3; c++)
+                through[c] = num_product(through[c], t[c]);
     }
 }
 

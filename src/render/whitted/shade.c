@@ -33,6 +33,7 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
 
     path_hash_word(path, hit->object);
     path_hash_word(path, hit->element);
+    s->object = hit->object;
     s->material = &view->scene->materials[ray_material(view, hit->object, hit->element)];
     s->point = num_point_at(ray->origin, ray->direction, hit->t);
     s->viewer = num_dir_negated(ray->direction);
@@ -71,6 +72,19 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
+/* What is left of a sample's light on its way, false: nothing. */
+static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
+                    const struct ray_sample *sample, uint32_t *blocker, num_length through[3])
+{
+    struct ray shadow;
+    num_length distance;
+
+    if (ray_light_shadow(light, sample, s->outside, &shadow, &distance))
+        return ray_transmittance(path->view, &shadow, distance, blocker, through);
+    through[0] = through[1] = through[2] = NUM_LENGTH_ONE;
+    return true;
+}
+
 /* Sample i of a light: adds what arrives, without the light's emission, to the mean of the samples. Whether it
  * arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i,
@@ -84,8 +98,7 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     num_unit lambert = num_dir_dot(s->normal, sample.to);
     if (lambert <= 0 || num_dir_dot(s->geometric, sample.to) <= 0)
         return false;
-    struct ray shadow = {s->outside, sample.to};
-    if (!ray_transmittance(path->view, &shadow, sample.distance, blocker, through))
+    if (!arrives(path, s, aim->light, &sample, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
@@ -136,22 +149,39 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
  * with n2/n1 cos T = 4 root,
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
- *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4). */
-static num_unit refract(const struct shading *s, struct num_dir *refracted)
+ *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).
+ *
+ * q is at most 1: where n2 > 4 n1, which is less than 16 n1, all is in sixteenths. */
+static num_unit refract(const struct shading *s, struct boundary between, struct num_dir *refracted)
 {
-    num_length index = num_length_of(s->material->index);
-    num_unit q = s->back ? num_fraction(NUM_LENGTH_ONE / 4, index) : num_fraction(index, 4 * NUM_LENGTH_ONE);
+    const num_length parts = between.to <= 4 * between.from ? 4 : 16;
+    num_unit q = num_fraction(num_length_of(between.to), parts * num_length_of(between.from));
     num_unit c = s->facing, square = num_times(q, q);
-    num_unit inside = square - (NUM_UNIT_ONE - num_times(c, c)) / 16;
+    num_unit inside = square - (NUM_UNIT_ONE - num_times(c, c)) / (parts * parts);
 
     if (inside <= 0 || c <= 0)
         return NUM_UNIT_ONE;
-    num_unit root = num_unit_sqrt(inside), bend = c / 4 - root, q2c = num_times(square, c);
-    struct num_dir quarter = {-s->viewer.x / 4, -s->viewer.y / 4, -s->viewer.z / 4};
-    num_unit rs = num_fraction(c / 4 - root, c / 4 + root), rp = num_fraction(q2c - root / 4, q2c + root / 4);
+    num_unit root = num_unit_sqrt(inside), bend = c / parts - root, q2c = num_times(square, c);
+    struct num_dir part = {-s->viewer.x / parts, -s->viewer.y / parts, -s->viewer.z / parts};
+    num_unit rs = num_fraction(bend, c / parts + root), rp = num_fraction(q2c - root / parts, q2c + root / parts);
 
-    *refracted = num_dir_normalised(num_dir_add(quarter, num_dir_scaled(s->normal, bend)));
+    *refracted = num_dir_normalised(num_dir_add(part, num_dir_scaled(s->normal, bend)));
     return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
+}
+
+/* The refracted ray. Returns how much of it is reflected instead. */
+static num_unit pass(const struct ray_view *view, const struct shading *s, struct bounces *b)
+{
+    const struct tia_material *m = s->material;
+    struct boundary between = media_cross(view, &b->media, s->object, m, s->back);
+
+    b->straight = between.from == between.to;
+    b->refracted.direction = num_dir_negated(s->viewer);
+    b->refracted.origin = num_point_at(s->point, b->straight ? s->viewer : s->geometric, -NUM_LENGTH_BIAS);
+    if (b->straight)
+        return 0;
+    num_unit fresnel = refract(s, between, &b->refracted.direction);
+    return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
 static bool is_zero(const num_length rgb[3])
@@ -159,17 +189,16 @@ static bool is_zero(const num_length rgb[3])
     return rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0;
 }
 
-void shade_bounce(const struct shading *s, struct bounces *b)
+void shade_bounce(const struct ray_view *view, const struct shading *s, const struct media *media, struct bounces *b)
 {
     const struct tia_material *m = s->material;
 
     ray_rgb(&m->mirror, b->reflects);
     ray_rgb(&m->refraction, b->refracts);
+    b->media = *media;
+    b->straight = false;
     if (!colour_is_black(&m->refraction)) {
-        num_unit fresnel = refract(s, &b->refracted.direction);
-        b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_LENGTH_BIAS);
-        if (!m->fresnel && fresnel < NUM_UNIT_ONE)
-            fresnel = 0;
+        num_unit fresnel = pass(view, s, b);
         for (int c = 0; c < 3; c++) {
             num_length back = num_times(b->refracts[c], fresnel);
             b->reflects[c] += back;

@@ -2,10 +2,12 @@
 #ifndef TIA_RAY_SHADE_H
 #define TIA_RAY_SHADE_H
 
+#include "media.h"
 #include "path.h"
 
 struct shading {
     const struct tia_material *material;
+    uint32_t object;
     struct num_point point;
     struct num_point outside;         /* P + 2^-13 G: where reflected and shadow rays start */
     struct num_dir geometric, normal; /* G and N, turned to the viewer */
@@ -25,9 +27,13 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
 struct bounces {
     struct ray reflected, refracted;
     num_length reflects[3], refracts[3];
+    struct media media; /* of the refracted ray */
+    bool straight;      /* it goes on as it came */
 };
 
-void shade_bounce(const struct shading *s, struct bounces *bounces);
+/* `media` are those of the ray that came here. */
+void shade_bounce(const struct ray_view *view, const struct shading *s, const struct media *media,
+                  struct bounces *bounces);
 
 void path_hash_word(struct path *path, uint32_t word);
 

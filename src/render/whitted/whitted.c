@@ -2,14 +2,17 @@
 
 #include "shade.h"
 
-/* A ray on its way: what its colour will be multiplied by, and how often it was bent. */
+/* A ray on its way: what its colour will be multiplied by, how often it was bent and how often it passed straight,
+ * and what it is in. */
 struct bounce {
     struct ray ray;
     num_length throughput[3];
-    uint32_t depth;
+    uint32_t depth, layers;
+    struct media media;
 };
 
-/* Depth-first, the reflected ray before the refracted one: each level leaves at most one ray behind. */
+/* Depth-first, the reflected ray before the refracted one, which waits for it. So on the way to any ray there waits
+ * at most one for each time it was reflected: straight layers make the stack no deeper. */
 struct stack {
     struct bounce bounces[TIA_DEPTH_MAX + 2];
     int count;
@@ -17,18 +20,21 @@ struct stack {
 
 #define THROUGHPUT_MIN (NUM_LENGTH_ONE / 65536)
 
-static void push(struct stack *stack, const struct ray *ray, const num_length throughput[3], const num_length factor[3],
-                 uint32_t depth)
+/* A ray that comes of b, unless it is too faint. */
+static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
+                 const struct media *media, bool straight)
 {
-    struct bounce *b = &stack->bounces[stack->count];
+    struct bounce *next = &stack->bounces[stack->count];
     bool counts = false;
 
     for (int c = 0; c < 3; c++) {
-        b->throughput[c] = num_product(throughput[c], factor[c]);
-        counts = counts || b->throughput[c] >= THROUGHPUT_MIN;
+        next->throughput[c] = num_product(b->throughput[c], factor[c]);
+        counts = counts || next->throughput[c] >= THROUGHPUT_MIN;
     }
-    b->ray = *ray;
-    b->depth = depth;
+    next->ray = *ray;
+    next->depth = b->depth + !straight;
+    next->layers = b->layers + straight;
+    next->media = *media;
     stack->count += counts;
 }
 
@@ -47,12 +53,23 @@ static void add_seen_light(const struct ray_light *light, const num_length throu
         colour[c] = num_sum_within(colour[c], num_product(light->emission[c], throughput[c]));
 }
 
+static void bounce(const struct ray_view *view, const struct shading *s, const struct bounce *b, struct stack *stack)
+{
+    bool bends = b->depth < view->depth;
+    struct bounces next;
+
+    shade_bounce(view, s, &b->media, &next);
+    if (next.straight ? b->layers < TIA_LAYERS : bends)
+        push(stack, &next.refracted, next.refracts, b, &next.media, next.straight);
+    if (bends)
+        push(stack, &next.reflected, next.reflects, b, &b->media, false);
+}
+
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,
                    num_length colour[3])
 {
     const struct ray_view *view = path->view;
     struct shading s;
-    struct bounces next;
 
     if (hit->light != TIA_NO_OBJECT) {
         path_hash_word(path, TIA_NO_OBJECT - 1 - hit->light);
@@ -66,23 +83,20 @@ static void follow(struct path *path, const struct bounce *b, const struct hit *
     }
     shade_prepare(path, &b->ray, hit, &s);
     shade_light(path, &s, b->throughput, colour);
-    if (b->depth >= view->depth)
-        return;
-    shade_bounce(&s, &next);
-    push(stack, &next.refracted, b->throughput, next.refracts, b->depth + 1);
-    push(stack, &next.reflected, b->throughput, next.reflects, b->depth + 1);
+    bounce(view, &s, b, stack);
 }
 
 void path_colour(struct path *path, const struct ray *ray, const struct hit *first, num_length colour[3])
 {
-    struct bounce b = {*ray, {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}, 0};
+    struct bounce b = {.ray = *ray, .throughput = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
+    uint32_t rays = 1;
     struct hit hit = *first;
     struct stack stack;
 
     colour[0] = colour[1] = colour[2] = 0;
     stack.count = 0;
     follow(path, &b, &hit, &stack, colour);
-    while (stack.count > 0) {
+    while (stack.count > 0 && rays++ < TIA_RAYS) {
         b = stack.bounces[--stack.count];
         ray_intersect(path->view, &b.ray, &hit);
         ray_intersect_lights(path->view, &b.ray, &hit);

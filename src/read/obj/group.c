@@ -1,0 +1,36 @@
+/* group.c - what o and g lines are for: the faces below one filter a shadow ray once, those below lines that say
+ * the same too, wherever they stand. */
+#include "obj.h"
+
+/* The rest of the line, however long, perhaps nothing. */
+static void take_name(struct tia_text *t, struct tia_word *name)
+{
+    struct tia_word word;
+
+    (void)tia_text_word(t, name);
+    while (tia_text_word(t, &word))
+        name->length = (uint32_t)(word.at - name->at) + word.length;
+}
+
+static int read_line(struct obj *o, enum obj_name kind)
+{
+    struct tia_name *lines = (struct tia_name *)(void *)o->group_lines.items, name = {.kind = kind};
+
+    take_name(&o->text, &name.word);
+    if (o->pass != OBJ_FILL)
+        tia_array_add(&o->group_lines, &name);
+    else if (lines)
+        o->face_group =
+            (uint32_t)(tia_names_find(lines, o->group_lines.capacity, (uint32_t)kind, &name.word) - lines) + 1;
+    return TIA_OK;
+}
+
+int tia_obj_o(struct obj *o)
+{
+    return read_line(o, OBJ_OBJECT);
+}
+
+int tia_obj_g(struct obj *o)
+{
+    return read_line(o, OBJ_GROUP);
+}

@@ -1,0 +1,27 @@
+/* media.h - what a ray is inside of, as tia/material.h has it. */
+#ifndef TESTS_ORACLE_MEDIA_H
+#define TESTS_ORACLE_MEDIA_H
+
+#include <tia/scene.h>
+
+/* The objects that a ray has entered, the last one at the end. */
+struct media {
+    unsigned count;
+    uint32_t object[TIA_MEDIA];
+    tia_q16 index[TIA_MEDIA];
+};
+
+/* From one index of refraction to another. */
+struct crossing {
+    tia_q16 from, to;
+};
+
+/* What a refracted ray goes through where it meets the front or back of an object, there of that index, and
+ * what it is in behind it. */
+struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
+                            tia_q16 index);
+
+/* Whether the object can be entered. */
+bool media_has_inside(const struct tia_scene *scene, uint32_t object);
+
+#endif
