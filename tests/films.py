@@ -1,4 +1,7 @@
 """films.py - a scene that moves, for the tests of films and of their parts."""
+import struct
+import zlib
+
 from command import fine
 
 WIDTH, HEIGHT, FRAMES = 40, 30, 8
@@ -55,8 +58,18 @@ def frames(count=FRAMES):
     return [contents(f"f{i:02}.565") for i in range(count)]
 
 
-def yuv(frame):
-    """Planes of Y, U, V of a .565, by the manual's formulas; // rounds down."""
+def checksum(frame, number, first_row, rows, film):
+    """Of a part's frame, as tia-join's manual has it."""
+    return zlib.crc32(struct.pack("<4I", number, first_row, rows, film) + frame)
+
+
+def film_of(data):
+    """The S of a part's first line."""
+    return int(data[:data.index(b"\n")][-8:], 16)
+
+
+def yuv(frame, number, rows, film):
+    """A frame of a .y4m from a .565, by the manual's formulas; // rounds down."""
     planes = ([], [], [])
     for low, high in zip(frame[0::2], frame[1::2]):
         r, g, b = high >> 3, (high & 7) << 3 | low >> 5, low & 31
@@ -64,4 +77,5 @@ def yuv(frame):
         planes[0].append((66 * r + 129 * g + 25 * b + 128) // 256 + 16)
         planes[1].append((-38 * r - 74 * g + 112 * b + 128) // 256 + 128)
         planes[2].append((112 * r - 94 * g - 18 * b + 128) // 256 + 128)
-    return b"FRAME\n" + bytes(planes[0]) + bytes(planes[1]) + bytes(planes[2])
+    line = f"FRAME XTIA={checksum(frame, number, 0, rows, film):08x}\n"
+    return line.encode() + bytes(planes[0]) + bytes(planes[1]) + bytes(planes[2])

@@ -139,6 +139,34 @@ TEST(memory_as_promised)
     free(again);
 }
 
+static bool count_down(void *ctx)
+{
+    unsigned *left = ctx;
+    return *left == 0 || --*left == 0;
+}
+
+/* Whenever it is, and then at once: the next question is the last. */
+TEST(asked_to_stop)
+{
+    const struct tia_bvh *none = NULL;
+    unsigned questions = 100000, all;
+
+    set_everything();
+    set_spheres(MOST);
+    size_t size = tia_bvh_size(&scene);
+    unsigned char *room = malloc(size);
+    CHECK_EQ(tia_bvh_build_until(&bvh, room, size, &used, &scene, count_down, &questions), TIA_OK);
+    check_all();
+    all = 100000 - questions;
+    CHECK(all > MOST / 4096);
+    for (unsigned i = 1; i <= all; i++) {
+        questions = i;
+        CHECK_EQ(tia_bvh_build_until(&none, room, size, NULL, &scene, count_down, &questions), TIA_STOPPED);
+        CHECK(!none && !questions);
+    }
+    free(room);
+}
+
 TEST(one_place)
 {
     set_spheres(MOST);
@@ -215,6 +243,7 @@ int main(void)
     RUN(spheres_of_all_counts);
     RUN(everything);
     RUN(memory_as_promised);
+    RUN(asked_to_stop);
     RUN(one_place);
     RUN(exponential_spacing);
     RUN(a_depth_that_would_not_do);

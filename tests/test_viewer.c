@@ -1,26 +1,6 @@
 /* tia_viewer_run: keys, time and frames, in a world where time stands still but for the script. */
 #include "viewer_world.h"
 
-#define START 1000000 /* the clock when a world begins */
-#define ONE TIA_Q16_ONE
-
-static const uint16_t key_a[] = {'a'};
-
-/* A world with the light of key a, at (-20, 20, -20). */
-static struct world *lit_world(void)
-{
-    struct world *w = world_new();
-
-    w->viewer.keys = key_a;
-    w->viewer.key_count = 1;
-    return w;
-}
-
-static void quit_at(struct world *w, uint64_t at_us)
-{
-    world_event(w, at_us, TIA_EVENT_TAP, 'q');
-}
-
 static void tia_check_light(const struct world *w, int x, int y, int z)
 {
     const struct tia_vec3 *c = &w->lights[0].centre;

@@ -1,8 +1,6 @@
 /* tia_viewer_run: memory, modes, workers and errors, in the same world as test_viewer.c. */
 #include "viewer_world.h"
 
-#define START 1000000
-
 static void tap(struct world *w, uint64_t after_us, uint16_t key)
 {
     world_event(w, START + after_us, TIA_EVENT_TAP, key);

@@ -6,8 +6,6 @@
 
 #include "viewer_world.h"
 
-#define START 1000000
-#define ONE TIA_Q16_ONE
 #define DURATION 2 /* s */
 
 static const struct tia_keyframe eye_keys[] = {{0, {0, 0, 0}}, {DURATION * ONE, {ONE, 0, 0}}};
@@ -74,11 +72,6 @@ static struct world *film_world(bool all)
     w->viewer.scene = film(all);
     w->scene_now = scene_by_clock;
     return w;
-}
-
-static void quit_at(struct world *w, uint64_t at_us)
-{
-    world_event(w, at_us, TIA_EVENT_TAP, 'q');
 }
 
 static bool same_place(struct tia_vec3 a, struct tia_vec3 b)

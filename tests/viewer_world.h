@@ -41,13 +41,14 @@ struct world {
     uint64_t tile_us, present_us; /* what drawing a tile and presenting take */
     enum world_call fail;         /* what fails, after fail_after frames */
     unsigned fail_after, stop_after;
+    uint64_t fail_from_us;
     int done_status; /* what frame_done says */
     size_t memory_limit;
 
     /* What happened. */
     unsigned next_event, tiles, acquired, memory_calls, runs, frame_count;
     size_t memory_size;
-    volatile int stop;
+    int stop, entered;
     struct world_frame frames[WORLD_FRAMES];
     tia_rgb565 pixels[WORLD_WIDTH * WORLD_HEIGHT];
 };
@@ -56,7 +57,7 @@ static uint64_t world_memory[16384], world_reference[16384];
 
 static inline int world_result(const struct world *w, enum world_call call)
 {
-    return w->fail == call && w->frame_count >= w->fail_after ? TIA_ERR_DEVICE : TIA_OK;
+    return w->fail == call && w->frame_count >= w->fail_after && w->now_us >= w->fail_from_us ? TIA_ERR_DEVICE : TIA_OK;
 }
 
 static inline bool world_hidden(const struct world *w)
@@ -220,7 +221,22 @@ static inline void world_run(void *ctx, void (*job)(void *arg, unsigned index), 
         job(arg, count);
 }
 
-static const struct tia_workers world_workers = {.run = world_run};
+static inline bool world_enter(void *ctx)
+{
+    return !((struct world *)ctx)->entered++;
+}
+
+static inline void world_leave(void *ctx)
+{
+    ((struct world *)ctx)->entered--;
+}
+
+static const struct tia_workers world_workers = {world_run, world_enter, world_leave};
+
+static inline bool world_stop(void *ctx)
+{
+    return ((struct world *)ctx)->stop;
+}
 
 static inline int world_frame_done(void *ctx, const struct tia_frame *frame)
 {
@@ -259,7 +275,8 @@ static inline struct world *world_new(void)
         .memory_ctx = &w,
         .frame_done = world_frame_done,
         .frame_ctx = &w,
-        .stop = &w.stop,
+        .stop = world_stop,
+        .stop_ctx = &w,
     };
     return &w;
 }
@@ -273,6 +290,28 @@ static inline int world_play(struct world *w)
     for (const unsigned char *p = (const unsigned char *)world_memory + w->memory_size; w->memory_size && p < end; p++)
         CHECK_EQ(*p, 0xa5);
     return status;
+}
+
+/* ---- scripts ---- */
+
+#define START 1000000 /* the clock when a world begins */
+#define ONE TIA_Q16_ONE
+
+static const uint16_t key_a[] = {'a'};
+
+/* A world with the light of key a, at (-20, 20, -20). */
+static inline struct world *lit_world(void)
+{
+    struct world *w = world_new();
+
+    w->viewer.keys = key_a;
+    w->viewer.key_count = 1;
+    return w;
+}
+
+static inline void quit_at(struct world *w, uint64_t at_us)
+{
+    world_event(w, at_us, TIA_EVENT_TAP, 'q');
 }
 
 #endif

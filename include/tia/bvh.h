@@ -45,6 +45,10 @@ size_t tia_bvh_size(const struct tia_scene *scene);
  * bytes stay in use, the rest is free again. `used` may be NULL. */
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene);
 
+/* The same, asking `stop` now and then, which may be NULL. Once it says true, returns TIA_STOPPED; *bvh is not set. */
+int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                        const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx);
+
 /* World bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to the
  * range of Q16.16. Empty for a plane and for a mesh without faces. Takes time proportional to a mesh's faces. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);

@@ -78,6 +78,9 @@ struct tia_clock {
  * Without workers tia runs the jobs one after the other. */
 struct tia_workers {
     void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
+    /* For what one job at a time may do: true, until leave, unless another one is there now. Never waits. */
+    bool (*enter)(void *ctx);
+    void (*leave)(void *ctx);
 };
 
 #endif

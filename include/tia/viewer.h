@@ -5,6 +5,8 @@
  * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US. The first light is the first that is not
  * ambient, since an ambient light has no position; a directional light is moved as the point at the distance
  * 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Every other key quits.
+ * Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a light ends it
+ * at the next tile if it has taken 250 ms, though not two frames in a row.
  *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
@@ -58,10 +60,14 @@ struct tia_viewer {
     /* NULL, or called after each frame. A result other than 0 ends the loop with that status. */
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
     void *frame_ctx;
-    const volatile int *stop; /* NULL, or ends the loop when it becomes nonzero, such as in a signal handler */
+
+    /* NULL, or ends the loop when it returns true, such as after a signal. It is asked between frames, and about every
+     * 20 ms while one is drawn, then on any of the workers' threads, one at a time. So is input->poll. */
+    bool (*stop)(void *ctx);
+    void *stop_ctx;
 };
 
-/* Runs until a key quits, the frame limit is reached or *stop is set; then TIA_OK. The caller opens display and
+/* Runs until a key quits, the frame limit is reached or `stop` returns true; then TIA_OK. The caller opens display and
  * input before and closes them afterwards. Errors: those of the ports, TIA_ERR_RANGE, TIA_ERR_MEMORY. */
 int tia_viewer_run(struct tia_viewer *viewer);
 

@@ -20,7 +20,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
     if (!has_tile(view, hits, tile))
         return TIA_ERR_ARGUMENT;
     view->renderer->trace(view, hits, tile);
-    return TIA_OK;
+    return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
@@ -32,7 +32,7 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
     view->renderer->light(view, hits, tile, surface, options);
-    return TIA_OK;
+    return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,

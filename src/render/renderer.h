@@ -36,7 +36,14 @@ struct tia_view {
     struct tia_light *lights; /* our copy */
     uint32_t light_count, light_capacity;
     int width, height;
+    bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_set_stop */
+    void *stop_ctx;
 };
+
+static inline bool view_stops(const struct tia_view *view)
+{
+    return view->stop && view->stop(view->stop_ctx);
+}
 
 /* What each pixel of an area sees, row by row. */
 struct tia_hits {

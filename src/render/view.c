@@ -29,6 +29,7 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
     v->light_capacity = light_capacity;
     v->width = (int)width;
     v->height = (int)height;
+    v->stop = NULL;
     v->prepared = (char *)v->lights + ALIGN(light_capacity * sizeof *v->lights);
     status = v->renderer->prepare(v);
     *view = v;
@@ -53,4 +54,10 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
         view->lights[i] = lights[i];
     view->renderer->set_lights(view);
     return TIA_OK;
+}
+
+void tia_view_set_stop(struct tia_view *view, bool (*stop)(void *ctx), void *ctx)
+{
+    view->stop = stop;
+    view->stop_ctx = ctx;
 }

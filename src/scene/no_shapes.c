@@ -51,11 +51,19 @@ size_t tia_bvh_size(const struct tia_scene *scene)
 
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
 {
+    return tia_bvh_build_until(bvh, memory, size, used, scene, NULL, NULL);
+}
+
+int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                        const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
+{
     (void)bvh;
     (void)memory;
     (void)size;
     (void)used;
     (void)scene;
+    (void)stop;
+    (void)ctx;
     return TIA_ERR_UNSUPPORTED;
 }
 

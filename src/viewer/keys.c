@@ -42,6 +42,11 @@ int tia_viewer_take_events(struct loop *loop)
     struct tia_event event;
     int status = 0;
 
+    for (unsigned i = 0; !status && i < loop->queued; i++)
+        status = take_event(loop, &loop->queue[i]);
+    loop->queued = 0;
+    if (status)
+        return status;
     while (v->input && (status = v->input->poll(v->input_ctx, &event)) > 0) {
         status = take_event(loop, &event);
         if (status)

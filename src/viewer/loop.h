@@ -7,7 +7,11 @@
 #define VIEWER_STRIP 16 /* rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS (TIA_KEY_PAGE_DOWN - TIA_KEY_LEFT + 1)
 
-#define VIEWER_QUIT 2 /* a status besides tia_status: a key ended the loop */
+#define VIEWER_QUEUE 64
+
+/* Statuses besides tia_status: a key ended the loop; the frame was given up. */
+#define VIEWER_QUIT 10
+#define VIEWER_OUTDATED 11
 
 struct loop {
     const struct tia_viewer *viewer;
@@ -38,6 +42,15 @@ struct loop {
     bool started;
     uint64_t start_us, due_us; /* when playing began; when the next frame is due */
 
+    /* While a frame is drawn, see watch.c. */
+    struct tia_event queue[VIEWER_QUEUE]; /* events that came meanwhile */
+    unsigned queued;
+    uint64_t begun_us, look_us; /* when the frame was begun; when to look again */
+    bool outdated;              /* a key was pressed since the frame was begun */
+    bool gives_up, gave_up;     /* this frame; the one before */
+    bool ends;                  /* a key, `stop` or a failed input ends the loop */
+    int failure;                /* of the input */
+
     bool changed; /* the screen is out of date */
     uint32_t frame;
     uint64_t key_us;                      /* time of the oldest key press that the next frame will show */
@@ -52,6 +65,7 @@ static inline uint64_t viewer_now(const struct loop *loop)
 
 /* keys.c. tia_viewer_take_events handles all waiting events. VIEWER_QUIT when a key quits. */
 int tia_viewer_press(struct loop *loop, uint16_t key);
+bool tia_viewer_quits(const struct tia_scene *scene, uint16_t key);
 int tia_viewer_take_events(struct loop *loop);
 void tia_viewer_repeat_held(struct loop *loop);
 
@@ -61,6 +75,12 @@ uint64_t tia_viewer_repeat_us(const struct loop *loop);
 /* play.c: sets up the scene at the viewer's start time; brings it up to date before a frame. */
 int tia_viewer_play_begin(struct loop *loop);
 int tia_viewer_play(struct loop *loop);
+
+/* watch.c: before a frame; while it is drawn, on any thread, TIA_STOPPED or VIEWER_OUTDATED when it is to end; the
+ * same for tia_view_set_stop. */
+void tia_viewer_watch_begin(struct loop *loop);
+int tia_viewer_watch(struct loop *loop);
+bool tia_viewer_stops(void *loop);
 
 /* tiles.c: memory for the display's mode, a view of the current scene, and drawing a frame. */
 int tia_viewer_prepare(struct loop *loop);

@@ -100,7 +100,8 @@ static int update_view(struct loop *loop, tia_q16 time)
 
     loop->current->bvh = bvh;
     if (!status && anew && loop->bvh_size)
-        status = tia_bvh_build(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, NULL, loop->current);
+        status = tia_bvh_build_until(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, NULL, loop->current,
+                                     tia_viewer_stops, loop);
     if (!status && anew)
         status = tia_viewer_prepare_view(loop);
     loop->changed = true;

@@ -1,5 +1,5 @@
 /* press.c - the effect of a key press on the lights. */
-#include <tia/viewer.h>
+#include "loop.h"
 
 #include "math/integer.h"
 
@@ -78,6 +78,11 @@ static int put_light(const struct tia_binding *binding, struct tia_light *lights
     lights[n] = binding->state;
     *count += n == *count;
     return 1;
+}
+
+bool tia_viewer_quits(const struct tia_scene *scene, uint16_t key)
+{
+    return !find_binding(scene, key) && !find_move(key);
 }
 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)

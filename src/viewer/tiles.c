@@ -80,6 +80,8 @@ int tia_viewer_prepare_view(struct loop *loop)
 
     if (!status && loop->whole)
         status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
+    if (!status)
+        loop->core->set_stop(loop->view, tia_viewer_stops, loop);
     loop->view_ready = !status;
     loop->traced = false;
     loop->changed = true;
@@ -101,9 +103,9 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     const struct tia_viewer *v = loop->viewer;
     struct tia_hits *hits = loop->hits;
     struct tia_surface surface;
-    int status = TIA_OK;
+    int status = tia_viewer_watch(loop);
 
-    if (!loop->whole)
+    if (!status && !loop->whole)
         status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
     if (!status && !loop->traced)
         status = loop->core->trace(loop->view, hits, tile);
@@ -127,8 +129,8 @@ int tia_viewer_draw_tiles(struct loop *loop)
 
     if (v->workers && loop->mode.concurrent && loop->whole) {
         v->workers->run(v->workers_ctx, tile_job, loop, (unsigned)loop->tiles);
-        for (unsigned i = 0; !status && i < loop->tiles; i++)
-            status = loop->status[i];
+        for (unsigned i = 0; status >= 0 && i < loop->tiles; i++)
+            status = loop->status[i] ? loop->status[i] : status;
     } else {
         for (unsigned i = 0; !status && i < loop->tiles; i++)
             status = draw_tile(loop, tile_at(loop, i));

@@ -1,7 +1,7 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
 #include "loop.h"
 
-#include <limits.h>
+#define WAIT_MAX 32767 /* ms: what an int of 16 bits holds */
 
 /* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
@@ -13,7 +13,7 @@ static int idle_ms(const struct loop *loop)
     if (!next)
         return -1;
     uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
-    return ms < INT_MAX ? (int)ms : INT_MAX;
+    return ms < WAIT_MAX ? (int)ms : WAIT_MAX;
 }
 
 static int draw_frame(struct loop *loop)
@@ -23,8 +23,12 @@ static int draw_frame(struct loop *loop)
     uint64_t start = viewer_now(loop), key_us = loop->key_us;
     int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
 
+    tia_viewer_watch_begin(loop);
     if (!status)
         status = tia_viewer_draw_tiles(loop);
+    loop->gave_up = status == VIEWER_OUTDATED;
+    if (loop->gave_up)
+        return TIA_OK;
     frame.draw_us = viewer_now(loop) - start;
     if (!status)
         status = v->display->present(v->display_ctx);
@@ -68,11 +72,16 @@ static int show(struct loop *loop)
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
-    bool busy = !hidden && (loop->changed || v->frame_limit);
+    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit));
 
     if (!v->input)
         return hidden ? TIA_HIDDEN : TIA_OK;
     return v->input->wait(v->input_ctx, busy ? 0 : hidden ? -1 : idle_ms(loop));
+}
+
+static bool is_stopped(const struct tia_viewer *v)
+{
+    return v->stop && v->stop(v->stop_ctx);
 }
 
 static int step(struct loop *loop)
@@ -84,11 +93,13 @@ static int step(struct loop *loop)
         return status;
     tia_viewer_repeat_held(loop);
     status = show(loop);
+    if (loop->ends)
+        return loop->failure ? loop->failure : VIEWER_QUIT;
     if (status && status != TIA_HIDDEN)
         return status;
     if (v->frame_limit && loop->frame >= v->frame_limit)
         return VIEWER_QUIT;
-    if (v->stop && *v->stop) /* a signal may have come while the display waited */
+    if (is_stopped(v)) /* a signal may have come while the display waited */
         return VIEWER_QUIT;
     return rest(loop, status == TIA_HIDDEN);
 }
@@ -112,7 +123,7 @@ int tia_viewer_run(struct tia_viewer *viewer)
         status = tia_viewer_play_begin(&loop);
     for (size_t i = 0; !status && i < viewer->key_count; i++)
         status = tia_viewer_press(&loop, viewer->keys[i]);
-    while (!status && !(viewer->stop && *viewer->stop))
+    while (!status && !is_stopped(viewer))
         status = step(&loop);
     return status == VIEWER_QUIT ? TIA_OK : status;
 }

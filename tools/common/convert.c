@@ -2,11 +2,11 @@
 
 #include <ctype.h>
 #include <getopt.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "common/scene/scene.h"
+#include "common/signals.h"
 #include "ports.h"
 
 enum { NAME = 256, SCENE_FORMAT, STRICT };
@@ -150,7 +150,7 @@ int convert(const struct converter *converter, int argc, char **argv)
 
     if (result != 0)
         return result == 1 ? 0 : result;
-    (void)signal(SIGPIPE, SIG_IGN); /* makes a closed pipe a write error */
+    signals_prepare();
     name_source(&request);
     result = open_scene(converter, &request, &file);
     if (result != 0)

@@ -2,72 +2,134 @@
 
 #include <pthread.h>
 #include <signal.h>
-#include <stdbool.h>
 #include <stddef.h>
 
-enum { CAUGHT = 4 };
-static const int caught[CAUGHT] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+enum { ENDING = 4 };
+static const int ending[ENDING] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /* Global, since signals belong to the process. */
-volatile int signals_caught;
-static struct sigaction before[CAUGHT];
-static sigset_t mask_before;
-static bool active, blocked;
+static sigset_t set;         /* of `ending`, those that the parent process does not ignore */
+static sigset_t mask_before; /* before signals_hold */
+static sigset_t mask_of_all; /* before signals_catch_waiting */
+static unsigned holds;
+static struct signals_cleanup *cleanups;
+static volatile sig_atomic_t noted;
+static bool notes;
 
-static void stop(int number)
+/* ---- at once ---- */
+
+static void end(int number)
 {
-    signals_caught = number;
+    struct sigaction action = {.sa_handler = SIG_DFL};
+    for (const struct signals_cleanup *cleanup = cleanups; cleanup != NULL; cleanup = cleanup->next) {
+        cleanup->undo(cleanup->arg);
+    }
+    (void)sigaction(number, &action, NULL);
+    (void)raise(number); /* kills when the handler returns: until then it is blocked */
+}
+
+/* While one is handled the others wait. No SA_RESTART: the noting handler must interrupt an input that waits. */
+static void handle(void (*handler)(int number))
+{
+    struct sigaction action = {.sa_handler = handler, .sa_mask = set};
+    for (size_t i = 0; i < ENDING; i++) {
+        if (sigismember(&set, ending[i]) == 1) {
+            (void)sigaction(ending[i], &action, NULL);
+        }
+    }
 }
 
 void signals_prepare(void)
 {
-    struct sigaction ignore = {.sa_handler = SIG_IGN};
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     (void)sigaction(SIGPIPE, &ignore, NULL);
     (void)sigaction(SIGXFSZ, &ignore, NULL);
-}
-
-/* Without SA_RESTART, so that a signal interrupts waiting calls. */
-void signals_catch(void)
-{
-    for (size_t i = 0; i < CAUGHT; i++) {
-        struct sigaction action = {.sa_handler = stop};
-        (void)sigaction(caught[i], NULL, &before[i]);
-        if (before[i].sa_handler != SIG_IGN) {
-            (void)sigaction(caught[i], &action, NULL);
+    (void)sigemptyset(&set);
+    for (size_t i = 0; i < ENDING; i++) {
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
+            (void)sigaddset(&set, ending[i]);
         }
     }
-    active = true;
+    handle(end);
+}
+
+void signals_hold(void)
+{
+    if (holds++ == 0) {
+        (void)pthread_sigmask(SIG_BLOCK, &set, &mask_before);
+    }
+}
+
+void signals_allow(void)
+{
+    if (--holds == 0) {
+        (void)pthread_sigmask(SIG_SETMASK, &mask_before, NULL);
+    }
+}
+
+void signals_add(struct signals_cleanup *cleanup)
+{
+    signals_hold();
+    cleanup->next = cleanups;
+    cleanups = cleanup;
+    signals_allow();
+}
+
+void signals_remove(struct signals_cleanup *cleanup)
+{
+    struct signals_cleanup **at = &cleanups;
+    signals_hold();
+    while (*at != NULL && *at != cleanup) {
+        at = &(*at)->next;
+    }
+    if (*at != NULL) {
+        *at = cleanup->next;
+    }
+    signals_allow();
+}
+
+/* ---- noted ---- */
+
+static void note(int number)
+{
+    noted = number;
 }
 
 void signals_catch_waiting(void)
 {
-    sigset_t set;
-    (void)sigemptyset(&set);
-    for (size_t i = 0; i < CAUGHT; i++) {
-        (void)sigaddset(&set, caught[i]);
+    (void)pthread_sigmask(SIG_BLOCK, &set, &mask_of_all);
+    handle(note);
+    notes = true;
+}
+
+bool signals_asked(void *unused)
+{
+    sigset_t pending;
+    (void)unused;
+    if (noted != 0) {
+        return true;
     }
-    (void)pthread_sigmask(SIG_BLOCK, &set, &mask_before);
-    blocked = true;
-    signals_catch();
+    bool any = false, known = sigpending(&pending) == 0;
+    for (size_t i = 0; known && i < ENDING; i++) {
+        any = any || (sigismember(&set, ending[i]) == 1 && sigismember(&pending, ending[i]) == 1);
+    }
+    return any;
 }
 
 void signals_release(void)
 {
-    if (blocked) { /* while the handlers are still installed, so that pending signals are noted */
-        (void)pthread_sigmask(SIG_SETMASK, &mask_before, NULL);
-        blocked = false;
+    if (notes) {
+        (void)pthread_sigmask(SIG_SETMASK, &mask_of_all, NULL); /* what is pending is noted */
+        handle(end);
     }
-    for (size_t i = 0; active && i < CAUGHT; i++) {
-        (void)sigaction(caught[i], &before[i], NULL);
-    }
-    active = false;
+    notes = false;
 }
 
 int signals_end(int status)
 {
     signals_release();
-    if (signals_caught != 0) {
-        (void)raise(signals_caught);
+    if (noted != 0) {
+        (void)raise(noted);
     }
     return status;
 }

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,48 +20,21 @@ static int fail(struct sink *sink, int error)
     return TIA_ERR_DEVICE;
 }
 
-/* Creates a file with an unused name in the directory of `path`. A short name, because the file system may not accept
- * one longer than that of `path`. */
-static int create_beside(struct sink *sink)
-{
-    const char *slash = strrchr(sink->path, '/');
-    int directory = slash != NULL ? (int)(slash + 1 - sink->path) : 0;
-    for (unsigned attempt = 0; attempt < 100; attempt++) {
-        if (asprintf(&sink->temporary, "%.*s.tia-%ld-%u", directory, sink->path, (long)getpid(), attempt) < 0) {
-            sink->temporary = NULL;
-            return fail(sink, ENOMEM);
-        }
-        sink->fd = open(sink->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, 0666);
-        if (sink->fd >= 0) {
-            return TIA_OK;
-        }
-        int error = errno;
-        free(sink->temporary);
-        sink->temporary = NULL;
-        if (error != EEXIST) {
-            return fail(sink, error);
-        }
-    }
-    return fail(sink, EEXIST);
-}
-
 static int open_directly(struct sink *sink)
 {
     sink->fd = open(sink->name, O_WRONLY | O_CLOEXEC | O_NOCTTY);
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
-/* Finds the final path. A symbolic link stays a link: the file that it points to is replaced. */
-static int find_path(struct sink *sink, bool exists)
+/* A symbolic link stays a link: the file that it points to is replaced, or made. */
+static int open_beside(struct sink *sink, const struct stat *before)
 {
-    sink->path = exists ? realpath(sink->name, NULL) : strdup(sink->name);
-    if (sink->path == NULL) {
+    sink->path = temporary_target(sink->name);
+    if (sink->path == NULL || (before != NULL && access(sink->path, W_OK) != 0)) {
         return fail(sink, errno);
     }
-    if (exists && access(sink->path, W_OK) != 0) {
-        return fail(sink, errno);
-    }
-    return TIA_OK;
+    sink->fd = temporary_create(&sink->temporary, sink->path, before);
+    return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
 static int open_file(struct sink *sink)
@@ -78,8 +50,7 @@ static int open_file(struct sink *sink)
     if (exists && !S_ISREG(status.st_mode)) {
         return open_directly(sink);
     }
-    int result = find_path(sink, exists);
-    return result == TIA_OK ? create_beside(sink) : result;
+    return open_beside(sink, exists ? &status : NULL);
 }
 
 int sink_open(struct sink *sink, const char *name, char *why)
@@ -130,41 +101,53 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
 
-int sink_commit(struct sink *sink)
+/* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file. Only for
+ * regular files: pipes and devices refuse it, but may report a failure when they are closed. A regular file stays open
+ * until it has its name, as the lock goes with the descriptor. */
+int sink_seal(struct sink *sink)
 {
     if (!sink->failed) {
         (void)drain(sink);
     }
-    /* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file.
-     * Only for regular files: pipes and devices refuse it. */
-    if (!sink->failed && sink->temporary != NULL && fsync(sink->fd) != 0) {
+    if (!sink->failed && sink->temporary.name != NULL && fsync(sink->fd) != 0) {
         (void)fail(sink, errno);
     }
-    if (close(sink->fd) != 0 && !sink->failed) {
-        (void)fail(sink, errno);
+    if (sink->temporary.name == NULL) {
+        if (close(sink->fd) != 0 && !sink->failed) {
+            (void)fail(sink, errno);
+        }
+        sink->fd = -1;
     }
-    sink->fd = -1;
-    if (!sink->failed && sink->temporary != NULL && rename(sink->temporary, sink->path) != 0) {
-        (void)fail(sink, errno);
+    if (sink->failed) {
+        sink_discard(sink);
+        return TIA_ERR_DEVICE;
     }
-    if (!sink->failed) {
-        free(sink->temporary);
-        sink->temporary = NULL;
+    return TIA_OK;
+}
+
+int sink_publish(struct sink *sink)
+{
+    if (sink->temporary.name != NULL && temporary_rename(&sink->temporary, sink->path) != 0) {
+        (void)fail(sink, errno);
     }
     sink_discard(sink);
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
 
+int sink_commit(struct sink *sink)
+{
+    int status = sink_seal(sink);
+    return status == TIA_OK ? sink_publish(sink) : status;
+}
+
+/* Removed before it is closed: no other run can think that it was left behind. */
 void sink_discard(struct sink *sink)
 {
+    temporary_remove(&sink->temporary);
     if (sink->fd >= 0) {
         (void)close(sink->fd);
         sink->fd = -1;
     }
-    if (sink->temporary != NULL) {
-        (void)unlink(sink->temporary);
-    }
-    free(sink->temporary);
     free(sink->path);
-    sink->temporary = sink->path = NULL;
+    sink->path = NULL;
 }

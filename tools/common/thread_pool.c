@@ -13,9 +13,10 @@
 struct threads {
     pthread_mutex_t lock;
     pthread_cond_t begin, end;
-    unsigned started; /* threads besides the caller */
-    unsigned busy;    /* those of them that may still run jobs of this round */
-    unsigned round;   /* counts the calls of run */
+    pthread_mutex_t door; /* of enter and leave */
+    unsigned started;     /* threads besides the caller */
+    unsigned busy;        /* those of them that may still run jobs of this round */
+    unsigned round;       /* counts the calls of run */
     bool quit;
     void (*job)(void *arg, unsigned index);
     void *arg;
@@ -109,6 +110,7 @@ struct threads *threads_create(unsigned count)
     (void)pthread_mutex_init(&pool->lock, NULL);
     (void)pthread_cond_init(&pool->begin, NULL);
     (void)pthread_cond_init(&pool->end, NULL);
+    (void)pthread_mutex_init(&pool->door, NULL);
     start(pool, others);
     return pool;
 }
@@ -140,7 +142,17 @@ static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, un
     (void)pthread_mutex_unlock(&pool->lock);
 }
 
-const struct tia_workers threads_workers = {run};
+static bool enter(void *ctx)
+{
+    return pthread_mutex_trylock(&((struct threads *)ctx)->door) == 0;
+}
+
+static void leave(void *ctx)
+{
+    (void)pthread_mutex_unlock(&((struct threads *)ctx)->door);
+}
+
+const struct tia_workers threads_workers = {run, enter, leave};
 
 void threads_destroy(struct threads *pool)
 {
@@ -157,5 +169,6 @@ void threads_destroy(struct threads *pool)
     (void)pthread_cond_destroy(&pool->begin);
     (void)pthread_cond_destroy(&pool->end);
     (void)pthread_mutex_destroy(&pool->lock);
+    (void)pthread_mutex_destroy(&pool->door);
     free(pool);
 }

@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-#include "common/image/image.h"
-
 #define REACH 2  /* half the width of a square: a single pixel of a large picture would be invisible */
 #define GUTTER 4 /* white columns between two panels */
 
@@ -65,7 +63,7 @@ static void panel_row(const struct heatmap *map, unsigned core, unsigned y, tia_
     }
 }
 
-int heatmap_write(const struct heatmap *map, const char *path, char *why)
+int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct image **sealed)
 {
     unsigned stride = map->width + GUTTER, total = map->core_count * stride - GUTTER;
     struct image *image = image_create(path, IMAGE_PNG, total, map->height, why);
@@ -85,5 +83,7 @@ int heatmap_write(const struct heatmap *map, const char *path, char *why)
         (void)image_band(image, row, 1);
     }
     free(row);
-    return image_finish(image);
+    int status = image_seal(image);
+    *sealed = status == TIA_OK ? image : NULL;
+    return status;
 }

@@ -2,6 +2,7 @@
 #ifndef TIA_COMPARE_HEATMAP_H
 #define TIA_COMPARE_HEATMAP_H
 
+#include "common/image/image.h"
 #include "corpus/measure.h"
 
 struct heatmap {
@@ -18,8 +19,9 @@ void heatmap_free(struct heatmap *map);
 void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct measure_pixel *want,
                   const struct measure_pixel *got);
 
-/* Writes `path`: for each core, from left to right, the reference's picture in dark grey with a square on each pixel
- * that differs. A negative tia_status on failure, with the reason in `why`, [PORT_WHY] bytes. */
-int heatmap_write(const struct heatmap *map, const char *path, char *why);
+/* Draws `path`: for each core, from left to right, the reference's picture in dark grey with a square on each pixel
+ * that differs. It appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A negative
+ * tia_status on failure, with the reason in `why`. */
+int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct image **sealed);
 
 #endif

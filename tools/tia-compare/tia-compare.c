@@ -1,16 +1,16 @@
 /* tia-compare - compares integers with double precision, pixel by pixel, over a set of scenes. */
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/scene/scene.h"
+#include "common/signals.h"
 #include "common/thread_pool.h"
 #include "corpus/corpus.h"
 #include "corpus/corpus_rays.h"
 #include "heatmap.h"
 #include "options.h"
-#include "ports.h"
+#include "pictures.h"
 #include "report.h"
 
 #ifdef TIA_HAVE_F64
@@ -19,7 +19,7 @@ struct run {
     struct options options;
     struct measure what;
     struct report report;
-    unsigned frame_count;
+    struct pictures pictures;
 };
 
 static int failed(const char *what, const char *why)
@@ -28,26 +28,12 @@ static int failed(const char *what, const char *why)
     return 1;
 }
 
-/* FILE.png, or FILE-N.png for the Nth of several frames. */
-static void heatmap_path(const struct run *run, char *path, size_t size)
+/* Of run->pictures. */
+static int told(const struct run *run, int status)
 {
-    const char *name = run->options.heatmap, *dot = strrchr(name, '.');
-    int stem = (int)(dot != NULL && strchr(dot, '/') == NULL ? dot - name : (ptrdiff_t)strlen(name));
-
-    if (run->frame_count == 1)
-        (void)snprintf(path, size, "%s", name);
-    else
-        (void)snprintf(path, size, "%.*s-%u%s", stem, name, run->report.frames + 1, name + stem);
-}
-
-static int draw_heatmap(const struct run *run, const struct heatmap *map)
-{
-    char path[4096], why[PORT_WHY] = "out of memory";
-
-    heatmap_path(run, path, sizeof path);
-    if (heatmap_write(map, path, why) == TIA_OK)
+    if (status == TIA_OK)
         return 0;
-    (void)fprintf(stderr, "tia-compare: %s\n", why);
+    (void)fprintf(stderr, "tia-compare: %s\n", run->pictures.why);
     return 1;
 }
 
@@ -72,7 +58,7 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     if (status != TIA_OK)
         result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
     else if (run->options.heatmap != NULL)
-        result = draw_heatmap(run, &map);
+        result = told(run, pictures_add(&run->pictures, &map));
     if (result == 0)
         report_frame(&run->report, name, what.width, what.height, tallies);
     heatmap_free(&map);
@@ -132,9 +118,11 @@ static int run_frames(struct run *run)
     static const char *const all_keys[] = {"", "a", "d", "s", "w"};
     const struct options *o = &run->options;
     unsigned thesis = !o->thesis ? 0 : o->keys != NULL ? 1 : 5;
+    unsigned count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
     int result = 0;
 
-    run->frame_count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
+    if (o->heatmap != NULL && !pictures_begin(&run->pictures, o->heatmap, count))
+        result = told(run, TIA_ERR_MEMORY);
     for (unsigned i = 0; i < thesis && result == 0; i++)
         result = run_thesis(run, o->keys != NULL ? o->keys : all_keys[i]);
     for (unsigned i = 0; i < o->random && result == 0; i++)
@@ -143,6 +131,9 @@ static int run_frames(struct run *run)
         result = run_rays_random(run, i);
     for (int i = 0; i < o->scene_count && result == 0; i++)
         result = run_file(run, o->scenes[i]);
+    if (result == 0)
+        result = told(run, pictures_publish(&run->pictures));
+    pictures_end(&run->pictures);
     return result;
 }
 
@@ -178,7 +169,7 @@ int main(int argc, char **argv)
 
     if (result != 0)
         return result < 0 ? 2 : 0;
-    (void)signal(SIGPIPE, SIG_IGN); /* makes a closed pipe a write error */
+    signals_prepare();
     struct threads *pool = threads_create(run.options.threads);
     if (pool == NULL)
         return failed("threads", "out of memory");

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <tia/render.h>
+
 #include "common/image/part.h"
 
 __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
@@ -25,7 +27,7 @@ __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, con
 static uint64_t frame_bytes(const struct part *part)
 {
     uint64_t pixels = (uint64_t)part->film.width * part->film.rows;
-    return part->is_y4m ? IMAGE_Y4M_FRAME + 3 * pixels : sizeof(tia_rgb565) * pixels;
+    return part->is_y4m ? IMAGE_Y4M_FRAME + 3 * pixels : sizeof(tia_rgb565) * pixels + IMAGE_PART_SUM;
 }
 
 static int read_at(struct parts *parts, const struct part *part, int fd, void *bytes, size_t count, uint64_t offset)
@@ -257,16 +259,47 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     return result;
 }
 
+/* The pixels are those that were written, and of this frame and these rows. */
+static int check_sum(struct parts *parts, const struct part *part, uint32_t frame, const tia_rgb565 *rows,
+                     const unsigned char *found)
+{
+    unsigned char wanted[IMAGE_Y4M_FRAME];
+    size_t length = part->is_y4m ? IMAGE_Y4M_FRAME : IMAGE_PART_SUM;
+    uint32_t sum = image_part_begin_sum(&part->film, frame);
+    sum = tia_crc32(sum, rows, (size_t)part->film.width * part->film.rows);
+    if (part->is_y4m) {
+        image_y4m_put_frame(wanted, sum);
+    } else {
+        image_part_put_sum(wanted, sum);
+    }
+    if (memcmp(found, wanted, length) != 0) {
+        return failed(parts, "%.300s: frame %u is damaged: its checksum is another", part->path, (unsigned)frame);
+    }
+    return 0;
+}
+
+static int read_frame(struct parts *parts, const struct part *part, int fd, uint32_t frame, tia_rgb565 *rows)
+{
+    unsigned char sum[IMAGE_Y4M_FRAME];
+    uint64_t bytes = frame_bytes(part), at = part->header + bytes * (frame - part->film.first_frame);
+    int result = part->is_y4m ? read_planes(parts, part, fd, at, rows) : read_pixels(parts, part, fd, at, rows);
+    if (result == 0) {
+        result = part->is_y4m ? read_at(parts, part, fd, sum, IMAGE_Y4M_FRAME, at)
+                              : read_at(parts, part, fd, sum, IMAGE_PART_SUM, at + bytes - IMAGE_PART_SUM);
+    }
+    return result == 0 ? check_sum(parts, part, frame, rows, sum) : result;
+}
+
 static int read_rows(struct parts *parts, const struct part *part, uint32_t frame, tia_rgb565 *pixels)
 {
     const struct image_film *film = &part->film;
     tia_rgb565 *rows = pixels + (size_t)film->first_row * film->width;
-    uint64_t length, offset = part->header + frame_bytes(part) * (frame - film->first_frame);
+    uint64_t length;
     int fd = open_part(parts, part, &length);
     if (fd < 0) {
         return -1;
     }
-    int result = part->is_y4m ? read_planes(parts, part, fd, offset, rows) : read_pixels(parts, part, fd, offset, rows);
+    int result = read_frame(parts, part, fd, frame, rows);
     (void)close(fd);
     return result;
 }

@@ -74,12 +74,11 @@ static int join_frames(struct join *join, const struct image_film *film)
     struct series series = {.name = join->output, .format = join->format, .film = *film, .why = join->why};
     tia_rgb565 *pixels = malloc((size_t)film->width * film->height * sizeof *pixels);
     int result = pixels != NULL ? FINE : refuse(NOT_WRITTEN, "memory", "exhausted");
-    signals_catch(); /* a signal must not leave an unfinished file */
-    for (uint32_t frame = 0; frame < film->frames && result == FINE && signals_caught == 0; frame++) {
+    for (uint32_t frame = 0; frame < film->frames && result == FINE; frame++) {
         result = join_frame(join, &series, frame, pixels);
     }
     free(pixels);
-    if (result != FINE || signals_caught != 0) {
+    if (result != FINE) {
         series_discard(&series);
         return result;
     }
@@ -162,5 +161,5 @@ int main(int argc, char **argv)
         result = join_parts(&join, argv + optind, (unsigned)(argc - optind));
     }
     parts_close(&join.parts);
-    return signals_end(result);
+    return result;
 }

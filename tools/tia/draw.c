@@ -6,7 +6,6 @@
 
 #include "clock.h"
 #include "common/image/series.h"
-#include "common/signals.h"
 #include "fail.h"
 #include "film.h"
 #include "film_scene.h"
@@ -35,7 +34,7 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
         return status;
     }
     if (drawing->options->checksum) {
-        progress_end(&drawing->picture.progress);
+        progress_erase(&drawing->picture.progress);
     }
     if (drawing->options->checksum &&
         (printf("%" PRIu32 " %08" PRIx32 "\n", frame, drawing->picture.crc) < 0 || fflush(stdout) != 0)) {
@@ -48,8 +47,6 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
     return TIA_OK;
 }
 
-/* A signal must not leave a temporary file behind, so it is only noted while there is one. Without one, such as when
- * writing to a pipe, it may end the program at once. */
 static int draw_frame(struct drawing *drawing, uint32_t frame)
 {
     int status = film_scene_update(&drawing->film_scene, frame);
@@ -59,24 +56,20 @@ static int draw_frame(struct drawing *drawing, uint32_t frame)
     if (status != TIA_OK) {
         return status;
     }
-    if (!image_temporary(drawing->series.image)) {
-        signals_release();
-    }
     drawing->picture.view = drawing->film_scene.view;
     drawing->picture.image = drawing->series.image;
     status = picture_draw(&drawing->picture);
-    return status == TIA_OK && signals_caught == 0 ? end_frame(drawing, frame) : status;
+    return status == TIA_OK ? end_frame(drawing, frame) : status;
 }
 
 static int draw_film(struct drawing *drawing)
 {
     const struct image_film *film = &drawing->film;
     int status = TIA_OK;
-    signals_catch();
-    for (uint32_t i = 0; i < film->frames && status == TIA_OK && signals_caught == 0; i++) {
+    for (uint32_t i = 0; i < film->frames && status == TIA_OK; i++) {
         status = draw_frame(drawing, film->first_frame + i);
     }
-    if (status != TIA_OK || signals_caught != 0) {
+    if (status != TIA_OK) {
         series_discard(&drawing->series);
         return status;
     }
@@ -105,9 +98,6 @@ static int print_stats(const struct drawing *drawing)
 
 static int report(const struct drawing *drawing, int status)
 {
-    if (signals_caught != 0) {
-        return EXIT_RUNNING; /* the caller ends the program by the signal */
-    }
     if (drawing->no_output) {
         return fail_output();
     }
@@ -128,9 +118,9 @@ int draw(const struct options *options)
     drawing.series =
         (struct series){.name = options->output, .format = options->format, .film = drawing.film, .why = drawing.why};
     status = draw_all(&drawing);
-    progress_end(&drawing.picture.progress);
+    progress_erase(&drawing.picture.progress);
     int result = report(&drawing, status);
     picture_end(&drawing.picture);
     film_scene_end(&drawing.film_scene);
-    return signals_end(result);
+    return result;
 }

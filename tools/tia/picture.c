@@ -2,7 +2,6 @@
 
 #include <stdlib.h>
 
-#include "common/signals.h"
 #include "crc.h"
 #include "film.h"
 
@@ -98,7 +97,7 @@ int picture_draw(struct picture *picture)
     int status = TIA_OK;
     picture->crc = 0;
     picture->crc_bytes = 0;
-    for (unsigned i = 0; i <= count && status == TIA_OK && signals_caught == 0; i++) {
+    for (unsigned i = 0; i <= count && status == TIA_OK; i++) {
         struct picture_band *band = &picture->band[0];
         band->rows = 0;
         if (i < count) {

@@ -43,7 +43,7 @@ struct picture {
 /* Allocates bands for the film's frames. After TIA_ERR_MEMORY picture_end is safe. */
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film);
 
-/* Draws one picture; stops early when a signal is caught. */
+/* Draws one picture. */
 int picture_draw(struct picture *picture);
 
 void picture_end(struct picture *picture);

@@ -8,6 +8,18 @@
 /* Shows nothing for drawings of less than half a second; then updates ten times a second. */
 enum { FIRST_US = 500000, STEP_US = 100000 };
 
+static const char erase[] = "\r\033[K";
+
+/* In the handler of a signal. */
+static void undo(void *arg)
+{
+    struct progress *progress = arg;
+    if (progress->shown) {
+        ssize_t wrote = write(STDERR_FILENO, erase, sizeof erase - 1);
+        (void)wrote; /* nothing is left to do about it */
+    }
+}
+
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames)
 {
     progress->terminal = isatty(STDERR_FILENO) == 1;
@@ -16,6 +28,8 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
     (void)pthread_mutex_init(&progress->lock, NULL);
     progress->done = 0;
     progress->next_us = clock_now_us() + FIRST_US;
+    progress->cleanup = (struct signals_cleanup){.undo = undo, .arg = progress};
+    signals_add(&progress->cleanup);
 }
 
 static void print(const struct progress *progress, uint64_t done)
@@ -45,10 +59,16 @@ void progress_add(struct progress *progress, uint64_t pixels)
     (void)pthread_mutex_unlock(&progress->lock);
 }
 
-void progress_end(struct progress *progress)
+void progress_erase(struct progress *progress)
 {
     if (progress->shown) {
-        (void)fputs("\r\033[K", stderr);
+        (void)fputs(erase, stderr);
     }
     progress->shown = false;
+}
+
+void progress_end(struct progress *progress)
+{
+    progress_erase(progress);
+    signals_remove(&progress->cleanup);
 }

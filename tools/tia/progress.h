@@ -3,8 +3,11 @@
 #define TOOLS_TIA_PROGRESS_H
 
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "common/signals.h"
 
 struct progress {
     bool terminal;
@@ -12,16 +15,19 @@ struct progress {
     uint32_t frames;
     pthread_mutex_t lock; /* protects the following members */
     uint64_t done;        /* pixels */
-    bool shown;
     uint64_t next_us;
+    atomic_bool shown;              /* the line is there */
+    struct signals_cleanup cleanup; /* erases it */
 };
 
+/* From the main thread, as progress_end: see common/signals.h. */
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames);
 
 /* Adds completed pixels; call it from any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
 
-/* Erases the line. */
+/* Erases the line, which may come again; ends it. */
+void progress_erase(struct progress *progress);
 void progress_end(struct progress *progress);
 
 #endif

@@ -174,7 +174,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .memory_ctx = session,
                                .frame_done = frame_done,
                                .frame_ctx = session,
-                               .stop = &signals_caught};
+                               .stop = signals_asked};
 }
 
 /* Creates the threads after opening the display: opening may fork, and threads do not survive that. */

@@ -30,7 +30,7 @@ struct session {
     char format[32]; /* a copy of the display's, since it is printed after closing */
 };
 
-/* Until session_end, signals are delivered only while an input or display waits. NULL: no memory. */
+/* Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
 struct session *session_create(const struct options *options);
 
 /* Return an exit status, and the reason in session->why. */

@@ -161,7 +161,7 @@ void span_light(const struct tia_view *view, const struct tia_hits *hits, struct
 
     chunk.view = view;
     chunk.spans = view->prepared;
-    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         chunk.y = y;
         light_row(&chunk, hits, tile, surface, options);
     }

@@ -134,6 +134,8 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         s.sum[2][i] = num_colour(s.material->emission.b);
     }
     for (uint32_t l = 0; l < view->light_count; l++) {
+        if ((l & 63) == 63 && view_stops(view)) /* so many lights in one row may take long */
+            break;
         if (s.spans->tinted)
             shade_tinted_light(&s, l);
         else

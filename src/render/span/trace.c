@@ -38,6 +38,6 @@ static void trace_sphere(const struct span_view *spans, struct tia_hits *hits, u
 void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     clear(hits, tile);
-    for (uint32_t n = 0; n < view->scene->sphere_count; n++)
+    for (uint32_t n = 0; n < view->scene->sphere_count && !view_stops(view); n++)
         trace_sphere(view->prepared, hits, n, tile);
 }

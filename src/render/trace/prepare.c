@@ -70,6 +70,7 @@ int ray_prepare(struct tia_view *view)
     const struct tia_scene *scene = view->scene;
     struct ray_view *rays = view->prepared;
 
+    rays->view = view;
     rays->scene = scene;
     rays->lights = (struct ray_light *)(void *)((char *)view->prepared + ALIGN(sizeof *rays));
     rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));

@@ -9,6 +9,7 @@
 #include "rgb.h"
 
 struct ray_view {
+    const struct tia_view *view; /* whose it is */
     const struct tia_scene *scene;
     struct ray_camera camera;
     struct shape *shapes;       /* the scene's, prepared */

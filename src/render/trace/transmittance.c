@@ -105,6 +105,6 @@ bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_l
         }
         multiply(view, &filters, through);
         filters.from = filters.count ? filters.object[filters.count - 1] + 1 : 0;
-    } while (filters.more);
+    } while (filters.more && !view_stops(view->view));
     return through[0] > 0 || through[1] > 0 || through[2] > 0;
 }

@@ -13,7 +13,21 @@ struct path {
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */
     uint32_t blocker[PATH_BLOCKERS]; /* what stood before each of the first lights last */
+    unsigned rays;                   /* since the caller was asked whether to stop */
+    bool stopped;
 };
+
+#define PATH_PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
+
+/* Counts a ray. Once the caller wants no more, true: the colour does not matter any longer. */
+static inline bool path_stops(struct path *path)
+{
+    if (!path->stopped && ++path->rays >= PATH_PATIENCE) {
+        path->rays = 0;
+        path->stopped = view_stops(path->view->view);
+    }
+    return path->stopped;
+}
 
 #define PATH_HASH UINT32_C(2166136261)
 

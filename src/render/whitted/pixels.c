@@ -5,9 +5,10 @@
 static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     const struct ray_view *rays = view->prepared;
+    struct path path = {.view = rays};
 
     for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
-        for (int x = (int)tile.x; x < tile_right(tile); x++) {
+        for (int x = (int)tile.x; x < tile_right(tile) && !path_stops(&path); x++) {
             struct ray ray;
             struct hit hit;
 
@@ -25,7 +26,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
     int samples = camera->side * camera->side;
 
     mean[0] = mean[1] = mean[2] = 0;
-    for (int i = 0; i < samples; i++) {
+    for (int i = 0; i < samples && !path_stops(path); i++) {
         struct ray ray;
         struct hit hit;
         num_length colour[3];
@@ -51,7 +52,8 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
     return (tia_rgb565)(r << 11 | g << 5 | b);
 }
 
-static void row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
+/* False: it was stopped. */
+static bool row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
                 ptrdiff_t step, const struct tia_options *options)
 {
     uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - (int)tile.y) * tile.width : NULL;
@@ -62,7 +64,7 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     dither_thresholds(options->dither, y, threshold);
-    for (int i = 0; i < (int)tile.width; i++) {
+    for (int i = 0; i < (int)tile.width && !path.stopped; i++) {
         int x = (int)tile.x + i;
         num_length mean[3];
 
@@ -73,14 +75,17 @@ static void row(const struct tia_view *view, const struct tia_hits *hits, struct
         if (path_hash)
             path_hash[i] = path.hash;
     }
+    return !path.stopped;
 }
 
 static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
-    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+    bool goes_on = true;
+
+    for (int y = (int)tile.y; y < tile_bottom(tile) && goes_on; y++) {
         char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
-        row(view, hits, tile, y, out, surface->step, options);
+        goes_on = row(view, hits, tile, y, out, surface->step, options);
     }
 }
 

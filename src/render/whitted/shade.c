@@ -119,7 +119,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
         return;
     }
     ray_light_aim(&aim, light, s->point, path->class);
-    for (unsigned i = 0; i < light->samples; i++)
+    for (unsigned i = 0; i < light->samples && !path_stops(path); i++)
         path_hash_word(path, add_sample(path, s, &aim, i, blocker, mean));
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));

@@ -13,6 +13,7 @@
 struct space {
     unsigned char *front;
     struct tia_bounds *boxes;
+    struct tia_bvh_asker asker;
 };
 
 static uint64_t object_count(const struct tia_scene *scene)
@@ -61,7 +62,7 @@ static void *allocate(struct space *space, uint64_t size)
 static struct tia_bvh_tree build(struct space *space, uint32_t *items, uint32_t count)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
-    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, space->boxes);
+    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, space->boxes, &space->asker);
 
     allocate(space, tree.node_count * sizeof *nodes);
     return tree;
@@ -71,7 +72,7 @@ static struct tia_bvh_tree build_mesh(struct space *space, const struct tia_mesh
 {
     uint32_t *items = allocate(space, mesh->face_count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = 0; i < mesh->face_count; i++) {
+    for (uint32_t i = 0; i < mesh->face_count && !tia_bvh_stops(&space->asker, 1); i++) {
         struct tia_bounds box = tia_bounds_of_face(mesh, i);
         struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
         (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
@@ -115,7 +116,7 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
     uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
     uint32_t *items = allocate(space, count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = count; i-- > 0;) {
+    for (uint32_t i = count; !tia_bvh_stops(&space->asker, 1) && i-- > 0;) {
         if (find_box(&space->boxes[i], scene, i, bvh->meshes))
             items[first++] = i;
         else
@@ -128,7 +129,13 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
 
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
 {
-    struct space space = {memory, NULL};
+    return tia_bvh_build_until(bvh, memory, size, used, scene, NULL, NULL);
+}
+
+int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                        const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
+{
+    struct space space = {memory, NULL, {stop, ctx, 0, false}};
     size_t needed = tia_bvh_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
@@ -140,6 +147,8 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         meshes[i] = build_mesh(&space, &scene->meshes[i]);
     build_objects(&space, whole, scene);
+    if (space.asker.stopped)
+        return TIA_STOPPED;
     *bvh = whole;
     if (used)
         *used = (size_t)(space.front - (unsigned char *)memory);

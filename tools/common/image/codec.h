@@ -23,6 +23,7 @@ struct image {
     struct image_film film;
     unsigned width, height; /* of the part of each frame in the file */
     uint64_t rows;          /* written so far, of all frames */
+    uint32_t sum;           /* checksum of the frame so far, in formats that have one */
     int status;             /* the first error */
     unsigned char *line;    /* one row: 3 bytes per pixel, and padding */
     void *state;            /* for the codec */
@@ -41,5 +42,8 @@ size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
 /* Expands `count` pixels to red, green and blue of 8 bits each by bit replication: 0 stays 0, full intensity becomes
  * 255. */
 void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count);
+
+/* part.c, for formats whose frames have checksums: adds the next row to image->sum. True: it is the frame's last. */
+bool image_part_add(struct image *image, const tia_rgb565 *pixels);
 
 #endif

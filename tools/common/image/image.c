@@ -56,11 +56,6 @@ bool image_bottom_up(const struct image *image)
     return image->codec->bottom_up;
 }
 
-bool image_temporary(const struct image *image)
-{
-    return image->sink.temporary != NULL;
-}
-
 static void release(struct image *image)
 {
     free(image->line);
@@ -124,7 +119,7 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count)
     return image->status;
 }
 
-int image_finish(struct image *image)
+int image_seal(struct image *image)
 {
     uint64_t rows = (uint64_t)image->height * image->film.frames;
     if (image->status == TIA_OK && image->rows != rows) {
@@ -140,10 +135,24 @@ int image_finish(struct image *image)
         image_discard(image);
         return status;
     }
-    image->codec->free(image);
-    status = sink_commit(&image->sink);
-    release(image);
+    status = sink_seal(&image->sink);
+    if (status != TIA_OK) {
+        image_discard(image);
+    }
     return status;
+}
+
+int image_publish(struct image *image)
+{
+    int status = sink_publish(&image->sink);
+    image_discard(image);
+    return status;
+}
+
+int image_finish(struct image *image)
+{
+    int status = image_seal(image);
+    return status == TIA_OK ? image_publish(image) : status;
 }
 
 void image_discard(struct image *image)

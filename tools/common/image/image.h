@@ -2,7 +2,7 @@
  *
  * A regular file gets its name only when image_finish succeeds; until then it is a temporary file in the same
  * directory. A device, a pipe or standard output ("-") is written directly. Needs memory for one row and a buffer,
- * whatever the picture's size.
+ * whatever the picture's size; for a .y4m, for a frame.
  */
 #ifndef PORT_IMAGE_H
 #define PORT_IMAGE_H
@@ -32,15 +32,18 @@ struct image *image_create_film(const char *path, enum image_format format, cons
 /* Whether the format stores the bottom row first; then write the last band first. */
 bool image_bottom_up(const struct image *image);
 
-/* Whether there is a temporary file; then a program must call image_discard before it ends early. */
-bool image_temporary(const struct image *image);
-
 /* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are kept; checking image_finish is
  * enough. */
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
+
+/* The same in two steps, so that several pictures appear together: when image_seal succeeds, all that is left to do is
+ * to rename the file, which image_publish does. After a failure `image` is freed. */
+int image_seal(struct image *image);
+int image_publish(struct image *image);
+
 void image_discard(struct image *image);
 
 #endif

@@ -9,10 +9,18 @@
 
 size_t image_part_print(char text[IMAGE_PART_HEADER], const struct image_film *film)
 {
-    return (size_t)snprintf(text, IMAGE_PART_HEADER, "TIAPART1 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%08x\n", film->width,
+    return (size_t)snprintf(text, IMAGE_PART_HEADER, "TIAPART2 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%08x\n", film->width,
                             film->height, film->first_row, film->rows, (unsigned)film->first_frame,
                             (unsigned)film->frames, (unsigned)film->all_frames, (unsigned)film->rate[0],
                             (unsigned)film->rate[1], (unsigned)film->crc);
+}
+
+size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film)
+{
+    return (size_t)snprintf(
+        text, IMAGE_PART_HEADER, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%08x\n",
+        film->width, film->height, (unsigned)film->rate[0], (unsigned)film->rate[1], (unsigned)film->first_frame,
+        (unsigned)film->frames, (unsigned)film->all_frames, (unsigned)film->crc);
 }
 
 static bool makes_sense(const struct image_film *film)
@@ -41,7 +49,7 @@ size_t image_part_parse(struct image_film *film, const char *text, size_t length
     char line[IMAGE_PART_HEADER + 1], again[IMAGE_PART_HEADER];
     unsigned n[10];
     take_line(line, text, length);
-    if (sscanf(line, "TIAPART1 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5], &n[6],
+    if (sscanf(line, "TIAPART2 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5], &n[6],
                &n[7], &n[8], &n[9]) != 10) {
         return 0;
     }
@@ -62,31 +70,39 @@ size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
     return check_spelling(film, line, again, image_y4m_print(again, film));
 }
 
-/* ---- writing a part ---- */
+/* ---- the frames' checksums ---- */
 
-static void nothing(struct image *image)
+uint32_t image_part_begin_sum(const struct image_film *film, uint32_t frame)
 {
-    (void)image;
+    const uint32_t place[] = {frame, film->first_row, film->rows, film->crc};
+    tia_rgb565 halves[8];
+    for (unsigned i = 0; i < 8; i++) {
+        halves[i] = (tia_rgb565)(place[i / 2] >> 16 * (i & 1) & 0xffffu);
+    }
+    return tia_crc32(0, halves, 8);
 }
 
-static int begin(struct image *image)
+bool image_part_add(struct image *image, const tia_rgb565 *pixels)
 {
-    char text[IMAGE_PART_HEADER];
-    size_t length = image_part_print(text, &image->film);
-    return sink_write(&image->sink, text, length);
+    uint64_t row = image->rows % image->height;
+    if (row == 0) {
+        uint32_t frame = image->film.first_frame + (uint32_t)(image->rows / image->height);
+        image->sum = image_part_begin_sum(&image->film, frame);
+    }
+    image->sum = tia_crc32(image->sum, pixels, image->width);
+    return row + 1 == image->height;
 }
 
-static int row(struct image *image, const tia_rgb565 *pixels)
+void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum)
 {
-    size_t bytes = image_put565(image->line, pixels, image->width);
-    return sink_write(&image->sink, image->line, bytes);
+    for (unsigned i = 0; i < IMAGE_PART_SUM; i++) {
+        bytes[i] = (unsigned char)(sum >> 8 * i & 255u);
+    }
 }
 
-static int end(struct image *image)
+void image_y4m_put_frame(unsigned char bytes[IMAGE_Y4M_FRAME], uint32_t sum)
 {
-    (void)image;
-    return TIA_OK;
+    char line[IMAGE_Y4M_FRAME + 1];
+    (void)snprintf(line, sizeof line, "FRAME XTIA=%08lx\n", (unsigned long)sum);
+    memcpy(bytes, line, IMAGE_Y4M_FRAME);
 }
-
-const struct image_codec image_codec_part = {
-    .name = "tiapart", .begin = begin, .row = row, .end = end, .free = nothing};

@@ -1,47 +1,23 @@
 /* y4m.c - YUV4MPEG2 films, as mjpegtools and ffmpeg read them: 4:4:4, the planes Y, U and V of each frame. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "codec.h"
 #include "part.h"
 #include "ports.h"
 
-/* The planes U and V, kept while rows of Y are written. */
-struct y4m_state {
-    unsigned char *u, *v;
-};
-
-size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film)
-{
-    return (size_t)snprintf(
-        text, IMAGE_PART_HEADER, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%08x\n",
-        film->width, film->height, (unsigned)film->rate[0], (unsigned)film->rate[1], (unsigned)film->first_frame,
-        (unsigned)film->frames, (unsigned)film->all_frames, (unsigned)film->crc);
-}
-
 static void release(struct image *image)
 {
-    struct y4m_state *state = image->state;
-    if (state != NULL) {
-        free(state->u);
-        free(state->v);
-    }
-    free(state);
+    free(image->state);
     image->state = NULL;
 }
 
+/* The planes are kept until the frame is complete, as its checksum stands before them. */
 static int begin(struct image *image)
 {
-    size_t pixels = (size_t)image->width * image->height;
-    struct y4m_state *state = calloc(1, sizeof *state);
     char header[IMAGE_PART_HEADER];
-    image->state = state;
-    if (state != NULL) {
-        state->u = malloc(pixels);
-        state->v = malloc(pixels);
-    }
-    if (state == NULL || state->u == NULL || state->v == NULL) {
+    image->state = malloc((size_t)image->width * image->height * 3);
+    if (image->state == NULL) {
         (void)snprintf(image->sink.why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
@@ -64,24 +40,21 @@ uint32_t image_y4m_colour(tia_rgb565 pixel)
 
 static int row(struct image *image, const tia_rgb565 *pixels)
 {
-    struct y4m_state *state = image->state;
-    size_t line = (size_t)(image->rows % image->height), at = line * image->width;
-    for (unsigned x = 0; x < image->width; x++) {
+    size_t plane = (size_t)image->width * image->height;
+    unsigned char *at = (unsigned char *)image->state + image->rows % image->height * image->width;
+    unsigned char line[IMAGE_Y4M_FRAME];
+    for (unsigned x = 0; x < image->width; x++, at++) {
         uint32_t colour = image_y4m_colour(pixels[x]);
-        image->line[x] = (unsigned char)(colour >> 16);
-        state->u[at + x] = (unsigned char)(colour >> 8 & 255);
-        state->v[at + x] = (unsigned char)(colour & 255);
+        at[0] = (unsigned char)(colour >> 16);
+        at[plane] = (unsigned char)(colour >> 8 & 255);
+        at[2 * plane] = (unsigned char)(colour & 255);
     }
-    int status = line == 0 ? sink_write(&image->sink, "FRAME\n", IMAGE_Y4M_FRAME) : TIA_OK;
-    if (status == TIA_OK) {
-        status = sink_write(&image->sink, image->line, image->width);
+    if (!image_part_add(image, pixels)) {
+        return TIA_OK;
     }
-    if (status == TIA_OK && line + 1 == image->height) {
-        size_t plane = (size_t)image->width * image->height;
-        status = sink_write(&image->sink, state->u, plane);
-        return status == TIA_OK ? sink_write(&image->sink, state->v, plane) : status;
-    }
-    return status;
+    image_y4m_put_frame(line, image->sum);
+    int status = sink_write(&image->sink, line, sizeof line);
+    return status == TIA_OK ? sink_write(&image->sink, image->state, 3 * plane) : status;
 }
 
 static int end(struct image *image)

@@ -1,0 +1,85 @@
+/* watch.c - what may happen while a frame is drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
+ * middle of a ray's tree; a key that moves a light ends it at the next tile, when it has taken long: what it would
+ * show is out of date. */
+#include "loop.h"
+
+#define STEP_US 20000      /* between two looks */
+#define PATIENCE_US 250000 /* a frame that is done sooner is shown */
+#define RELEASES 8         /* places in the queue that presses do not take */
+
+/* Presses that find no place are lost, but for those that quit; releases must not be, or a key would seem held. */
+static void keep(struct loop *loop, const struct tia_event *event)
+{
+    bool is_release = event->kind == TIA_EVENT_RELEASE;
+
+    loop->ends = !is_release && tia_viewer_quits(loop->scene, event->key);
+    loop->outdated = loop->outdated || !is_release;
+    if (loop->queued < VIEWER_QUEUE - (is_release ? 0 : RELEASES))
+        loop->queue[loop->queued++] = *event;
+}
+
+static void poll_input(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_event event;
+    int status = 0;
+
+    while (v->input && !loop->ends && (status = v->input->poll(v->input_ctx, &event)) > 0)
+        keep(loop, &event);
+    if (status < 0) {
+        loop->failure = status;
+        loop->ends = true;
+    }
+}
+
+/* Of two frames one after the other only one is given up: while keys come all the time, some are still shown. */
+static void look(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    uint64_t now = viewer_now(loop);
+
+    if (loop->ends || (v->clock && now < loop->look_us))
+        return;
+    loop->look_us = now + STEP_US;
+    loop->ends = v->stop && v->stop(v->stop_ctx);
+    poll_input(loop);
+    loop->gives_up = v->clock && loop->outdated && !loop->gave_up && now >= loop->begun_us + PATIENCE_US;
+}
+
+void tia_viewer_watch_begin(struct loop *loop)
+{
+    loop->begun_us = viewer_now(loop);
+    loop->look_us = loop->begun_us + STEP_US;
+    loop->outdated = loop->gives_up = false;
+}
+
+/* All of struct loop that changes while tiles are drawn is touched between enter and leave. */
+static bool enter(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    return !v->workers || v->workers->enter(v->workers_ctx);
+}
+
+static void leave(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    if (v->workers)
+        v->workers->leave(v->workers_ctx);
+}
+
+int tia_viewer_watch(struct loop *loop)
+{
+    int status;
+
+    if (!enter(loop))
+        return TIA_OK;
+    look(loop);
+    status = loop->ends ? TIA_STOPPED : loop->gives_up ? VIEWER_OUTDATED : TIA_OK;
+    leave(loop);
+    return status;
+}
+
+bool tia_viewer_stops(void *ctx)
+{
+    return tia_viewer_watch(ctx) == TIA_STOPPED;
+}

@@ -1,0 +1,201 @@
+#include "temporary.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+enum { NAMES = 64, LINKS_MOST = 40 }; /* runs for one name at once; links as Linux follows them */
+
+/* ---- names ---- */
+
+static int directory_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? (int)(slash + 1 - path) : 0;
+}
+
+char *temporary_target(const char *name)
+{
+    char *path = strdup(name), link[PATH_MAX];
+    for (int links = 0; path != NULL; links++) {
+        ssize_t length = readlink(path, link, sizeof link);
+        if (length < 0) {
+            return path; /* no link, or nothing there */
+        }
+        char *next = NULL;
+        if (links == LINKS_MOST || length == sizeof link) {
+            errno = links == LINKS_MOST ? ELOOP : ENAMETOOLONG;
+        } else if (asprintf(&next, "%.*s%.*s", link[0] != '/' ? directory_length(path) : 0, path, (int)length, link) <
+                   0) {
+            next = NULL;
+        }
+        free(path);
+        path = next;
+    }
+    return NULL;
+}
+
+/* FNV-1a. */
+static uint32_t hash(const char *text)
+{
+    uint32_t sum = UINT32_C(2166136261);
+    for (; *text != '\0'; text++) {
+        sum = (sum ^ (unsigned char)*text) * UINT32_C(16777619);
+    }
+    return sum;
+}
+
+/* Short, because the file system may not accept a name longer than that of `path`. */
+static char *name_beside(const char *path, unsigned number)
+{
+    int directory = directory_length(path);
+    char *name;
+    if (asprintf(&name, "%.*s.tia-%08lx-%u", directory, path, (unsigned long)hash(path + directory), number) < 0) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    return name;
+}
+
+/* ---- locks ---- */
+
+/* Whether the file is still the one with the name. */
+static bool has_name(int fd, const char *name)
+{
+    struct stat file, named;
+    return fstat(fd, &file) == 0 && lstat(name, &named) == 0 && S_ISREG(file.st_mode) && file.st_dev == named.st_dev &&
+           file.st_ino == named.st_ino && (file.st_uid == geteuid() || geteuid() == 0);
+}
+
+/* Removes the file unless somebody writes it. Asks for its name again behind the lock: others may have removed it and
+ * made a new one meanwhile. */
+static void remove_left(const char *name)
+{
+    int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (fd < 0) {
+        return;
+    }
+    if (has_name(fd, name) && flock(fd, LOCK_EX | LOCK_NB) == 0 && has_name(fd, name)) {
+        (void)unlink(name);
+    }
+    (void)close(fd);
+}
+
+/* Before the lock another run may have taken the new file for left behind: then it is lost. Some file systems have no
+ * locks, and nothing is removed there. */
+static int create_locked(const char *name, mode_t mode)
+{
+    int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
+    if (fd < 0) {
+        return -1;
+    }
+    bool taken = flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (taken || !has_name(fd, name)) {
+        (void)close(fd);
+        errno = EEXIST;
+        return -1;
+    }
+    return fd;
+}
+
+/* ---- the file ---- */
+
+/* In the handler of a signal. */
+static void undo(void *arg)
+{
+    (void)unlink(arg);
+}
+
+static int take_name(struct temporary *temporary, char *name, mode_t mode)
+{
+    signals_hold();
+    int fd = create_locked(name, mode);
+    int error = errno;
+    if (fd >= 0) {
+        temporary->name = name;
+        temporary->cleanup = (struct signals_cleanup){.undo = undo, .arg = name};
+        signals_add(&temporary->cleanup);
+    }
+    signals_allow();
+    errno = error;
+    return fd;
+}
+
+/* Like the file that will be replaced. Without the bits that run a program as its owner: writing takes them away. Only
+ * root can give files to another owner, so that a failure of this is none. */
+static bool make_like(int fd, const struct stat *before)
+{
+    bool owned = fchown(fd, before->st_uid, before->st_gid) == 0 || fchown(fd, (uid_t)-1, before->st_gid) == 0;
+    (void)owned;
+    return fchmod(fd, before->st_mode & (S_IRWXU | S_IRWXG | S_IRWXO)) == 0;
+}
+
+static int finish(struct temporary *temporary, int fd, const struct stat *before)
+{
+    if (fd >= 0 && before != NULL && !make_like(fd, before)) {
+        int error = errno;
+        temporary_remove(temporary);
+        (void)close(fd);
+        errno = error;
+        return -1;
+    }
+    return fd;
+}
+
+/* All names are looked at: runs of which the first is done may have left the second's file. */
+int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
+{
+    mode_t mode = before != NULL ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    int fd = -1, error = EEXIST;
+    for (unsigned i = 0; i < NAMES; i++) {
+        char *name = name_beside(path, i);
+        if (name == NULL) {
+            error = errno;
+            break;
+        }
+        remove_left(name);
+        if (fd < 0 && error == EEXIST) {
+            fd = take_name(temporary, name, mode);
+            error = errno;
+        }
+        if (name != temporary->name) {
+            free(name);
+        }
+    }
+    errno = error;
+    return finish(temporary, fd, before);
+}
+
+static void forget(struct temporary *temporary)
+{
+    signals_remove(&temporary->cleanup);
+    free(temporary->name);
+    temporary->name = NULL;
+}
+
+int temporary_rename(struct temporary *temporary, const char *path)
+{
+    signals_hold();
+    int result = rename(temporary->name, path), error = errno;
+    if (result == 0) {
+        forget(temporary);
+    }
+    signals_allow();
+    errno = error;
+    return result;
+}
+
+void temporary_remove(struct temporary *temporary)
+{
+    if (temporary->name != NULL) {
+        (void)unlink(temporary->name);
+        forget(temporary);
+    }
+}

@@ -1,0 +1,29 @@
+/* pictures.h - the heatmaps of a run, which appear together at its end, or none. */
+#ifndef TIA_COMPARE_PICTURES_H
+#define TIA_COMPARE_PICTURES_H
+
+#include "heatmap.h"
+#include "ports.h"
+
+struct pictures {
+    const char *name; /* of the option --heatmap */
+    unsigned most;    /* frames */
+    unsigned count;
+    struct image **images;
+    char **paths;
+    char why[PORT_WHY]; /* after a failure */
+};
+
+/* `most` frames will be added. False: no memory; pictures_end is safe in either case. */
+bool pictures_begin(struct pictures *pictures, const char *name, unsigned most);
+
+/* Draws the next one. A negative tia_status on failure. */
+int pictures_add(struct pictures *pictures, const struct heatmap *map);
+
+/* All of them get their names. A negative tia_status on failure. */
+int pictures_publish(struct pictures *pictures);
+
+/* Removes what was not published. */
+void pictures_end(struct pictures *pictures);
+
+#endif
