@@ -219,7 +219,7 @@ TEST(memory_that_is_missing_is_counted)
     CHECK_EQ(arena.used, 16);
     CHECK(!tia_arena_take(&arena, 9, 1));
     CHECK_EQ(arena.used, 32);
-    CHECK(!tia_arena_take(&arena, SIZE_MAX / 4, 8) && !tia_arena_fits(&arena));
+    CHECK(!tia_arena_take(&arena, 8, SIZE_MAX / 4) && !tia_arena_fits(&arena));
     CHECK(!tia_arena_take(&arena, 1, 1) && !tia_arena_fits(&arena) && arena.used > SIZE_MAX / 2);
 }
 

@@ -10,7 +10,6 @@
 #ifndef TIA_SRC_MATH_H
 #define TIA_SRC_MATH_H
 
-#include <limits.h>
 #include <stdint.h>
 #include <tia/vec.h>
 
@@ -50,7 +49,7 @@ static inline unsigned tia_clz32_table(uint32_t x)
 /* Leading zero bits. x must not be 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && !defined(TIA_NO_CLZ) && UINT_MAX == UINT32_MAX
+#if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
     return (unsigned)__builtin_clz(x);
 #else
     return tia_clz32_table(x);

@@ -25,8 +25,6 @@
 #include "math/integer.h"
 #include "read/surface.h"
 
-#include <limits.h>
-
 /* ---- view, background, lights ---- */
 
 static int read_v(struct nff *n)
@@ -298,7 +296,7 @@ static const struct nff_field {
     {"shape", "top_radius", "radius", 7},
     {"shape", "radius", "radius", 3},
     {"shape", "top", "", 4},
-    {"shape", "place", "", UINT_MAX},
+    {"shape", "place", "", UINT16_MAX},
 };
 
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault)
