@@ -49,9 +49,8 @@ static inline unsigned tia_clz32_table(uint32_t x)
 /* Leading zero bits. x must not be 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && !defined(TIA_NO_CLZ)
-    return sizeof(int) == sizeof x ? (unsigned)__builtin_clz((unsigned)x)
-                                   : (unsigned)(__builtin_clzl(x) - (int)(8 * sizeof(long) - 32));
+#if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
+    return (unsigned)__builtin_clz(x);
 #else
     return tia_clz32_table(x);
 #endif

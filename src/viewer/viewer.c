@@ -1,8 +1,6 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
 #include "loop.h"
 
-#define WAIT_MAX 32767 /* ms: what an int of 16 bits holds */
-
 /* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
 {
@@ -13,7 +11,7 @@ static int idle_ms(const struct loop *loop)
     if (!next)
         return -1;
     uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
-    return ms < WAIT_MAX ? (int)ms : WAIT_MAX;
+    return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
 static int draw_frame(struct loop *loop)

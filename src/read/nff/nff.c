@@ -296,7 +296,7 @@ static const struct nff_field {
     {"shape", "top_radius", "radius", 7},
     {"shape", "radius", "radius", 3},
     {"shape", "top", "", 4},
-    {"shape", "place", "", ~0u},
+    {"shape", "place", "", UINT16_MAX},
 };
 
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault)

@@ -88,7 +88,7 @@ int tia_line_include(struct tia_job *job)
         return status;
     if (reader->library(reader->ctx, path, &text, &length, &why) != TIA_OK)
         return tia_job_missing(job, &name, why, "a scene's file");
-    if ((uint64_t)length >= UINT32_MAX)
+    if (tia_text_is_too_long(length))
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
     job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
     job->includes.next.constants = &job->constants;
