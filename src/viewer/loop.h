@@ -7,7 +7,7 @@
 #define VIEWER_STRIP 16 /* rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS (TIA_KEY_PAGE_DOWN - TIA_KEY_LEFT + 1)
 
-#define VIEWER_QUEUE 64
+#define VIEWER_QUEUE 8 /* events while a frame is drawn; a full queue ends it */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
 #define VIEWER_QUIT 10

@@ -1,30 +1,33 @@
 /* watch.c - what may happen while a frame is drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
  * middle of a ray's tree; a key that moves a light ends it at the next tile, when it has taken long: what it would
- * show is out of date. */
+ * show is out of date. So does a full queue: the keys behind it wait. */
 #include "loop.h"
 
 #define STEP_US 20000      /* between two looks */
 #define PATIENCE_US 250000 /* a frame that is done sooner is shown */
-#define RELEASES 8         /* places in the queue that presses do not take */
 
-/* Presses that find no place are lost, but for those that quit; releases must not be, or a key would seem held. */
-static void keep(struct loop *loop, const struct tia_event *event)
+static bool is_full(const struct loop *loop)
 {
-    bool is_release = event->kind == TIA_EVENT_RELEASE;
-
-    loop->ends = !is_release && tia_viewer_quits(loop->scene, event->key);
-    loop->outdated = loop->outdated || !is_release;
-    if (loop->queued < VIEWER_QUEUE - (is_release ? 0 : RELEASES))
-        loop->queue[loop->queued++] = *event;
+    return loop->queued == VIEWER_QUEUE;
 }
 
+static void keep(struct loop *loop, const struct tia_event *event)
+{
+    bool is_press = event->kind != TIA_EVENT_RELEASE;
+
+    loop->ends = is_press && tia_viewer_quits(loop->scene, event->key);
+    loop->outdated = loop->outdated || is_press;
+    loop->queue[loop->queued++] = *event;
+}
+
+/* What finds no place stays with the input: no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
     struct tia_event event;
     int status = 0;
 
-    while (v->input && !loop->ends && (status = v->input->poll(v->input_ctx, &event)) > 0)
+    while (v->input && !loop->ends && !is_full(loop) && (status = v->input->poll(v->input_ctx, &event)) > 0)
         keep(loop, &event);
     if (status < 0) {
         loop->failure = status;
@@ -74,7 +77,7 @@ int tia_viewer_watch(struct loop *loop)
     if (!enter(loop))
         return TIA_OK;
     look(loop);
-    status = loop->ends ? TIA_STOPPED : loop->gives_up ? VIEWER_OUTDATED : TIA_OK;
+    status = loop->ends ? TIA_STOPPED : loop->gives_up || is_full(loop) ? VIEWER_OUTDATED : TIA_OK;
     leave(loop);
     return status;
 }

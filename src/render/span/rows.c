@@ -17,7 +17,8 @@ struct chunk {
 /* A span that sees the background or a light: one colour, but for the dithering, which repeats after 8 pixels. */
 static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
-    int period = threshold[0] == threshold[1] ? 1 : 8;
+    bool dithered = threshold[0] != threshold[1];
+    int period = dithered ? 8 : 1;
     num_u rgb[3][8];
     tia_rgb565 pixels[8];
 
@@ -27,8 +28,10 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
     chunk->spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, period, pixels);
-    for (int i = 0; i < count; i++)
-        chunk->pixels[first + i] = pixels[i & (period - 1)];
+    for (int i = 0; !dithered && i < count; i++)
+        chunk->pixels[first + i] = pixels[0];
+    for (int i = 0; dithered && i < count; i++)
+        chunk->pixels[first + i] = pixels[i & 7];
 }
 
 /* Marks the pixels of a chunk where light `n` is nearer than what they see. */

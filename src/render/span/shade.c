@@ -85,7 +85,7 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
 }
 
 /* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
-static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
+static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_view *view = s->view;
@@ -106,7 +106,7 @@ static void shade_light(struct shading *s, uint32_t l, struct tint *tint)
     add_light(s, &view->lights[l], lambert, tint);
 }
 
-static void shade_tinted_light(struct shading *s, uint32_t l)
+static void shade_from_tinted_light(struct shading *s, uint32_t l)
 {
     struct tint tint;
 
@@ -114,7 +114,7 @@ static void shade_tinted_light(struct shading *s, uint32_t l)
         tint.left[0][i] = tint.left[1][i] = tint.left[2][i] = NUM_ONE;
         tint.passed[i] = 0;
     }
-    shade_light(s, l, &tint);
+    shade_from_light(s, l, &tint);
 }
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
@@ -137,9 +137,9 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         if ((l & 63) == 63 && view_stops(view)) /* so many lights in one row may take long */
             break;
         if (s.spans->tinted)
-            shade_tinted_light(&s, l);
+            shade_from_tinted_light(&s, l);
         else
-            shade_light(&s, l, NULL);
+            shade_from_light(&s, l, NULL);
     }
     s.spans->kernels->pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, span->x, span->count,
                            pixels);
