@@ -86,7 +86,7 @@ static inline int against_oracle(const struct tia_core *core, const struct tia_s
 /* Prints the notes when the environment has VERBOSE. */
 static inline void against_list(const char *name, const struct against *against)
 {
-    for (unsigned i = 0; i < against->note_count && getenv("VERBOSE") != NULL; i++) {
+    for (unsigned i = 0; i < against->note_count && getenv("VERBOSE"); i++) {
         const struct measure_pixel *got = &against->notes[i].got;
         const struct oracle_pixel *want = &against->notes[i].want;
         printf("%s (%u, %u): colour %04x object %" PRId32 " lights %" PRIx32 ", oracle %04x %" PRId32 " (%" PRId32

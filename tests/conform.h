@@ -45,11 +45,10 @@ static inline bool draw_tile(struct tia_tile tile, unsigned frame)
 {
     struct tia_surface surface = {0};
 
-    if (subject.ops->acquire(subject.ctx, tile, &surface) != TIA_OK || !surface.pixels || surface.step % 2 ||
-        surface.pitch % 2)
+    if (subject.ops->acquire(subject.ctx, tile, &surface) || !surface.pixels || surface.step % 2 || surface.pitch % 2)
         return false;
     fill(&surface, tile, frame);
-    return subject.ops->submit(subject.ctx, tile) == TIA_OK;
+    return !subject.ops->submit(subject.ctx, tile);
 }
 
 /* The picture cut into tiles of a size that the mode allows and that does not divide it. */
@@ -103,7 +102,7 @@ static inline void check_frame(unsigned frame)
 
 static inline void present(unsigned frame)
 {
-    CHECK_MSG(subject.ops->present(subject.ctx) == TIA_OK, "frame %u: present: %s", frame, subject.why);
+    CHECK_MSG(!subject.ops->present(subject.ctx), "frame %u: present: %s", frame, subject.why);
     subject.frames += frame != subject.last;
     subject.last = frame;
     check_frame(frame);
@@ -140,8 +139,8 @@ static inline bool open_subject(void)
     struct tia_mode now;
     int status = subject.ops->open(subject.ctx, &mode);
 
-    CHECK_MSG(status == TIA_OK, "open: %s", subject.why);
-    if (status != TIA_OK)
+    CHECK_MSG(!status, "open: %s", subject.why);
+    if (status)
         return false;
     CHECK(mode.width >= 1 && mode.width <= TIA_SIZE_MAX && mode.height >= 1 && mode.height <= TIA_SIZE_MAX);
     CHECK(mode.format && *mode.format);

@@ -58,8 +58,7 @@ static void see(double x, double y, double z, double degrees, tia_rgb565 want)
     scene.camera.eye = (struct tia_vec3){Q16(x), Q16(y), Q16(z)};
     scene.camera.reference =
         (struct tia_vec3){Q16(x), Q16(y + 100 * sin(degrees * DEGREES)), Q16(z - 100 * cos(degrees * DEGREES))};
-    CHECK_MSG(tia_scene_check(&scene, &fault) == TIA_OK, "%s %u: %s: %s", fault.thing, fault.index, fault.field,
-              fault.rule);
+    CHECK_MSG(!tia_scene_check(&scene, &fault), "%s %u: %s: %s", fault.thing, fault.index, fault.field, fault.rule);
     for (size_t i = 0; i < sizeof cores / sizeof cores[0] && !check_failed; i++) {
         draw(cores[i], 1, &pixel);
         CHECK_MSG(pixel == want, "%s: 0x%04x, not 0x%04x", cores[i]->name, pixel, want);

@@ -79,7 +79,7 @@ static inline void read_obj(struct reading *r, struct files *files, const char *
 static inline void read_model(struct reading *r, struct files *files, const char *text)
 {
     read_obj(r, files, text, strlen(text));
-    CHECK_MSG(r->status == TIA_OK, "%u:%u: %s", (unsigned)r->reader.error.line, (unsigned)r->reader.error.column,
+    CHECK_MSG(!r->status, "%u:%u: %s", (unsigned)r->reader.error.line, (unsigned)r->reader.error.column,
               r->reader.error.text);
 }
 
@@ -92,9 +92,9 @@ static inline bool load(struct reading *r, struct files *files, char **text, con
     CHECK_MSG(*text, "no %s", path);
     if (*text)
         read_obj(r, files, *text, length);
-    CHECK_MSG(*text && r->status == TIA_OK, "%s: %u:%u: %s", path, (unsigned)r->reader.error.line,
+    CHECK_MSG(*text && !r->status, "%s: %u:%u: %s", path, (unsigned)r->reader.error.line,
               (unsigned)r->reader.error.column, r->reader.error.text);
-    return *text && r->status == TIA_OK;
+    return *text && !r->status;
 }
 
 static inline void finish(struct reading *r, struct files *files)

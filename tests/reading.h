@@ -88,7 +88,7 @@ static inline void check_truncated(const struct tia_reader *reader)
         for (size_t i = 0; i < length; i++)
             lines += reader->text[i] == '\n';
         read_begin(&r);
-        CHECK(r.status == TIA_OK || r.status == TIA_ERR_RANGE);
+        CHECK(!r.status || r.status == TIA_ERR_RANGE);
         if (r.status)
             CHECK_MSG(*r.reader.error.text && r.reader.error.line <= lines, "%zu bytes: line %u: %s", length,
                       (unsigned)r.reader.error.line, r.reader.error.text);

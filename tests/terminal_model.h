@@ -116,14 +116,13 @@ static inline void model_csi(struct model *m, char final)
     bool private_mode = m->sequence[0] == '?';
     unsigned p[16] = {0}, n = 1;
 
-    for (const char *s = m->sequence + private_mode; *s; s++) {
+    for (const char *s = m->sequence + private_mode; *s; s++)
         if (*s == ';' && n < 16)
             n++;
         else if (*s >= '0' && *s <= '9')
             p[n - 1] = p[n - 1] * 10 + (unsigned)(*s - '0');
         else
             m->unknown++;
-    }
     if (private_mode && (final == 'h' || final == 'l')) {
         model_mode(m, p[0], final == 'h');
     } else if (final == 'H') {

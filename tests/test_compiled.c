@@ -70,8 +70,8 @@ static void compare(const char *path, const struct tia_scene *compiled)
     static struct scene_file file;
     int status = scene_open(&file, path, TIA_FORMAT_TIA, true);
 
-    CHECK_MSG(status == TIA_OK, "%.300s", file.why);
-    if (status != TIA_OK)
+    CHECK_MSG(!status, "%.300s", file.why);
+    if (status)
         return;
     CHECK_EQ(picture(compiled), picture(&file.scene));
     CHECK_EQ(compiled->track_count, file.scene.track_count);
@@ -80,7 +80,7 @@ static void compare(const char *path, const struct tia_scene *compiled)
         CHECK_EQ(moved(compiled), moved(&file.scene));
     compare_keys(compiled, &file.scene);
     /* The hierarchy is part of it, but where objects are few. */
-    CHECK(compiled->bvh != NULL || compiled->sphere_count + compiled->shape_count <= 4);
+    CHECK(compiled->bvh || compiled->sphere_count + compiled->shape_count <= 4);
     scene_close(&file);
 }
 

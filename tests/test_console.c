@@ -58,7 +58,7 @@ TEST(only_one_display_takes_it)
         return;
     CHECK_EQ(console_open(true, why), TIA_OK);
     CHECK_EQ(console_open(true, why), TIA_ERR_DEVICE);
-    CHECK(strstr(why, "taken") != NULL);
+    CHECK(strstr(why, "taken"));
     CHECK_EQ(console_state(), CONSOLE_OURS);
     console_close();
 }

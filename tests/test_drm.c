@@ -68,7 +68,7 @@ TEST(a_lit_connector_comes_first)
     hdmi.connection = DRM_MODE_DISCONNECTED;
     CHECK(pick_connector(&parts, NULL, why) == &vga);
     vga.count_modes = 0;
-    CHECK(pick_connector(&parts, NULL, why) == NULL);
+    CHECK(!pick_connector(&parts, NULL, why));
     CHECK(strcmp(why, "no connector has a screen with a mode") == 0);
 }
 
@@ -77,21 +77,21 @@ TEST(connectors_have_the_kernels_names)
     set_up();
     CHECK(pick_connector(&parts, "VGA-1", why) == &vga);
     CHECK(pick_connector(&parts, "HDMI-A-1", why) == &hdmi);
-    CHECK(pick_connector(&parts, "DP-2", why) == NULL);
+    CHECK(!pick_connector(&parts, "DP-2", why));
     CHECK(strcmp(why, "connector DP-2: nothing is connected to it") == 0);
-    CHECK(pick_connector(&parts, "VGA-2", why) == NULL);
+    CHECK(!pick_connector(&parts, "VGA-2", why));
     CHECK(strcmp(why, "connector VGA-2: no such connector (there are: VGA-1, HDMI-A-1, DP-2)") == 0);
     vga.modes = no_modes;
     vga.count_modes = 0;
-    CHECK(pick_connector(&parts, "VGA-1", why) == NULL);
-    CHECK(strstr(why, "no mode") != NULL);
+    CHECK(!pick_connector(&parts, "VGA-1", why));
+    CHECK(strstr(why, "no mode"));
 }
 
 TEST(unknown_connection_is_none)
 {
     set_up();
     hdmi.connection = vga.connection = DRM_MODE_UNKNOWNCONNECTION;
-    CHECK(pick_connector(&parts, NULL, why) == NULL);
+    CHECK(!pick_connector(&parts, NULL, why));
 }
 
 TEST(preferred_mode_then_the_others)
@@ -101,9 +101,9 @@ TEST(preferred_mode_then_the_others)
     CHECK(pick_mode(&vga, NULL, 1) == &modes[0]);
     CHECK(pick_mode(&vga, NULL, 2) == &modes[2]);
     CHECK(pick_mode(&vga, NULL, 3) == &modes[3]);
-    CHECK(pick_mode(&vga, NULL, 4) == NULL);
+    CHECK(!pick_mode(&vga, NULL, 4));
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[1]);
-    CHECK(pick_mode(&vga, "preferred", 1) == NULL);
+    CHECK(!pick_mode(&vga, "preferred", 1));
     modes[1].type = 0; /* nobody prefers: the driver's first */
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[0]);
 }
@@ -113,14 +113,14 @@ TEST(modes_by_size_and_rate)
     set_up();
     CHECK(pick_mode(&vga, "640x480", 0) == &modes[2]);
     CHECK(pick_mode(&vga, "640x480", 1) == &modes[3]);
-    CHECK(pick_mode(&vga, "640x480", 2) == NULL);
+    CHECK(!pick_mode(&vga, "640x480", 2));
     CHECK(pick_mode(&vga, "640x480@60", 0) == &modes[3]);
-    CHECK(pick_mode(&vga, "640x480@60", 1) == NULL);
-    CHECK(pick_mode(&vga, "640x480@50", 0) == NULL);
-    CHECK(pick_mode(&vga, "64", 0) == NULL);
-    CHECK(pick_mode(&vga, "640x4800", 0) == NULL);
-    CHECK(pick_mode(&vga, "640x480@6", 0) == NULL);
-    CHECK(pick_mode(&vga, "", 0) == NULL);
+    CHECK(!pick_mode(&vga, "640x480@60", 1));
+    CHECK(!pick_mode(&vga, "640x480@50", 0));
+    CHECK(!pick_mode(&vga, "64", 0));
+    CHECK(!pick_mode(&vga, "640x4800", 0));
+    CHECK(!pick_mode(&vga, "640x480@6", 0));
+    CHECK(!pick_mode(&vga, "", 0));
 }
 
 TEST(modes_that_are_too_large_are_left_out)
@@ -128,7 +128,7 @@ TEST(modes_that_are_too_large_are_left_out)
     set_up();
     modes[1] = mode(15360, 8640, 60, DRM_MODE_TYPE_PREFERRED);
     CHECK(pick_mode(&vga, NULL, 0) == &modes[0]);
-    CHECK(pick_mode(&vga, "15360x8640", 0) == NULL);
+    CHECK(!pick_mode(&vga, "15360x8640", 0));
 }
 
 TEST(crtc_of_the_encoder_or_one_that_is_free)
@@ -150,7 +150,7 @@ TEST(parts_that_went_away)
     connectors[0] = NULL;
     encoders[0] = NULL;
     CHECK(pick_connector(&parts, NULL, why) == &hdmi);
-    CHECK(pick_connector(&parts, "VGA-1", why) == NULL);
+    CHECK(!pick_connector(&parts, "VGA-1", why));
     CHECK_EQ(pick_crtc(&parts, &vga), 0);
 }
 

@@ -30,7 +30,7 @@ static void is(const char *name, struct answer a)
     struct pixel_format format;
     char reason[PORT_WHY] = "", text[PIXEL_NAME];
 
-    CHECK_MSG(format_of(&a, &format, reason) == TIA_OK, "%s is refused: %s", name, reason);
+    CHECK_MSG(!format_of(&a, &format, reason), "%s is refused: %s", name, reason);
     CHECK_MSG(strcmp(pixel_name(&format, text), name) == 0, "%s is taken for %s", name, text);
 }
 
@@ -53,7 +53,7 @@ static void refused(const char *part, struct answer a)
     char reason[PORT_WHY] = "";
 
     CHECK_MSG(format_of(&a, &format, reason) == TIA_ERR_UNSUPPORTED, "%s: accepted", part);
-    CHECK_MSG(strstr(reason, part) != NULL, "no '%s' in '%s'", part, reason);
+    CHECK_MSG(strstr(reason, part), "no '%s' in '%s'", part, reason);
 }
 
 TEST(what_cannot_be_drawn)

@@ -187,7 +187,7 @@ static void three_frames(const struct geometry *g)
         return;
     plug(g);
     void *ctx = port_fbdev_create(&wish);
-    CHECK_MSG(port_fbdev_display.open(ctx, &mode) == TIA_OK, "%s", why);
+    CHECK_MSG(!port_fbdev_display.open(ctx, &mode), "%s", why);
     for (unsigned frame = 1; frame <= 3; frame++) {
         draw(ctx, frame);
         check_picture(g, frame);

@@ -71,11 +71,9 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
 static bool near(const unsigned char *values, unsigned x, unsigned y, unsigned char value)
 {
     for (unsigned v = y ? y - 1 : 0; v <= y + 1 && v < by_gl.height; v++) {
-        for (unsigned u = x ? x - 1 : 0; u <= x + 1 && u < by_gl.width; u++) {
-            if (values[v * by_gl.width + u] == value) {
+        for (unsigned u = x ? x - 1 : 0; u <= x + 1 && u < by_gl.width; u++)
+            if (values[v * by_gl.width + u] == value)
                 return true;
-            }
-        }
     }
     return false;
 }
@@ -113,7 +111,7 @@ static void compare_colours(void)
 
 static bool seen(const unsigned char *values, unsigned char value)
 {
-    return memchr(values, value, (size_t)by_gl.width * by_gl.height) != NULL;
+    return memchr(values, value, (size_t)by_gl.width * by_gl.height);
 }
 
 /* What is compared must be there: both spheres and the sky; with a light, lit and unlit parts of both. */
@@ -121,15 +119,12 @@ static void check_contents(bool light)
 {
     bool parts[2][2] = {{false, false}, {false, false}};
 
-    for (unsigned i = 0; i < by_tia.width * by_tia.height; i++) {
-        if (by_tia.thing[i] != GL_SKY) {
+    for (unsigned i = 0; i < by_tia.width * by_tia.height; i++)
+        if (by_tia.thing[i] != GL_SKY)
             parts[by_tia.thing[i]][by_tia.lit[i]] = true;
-        }
-    }
     CHECK(seen(by_tia.thing, GL_SKY));
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++)
         CHECK(parts[i][0] && parts[i][1] == light);
-    }
 }
 
 static const char *directory;

@@ -15,10 +15,10 @@ static long number_in(const char *path, const char *name)
     char line[256];
     long number = -1;
 
-    while (file != NULL && number < 0 && fgets(line, sizeof line, file) != NULL)
+    while (file && number < 0 && fgets(line, sizeof line, file))
         if (strncmp(line, name, strlen(name)) == 0)
             number = strtol(line + strlen(name), NULL, 10);
-    if (file != NULL)
+    if (file)
         (void)fclose(file);
     return number;
 }
@@ -31,14 +31,14 @@ static pid_t find_guardian(pid_t of, pid_t but)
     char path[64], name[32];
     pid_t found = 0;
 
-    while (found == 0 && processes != NULL && (entry = readdir(processes)) != NULL) {
+    while (found == 0 && processes && (entry = readdir(processes)) != NULL) {
         long pid = strtol(entry->d_name, NULL, 10);
         (void)snprintf(path, sizeof path, "/proc/%ld/status", pid);
         (void)snprintf(name, sizeof name, "Name:\tconsole-guard");
         if (pid > 0 && pid != but && number_in(path, "PPid:\t") == of && number_in(path, name) == 0)
             found = (pid_t)pid;
     }
-    if (processes != NULL)
+    if (processes)
         (void)closedir(processes);
     return found;
 }
@@ -51,11 +51,11 @@ static bool is_traced(void)
     char path[320];
     bool found = false;
 
-    while (!found && threads != NULL && (entry = readdir(threads)) != NULL) {
+    while (!found && threads && (entry = readdir(threads)) != NULL) {
         (void)snprintf(path, sizeof path, "/proc/self/task/%s/status", entry->d_name);
         found = number_in(path, "TracerPid:\t") > 0;
     }
-    if (threads != NULL)
+    if (threads)
         (void)closedir(threads);
     return found;
 }
@@ -144,9 +144,9 @@ static int score_of(pid_t pid)
 
     (void)snprintf(path, sizeof path, "/proc/%d/oom_score_adj", (int)pid);
     FILE *file = fopen(path, "re");
-    if (file != NULL && fscanf(file, "%d", &value) != 1)
+    if (file && fscanf(file, "%d", &value) != 1)
         value = 9999;
-    if (file != NULL)
+    if (file)
         (void)fclose(file);
     return value;
 }

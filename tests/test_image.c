@@ -23,9 +23,8 @@ static unsigned char bytes[4096];
 static long slurp(const char *name)
 {
     FILE *file = fopen(name, "rb");
-    if (file == NULL) {
+    if (!file)
         return -1;
-    }
     size_t length = fread(bytes, 1, sizeof bytes, file);
     (void)fclose(file);
     return (long)length;
@@ -35,12 +34,10 @@ static int entries(void)
 {
     int count = 0;
     DIR *open = opendir(directory);
-    for (struct dirent *entry; open != NULL && (entry = readdir(open)) != NULL;) {
+    for (struct dirent *entry; open && (entry = readdir(open)) != NULL;)
         count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    }
-    if (open != NULL) {
+    if (open)
         (void)closedir(open);
-    }
     return count;
 }
 
@@ -49,9 +46,8 @@ static int write_image(const char *name, enum image_format format)
 {
     why[0] = '\0';
     struct image *image = image_create(name, format, 3, 2, why);
-    if (image == NULL) {
+    if (!image)
         return TIA_ERR_DEVICE;
-    }
     for (unsigned i = 0; i < 2; i++) {
         unsigned row = image_bottom_up(image) ? 1 - i : i;
         (void)image_band(image, pixels + 3 * row, 1);
@@ -138,7 +134,7 @@ TEST(a_file_appears_only_when_finished)
 {
     (void)unlink(path);
     struct image *image = image_create(path, IMAGE_PPM, 3, 2, why);
-    CHECK(image != NULL && entries() == 1);
+    CHECK(image && entries() == 1);
     (void)image_band(image, pixels, 2);
     CHECK_EQ(slurp(path), -1);
     CHECK_EQ(image_finish(image), TIA_OK);
@@ -160,13 +156,12 @@ TEST(missing_rows_are_an_error)
 {
     (void)unlink(path);
     for (enum image_format format = IMAGE_PNG; format <= IMAGE_565; format++) {
-        if (!image_format_built(format)) {
+        if (!image_format_built(format))
             continue;
-        }
         struct image *image = image_create(path, format, 3, 2, why);
         (void)image_band(image, pixels, 1);
         CHECK(image_finish(image) < 0);
-        CHECK(strstr(why, "1 rows of 2") != NULL);
+        CHECK(strstr(why, "1 rows of 2"));
     }
     CHECK_EQ(entries(), 0);
 }
@@ -232,11 +227,11 @@ TEST(a_file_that_cannot_grow_is_removed)
     (void)setrlimit(RLIMIT_FSIZE, &small);
     static const tia_rgb565 row[200];
     struct image *image = image_create(path, IMAGE_565, 200, 1, why);
-    CHECK(image != NULL);
+    CHECK(image);
     (void)image_band(image, row, 1);
     int status = image_finish(image);
     (void)setrlimit(RLIMIT_FSIZE, &before);
-    CHECK(status < 0 && strstr(why, strerror(EFBIG)) != NULL);
+    CHECK(status < 0 && strstr(why, strerror(EFBIG)));
     CHECK_EQ(entries(), 0);
 }
 
@@ -244,8 +239,8 @@ TEST(no_directory_no_file)
 {
     char name[140];
     (void)snprintf(name, sizeof name, "%s/missing/a.ppm", directory);
-    CHECK(write_image(name, IMAGE_PPM) < 0 && strstr(why, strerror(ENOENT)) != NULL);
-    CHECK(write_image(directory, IMAGE_PPM) < 0 && strstr(why, strerror(EISDIR)) != NULL);
+    CHECK(write_image(name, IMAGE_PPM) < 0 && strstr(why, strerror(ENOENT)));
+    CHECK(write_image(directory, IMAGE_PPM) < 0 && strstr(why, strerror(EISDIR)));
     CHECK_EQ(entries(), 0);
 }
 
@@ -258,14 +253,14 @@ TEST(a_closed_pipe_is_an_error)
     (void)snprintf(name, sizeof name, "/dev/fd/%d", ends[1]);
     (void)close(ends[0]);
     CHECK(write_image(name, IMAGE_565) < 0);
-    CHECK_MSG(strstr(why, strerror(EPIPE)) != NULL, "said '%s'", why);
+    CHECK_MSG(strstr(why, strerror(EPIPE)), "said '%s'", why);
     (void)close(ends[1]);
 }
 
 int main(void)
 {
     (void)snprintf(directory, sizeof directory, "%s/tia-image-XXXXXX", "/tmp");
-    if (mkdtemp(directory) == NULL) {
+    if (!mkdtemp(directory)) {
         printf("FAIL set up: %s: %s\n", directory, strerror(errno));
         return 1;
     }

@@ -24,11 +24,9 @@ static const tia_rgb565 UNTOUCHED = 0xdead;
 
 static void clear(void)
 {
-    for (unsigned y = 0; y < HEIGHT + 2 * EDGE; y++) {
-        for (unsigned x = 0; x < WIDTH + 2 * EDGE; x++) {
+    for (unsigned y = 0; y < HEIGHT + 2 * EDGE; y++)
+        for (unsigned x = 0; x < WIDTH + 2 * EDGE; x++)
             pixels[y][x] = UNTOUCHED;
-        }
-    }
 }
 
 static int open_stage(uint16_t width, uint16_t height, unsigned degrees, bool checksum)
@@ -62,13 +60,13 @@ static int draw_tile(struct tia_tile tile)
 {
     struct tia_surface surface;
     int status = letterbox_display.acquire(&letterbox, tile, &surface);
-    for (unsigned y = 0; y < tile.height && status == TIA_OK; y++) {
+    for (unsigned y = 0; y < tile.height && !status; y++) {
         for (unsigned x = 0; x < tile.width; x++) {
             char *at = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step;
             *(tia_rgb565 *)(void *)at = pixel_at(tile.x + x, tile.y + y);
         }
     }
-    return status == TIA_OK ? letterbox_display.submit(&letterbox, tile) : status;
+    return !status ? letterbox_display.submit(&letterbox, tile) : status;
 }
 
 /* A frame in the largest tiles that the mode allows. */
@@ -78,14 +76,14 @@ static int draw_picture(void)
     uint16_t width = mode.tile_width != 0 ? mode.tile_width : mode.width;
     uint16_t height = mode.tile_height != 0 ? mode.tile_height : mode.height;
     for (unsigned y = 0; y < mode.height; y += height) {
-        for (unsigned x = 0; x < mode.width && status == TIA_OK; x += width) {
+        for (unsigned x = 0; x < mode.width && !status; x += width) {
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, width, height};
             tile.width = (uint16_t)(mode.width - x < width ? mode.width - x : width);
             tile.height = (uint16_t)(mode.height - y < height ? mode.height - y : height);
             status = draw_tile(tile);
         }
     }
-    return status == TIA_OK ? letterbox_display.present(&letterbox) : status;
+    return !status ? letterbox_display.present(&letterbox) : status;
 }
 
 /* What the screen must show at (x, y), from the definition: the picture, turned clockwise, in the
@@ -94,9 +92,8 @@ static tia_rgb565 expected_at(int x, int y, int width, int height, unsigned degr
 {
     int turned_width = degrees % 180 ? height : width, turned_height = degrees % 180 ? width : height;
     int u = x - (WIDTH - turned_width) / 2, v = y - (HEIGHT - turned_height) / 2;
-    if (u < 0 || v < 0 || u >= turned_width || v >= turned_height) {
+    if (u < 0 || v < 0 || u >= turned_width || v >= turned_height)
         return 0;
-    }
     switch (degrees) {
     case 90:
         return pixel_at((unsigned)v, (unsigned)(height - 1 - u));
@@ -205,7 +202,7 @@ TEST(the_default_is_the_whole_screen)
 TEST(a_larger_picture_is_refused)
 {
     CHECK_EQ(open_stage(WIDTH + 1, HEIGHT, 0, false), TIA_ERR_UNSUPPORTED);
-    CHECK_MSG(strstr(why, "24x17") != NULL && strstr(why, "23x17") != NULL, "said '%s'", why);
+    CHECK_MSG(strstr(why, "24x17") && strstr(why, "23x17"), "said '%s'", why);
     CHECK(!screen.is_open && letterbox.opened);
     letterbox_display.close(&letterbox);
     CHECK_EQ(open_stage(WIDTH, HEIGHT, 90, false), TIA_ERR_UNSUPPORTED);
@@ -270,18 +267,16 @@ TEST(percentiles)
     CHECK_EQ(stats_percentile(&samples, 50), 7);
     CHECK_EQ(stats_percentile(&samples, 95), 7);
     samples.count = 0;
-    for (uint64_t i = 100; i > 0; i--) {
+    for (uint64_t i = 100; i > 0; i--)
         stats_add(&samples, i);
-    }
     CHECK_EQ(stats_percentile(&samples, 50), 50);
     CHECK_EQ(stats_percentile(&samples, 95), 95);
     stats_add(&samples, UINT64_MAX);
     CHECK_EQ(stats_percentile(&samples, 50), 51);
     CHECK_EQ(stats_percentile(&samples, 95), 96);
     CHECK_EQ(stats_percentile(&samples, 100), UINT32_MAX);
-    for (unsigned i = 0; i < STATS_SAMPLES; i++) {
+    for (unsigned i = 0; i < STATS_SAMPLES; i++)
         stats_add(&samples, 9);
-    }
     CHECK_EQ(stats_percentile(&samples, 100), 9);
 }
 

@@ -59,8 +59,8 @@ static void check_seen(const char *camera, const char *field, const char *shape,
     (void)snprintf(text, sizeof text, "%s%s\n%s%s", head, field, camera, shape);
     struct reading r = {.reader = {.text = text, .length = strlen(text), .image = fetch}};
     read_begin(&r);
-    CHECK_MSG(r.status == TIA_OK, "%s", r.reader.error.text);
-    if (r.status == TIA_OK) {
+    CHECK_MSG(!r.status, "%s", r.reader.error.text);
+    if (!r.status) {
         draw(&r.scene, pixels);
         for (int i = 0; i < 4; i++)
             seen[i] = letter(pixels[SIDE * (i < 2 ? 2 : 5) + (i % 2 ? 5 : 2)]);

@@ -44,7 +44,7 @@ static void draws(const char *name)
     what.workers_ctx = pool;
     what.picture = picture;
     reports = 0;
-    CHECK_MSG(measure(&what, tallies) == TIA_OK, "%s is not drawn", name);
+    CHECK_MSG(!measure(&what, tallies), "%s is not drawn", name);
     CHECK_MSG(changes(picture) > 5, "%s: nothing to be seen", name);
     CHECK_MSG(t->stray == 0 || t->astray <= 2, "%s: %u levels off", name, (unsigned)t->astray);
     CHECK_MSG(t->flips * 20 <= t->pixels, "%s: %u other paths", name, (unsigned)t->flips);

@@ -39,7 +39,7 @@ static void check_example(const char *example)
     struct reading r = {.reader = {.text = example, .length = strlen(example), .library = fetch_chair, .image = fetch}};
 
     read_begin(&r);
-    CHECK_MSG(r.status == TIA_OK, "%u:%u: %s: %.60s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
+    CHECK_MSG(!r.status, "%u:%u: %s: %.60s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
               r.reader.error.text, example);
     read_end(&r);
 }
@@ -80,7 +80,7 @@ TEST(examples_are_scenes)
     CHECK(check_page(page) > 15);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         (void)snprintf(line, sizeof line, "\n%s ", words[i]);
-        CHECK_MSG(strstr(examples, line) != NULL, "no example of %s", words[i]);
+        CHECK_MSG(strstr(examples, line), "no example of %s", words[i]);
     }
     free(page);
 }

@@ -32,7 +32,7 @@ static void *opened(unsigned width, unsigned height)
 {
     void *ctx = create(width, height);
 
-    if (!ctx || port_osmesa_display.open(ctx, &mode) != TIA_OK) {
+    if (!ctx || port_osmesa_display.open(ctx, &mode)) {
         CHECK_MSG(false, "%s", why);
         port_osmesa_destroy(ctx);
         return NULL;
@@ -63,14 +63,14 @@ static void show(void *ctx, const tia_rgb565 *image, unsigned width, unsigned he
         }
         CHECK_EQ(port_osmesa_display.submit(ctx, tile), TIA_OK);
     }
-    CHECK_MSG(port_osmesa_display.present(ctx) == TIA_OK, "%s", why);
+    CHECK_MSG(!port_osmesa_display.present(ctx), "%s", why);
 }
 
 static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned height)
 {
     const tia_rgb565 *shown = port_osmesa_read(ctx);
 
-    CHECK(shown != NULL);
+    CHECK(shown);
     for (size_t i = 0; shown && i < (size_t)width * height; i++) {
         CHECK_MSG(shown[i] == image[i], "%ux%u: pixel (%zu, %zu) is %04x, not %04x", width, height, i % width,
                   i / width, shown[i], image[i]);
@@ -82,9 +82,8 @@ static tia_rgb565 *pattern(unsigned width, unsigned height, unsigned seed)
 {
     tia_rgb565 *image = malloc((size_t)width * height * sizeof *image);
 
-    for (size_t i = 0; image && i < (size_t)width * height; i++) {
+    for (size_t i = 0; image && i < (size_t)width * height; i++)
         image[i] = (tia_rgb565)((i + seed) * 40503u);
-    }
     return image;
 }
 
@@ -109,7 +108,7 @@ static void read_frame(void *arg, unsigned frames)
 {
     (void)frames;
     seen = port_osmesa_read(arg);
-    CHECK(seen != NULL);
+    CHECK(seen);
 }
 
 static tia_rgb565 seen_pixel(void *arg, unsigned x, unsigned y)
@@ -122,7 +121,7 @@ TEST(conformance)
 {
     void *ctx = create(101, 67);
 
-    CHECK_MSG(ctx != NULL, "%s", why);
+    CHECK_MSG(ctx, "%s", why);
     if (!ctx)
         return;
     subject = (struct subject){&port_osmesa_display, ctx, why, seen_pixel, read_frame, ctx, 0, 0};
@@ -142,9 +141,8 @@ TEST(any_size)
 {
     static const unsigned sizes[][2] = {{1, 1}, {3, 5}, {1, 67}, {67, 1}, {641, 9}, {17, 481}, {8192, 2}, {2, 8192}};
 
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         round_trip(sizes[i][0], sizes[i][1]);
-    }
 }
 
 /* A frame is seen when it is presented, not before, and a second one replaces it. */
@@ -206,10 +204,9 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
     }
     view_size = core->view_size(&scene, scene.light_count);
     view_memory = malloc(view_size);
-    drawn =
-        core->view_init(&view, view_memory, view_size, &scene, scene.light_count, all.width, all.height) == TIA_OK &&
-        core->hits_init(&hits, hits_memory, hits_size, view, all) == TIA_OK && core->trace(view, hits, all) == TIA_OK &&
-        core->light(view, hits, all, &surface, NULL) == TIA_OK;
+    drawn = !core->view_init(&view, view_memory, view_size, &scene, scene.light_count, all.width, all.height) &&
+            !core->hits_init(&hits, hits_memory, hits_size, view, all) && !core->trace(view, hits, all) &&
+            !core->light(view, hits, all, &surface, NULL);
     free(view_memory);
     free(hits_memory);
     return drawn;
@@ -229,9 +226,8 @@ TEST(thesis_frames)
         show(ctx, frame, WIDTH, HEIGHT, 100);
         compare(ctx, frame, WIDTH, HEIGHT);
     }
-    if (ctx) {
+    if (ctx)
         closed(ctx);
-    }
 }
 
 TEST(open_again)
@@ -247,9 +243,8 @@ TEST(open_again)
         CHECK_EQ(port_osmesa_display.present(ctx), TIA_ERR_ARGUMENT);
         CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_OK);
     }
-    if (ctx) {
+    if (ctx)
         closed(ctx);
-    }
     free(image);
 }
 
@@ -263,7 +258,7 @@ TEST(refusals)
     CHECK_EQ(port_osmesa_display.open(ctx, &mode), TIA_ERR_UNSUPPORTED);
     CHECK_MSG(strstr(why, library) && strstr(why, "65535x1"), "%s", why);
     closed(ctx);
-    CHECK(port_osmesa_create(&other) == NULL);
+    CHECK(!port_osmesa_create(&other));
     CHECK_MSG(!strcmp(why, "osmesa:opengl: no such library in this build"), "%s", why);
     ctx = opened(4, 4);
     if (ctx) {

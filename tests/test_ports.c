@@ -53,7 +53,7 @@ static void conform_where_it_opens(const struct port_display *row, const char *d
         row->destroy(ctx);
     }
     subject = (struct subject){0};
-    if (status == TIA_OK)
+    if (!status)
         conform_row(row, &wish);
     else
         SKIP("%.200s", why);

@@ -77,8 +77,8 @@ static void draw(const char *what)
     struct against a;
     struct tally t = {0};
 
-    CHECK_MSG(tia_scene_check(&scene, &fault) == TIA_OK, "%s: %s %u: %s: %s", what, fault.thing, fault.index,
-              fault.field, fault.rule);
+    CHECK_MSG(!tia_scene_check(&scene, &fault), "%s: %s %u: %s: %s", what, fault.thing, fault.index, fault.field,
+              fault.rule);
     CHECK_EQ(against_oracle(&tia_core_f64, &scene, WIDTH, HEIGHT, false, &threads_workers, pool, &a), TIA_OK);
     against_list(what, &a);
     CHECK_MSG(a.tally.flips == a.undecided && a.tally.flips <= 2 && a.tally.stray == 0 && a.margin < 1e-6,

@@ -32,9 +32,9 @@ static bool load(struct reading *r, const char *name, char **text)
         return false;
     *r = (struct reading){.reader = {.format = TIA_FORMAT_NFF, .text = *text, .length = length}};
     read_begin(r);
-    CHECK_MSG(r->status == TIA_OK, "%s:%u:%u: %s", path, (unsigned)r->reader.error.line,
-              (unsigned)r->reader.error.column, r->reader.error.text);
-    return r->status == TIA_OK;
+    CHECK_MSG(!r->status, "%s:%u:%u: %s", path, (unsigned)r->reader.error.line, (unsigned)r->reader.error.column,
+              r->reader.error.text);
+    return !r->status;
 }
 
 /* ---- the second reader: these files' statements, each in its place ---- */

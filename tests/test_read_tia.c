@@ -19,7 +19,7 @@ static void read_text(const char *text)
 static void check_reads(const char *text)
 {
     read_text(text);
-    CHECK_MSG(now.status == TIA_OK, "%d, %u:%u: %s", now.status, (unsigned)now.reader.error.line,
+    CHECK_MSG(!now.status, "%d, %u:%u: %s", now.status, (unsigned)now.reader.error.line,
               (unsigned)now.reader.error.column, now.reader.error.text);
 }
 
@@ -346,7 +346,7 @@ TEST(the_thesis_scene)
     size_t length;
     char *text = load_file("scenes/thesis.tia", &length);
 
-    CHECK(text != NULL);
+    CHECK(text);
     if (!text)
         return;
     check_reads(text);

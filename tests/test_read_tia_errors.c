@@ -207,7 +207,7 @@ TEST(byte_order_mark)
     read_string(&now, TIA_FORMAT_TIA,
                 "\xef\xbb\xbf"
                 "depth 5");
-    CHECK(now.status == TIA_OK && now.scene.depth == 5);
+    CHECK(!now.status && now.scene.depth == 5);
     read_end(&now);
 }
 

@@ -22,8 +22,8 @@ static void read_scene(const char *text)
 static void check_reads(const char *text)
 {
     read_scene(text);
-    CHECK_MSG(now.status == TIA_OK, "%.60s:%u:%u: %.150s: %.60s", now.reader.error.file,
-              (unsigned)now.reader.error.line, (unsigned)now.reader.error.column, now.reader.error.text, text);
+    CHECK_MSG(!now.status, "%.60s:%u:%u: %.150s: %.60s", now.reader.error.file, (unsigned)now.reader.error.line,
+              (unsigned)now.reader.error.column, now.reader.error.text, text);
 }
 
 static void check_refused(const char *text, const char *error)
@@ -265,7 +265,7 @@ TEST(groups_within_groups)
         end = say(end, "box min 0 0 0 max 1 1 1 material m", &t[2]);
         (void)sprintf(end, "end\nend\n");
         check_reads(text);
-        if (now.status == TIA_OK)
+        if (!now.status)
             check_composed(t, &now.scene.transforms[0]);
     }
 }

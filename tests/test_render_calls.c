@@ -63,7 +63,7 @@ TEST(sizes)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct tia_view *view = NULL;
         CHECK_EQ(init(&view, &tia_thesis_scene, 1, sizes[i].width, sizes[i].height), sizes[i].status);
-        CHECK_EQ(view != NULL, sizes[i].status == TIA_OK);
+        CHECK_EQ(view, !sizes[i].status);
     }
 }
 
@@ -77,7 +77,7 @@ TEST(memory_of_a_view)
         memset(view_memory, 0xa5, sizeof view_memory);
         CHECK_EQ(tia_view_init(&view, view_memory, size - 1, &tia_thesis_scene, lights, W, H), TIA_ERR_MEMORY);
         CHECK_EQ(tia_view_init(&view, view_memory, 0, &tia_thesis_scene, lights, W, H), TIA_ERR_MEMORY);
-        CHECK(view == NULL && bytes[0] == 0xa5);
+        CHECK(!view && bytes[0] == 0xa5);
         CHECK_EQ(tia_view_init(&view, view_memory, size, &tia_thesis_scene, lights, W, H), TIA_OK);
         for (uint32_t n = 0; n < lights; n++) {
             struct tia_light all[5] = {light, light, light, light, light};
@@ -101,7 +101,7 @@ TEST(memory_of_hits)
     CHECK_EQ(tia_hits_init(&hits, hits_memory, size - 1, view, area), TIA_ERR_MEMORY);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, none), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, flat), TIA_ERR_ARGUMENT);
-    CHECK(hits == NULL && bytes[0] == 0xa5);
+    CHECK(!hits && bytes[0] == 0xa5);
     CHECK(tia_hits_size(&tia_thesis_scene, (struct tia_tile){0, 0, 65535, 65535}) >=
           UINT32_MAX); /* more than 32 bits can say */
     CHECK_EQ(tia_hits_init(&hits, hits_memory, size, view, area), TIA_OK);
@@ -124,7 +124,7 @@ TEST(scenes_that_are_refused)
     CHECK_EQ(init(&view, &scene, 1, W, H), TIA_ERR_RANGE);
     scene.lights = &light;
     CHECK_EQ(init(&view, &scene, 0, W, H), TIA_ERR_ARGUMENT); /* no room for it */
-    CHECK(view == NULL);
+    CHECK(!view);
     CHECK_EQ(init(&view, &scene, 1, W, H), TIA_OK);
 }
 

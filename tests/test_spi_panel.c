@@ -186,11 +186,11 @@ static int draw_tile(struct spi_panel *panel, struct tia_tile tile)
 {
     struct tia_surface surface;
     int status = spi_panel_display.acquire(panel, tile, &surface);
-    for (unsigned y = 0; y < tile.height && status == TIA_OK; y++)
+    for (unsigned y = 0; y < tile.height && !status; y++)
         for (unsigned x = 0; x < tile.width; x++)
             *(tia_rgb565 *)((char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step) =
                 pattern(tile.x + x, tile.y + y);
-    return status == TIA_OK ? spi_panel_display.submit(panel, tile) : status;
+    return !status ? spi_panel_display.submit(panel, tile) : status;
 }
 
 /* The picture in tiles of at most the given size, from top to bottom. */
@@ -198,13 +198,13 @@ static int draw(struct spi_panel *panel, unsigned tile_width, unsigned tile_heig
 {
     int status = TIA_OK;
     for (unsigned y = 0; y < panel->height; y += tile_height)
-        for (unsigned x = 0; x < panel->width && status == TIA_OK; x += tile_width) {
+        for (unsigned x = 0; x < panel->width && !status; x += tile_width) {
             unsigned w = panel->width - x, h = panel->height - y;
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(w < tile_width ? w : tile_width),
                                     (uint16_t)(h < tile_height ? h : tile_height)};
             status = draw_tile(panel, tile);
         }
-    return status == TIA_OK ? spi_panel_display.present(panel) : status;
+    return !status ? spi_panel_display.present(panel) : status;
 }
 
 static unsigned wrong_pixels(const struct spi_panel *panel)
@@ -295,7 +295,7 @@ TEST(setup_table)
     panel = make_panel(240, 320, 0);
     panel.setup = setup, panel.setup_size = sizeof setup - 1;
     CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
-    CHECK(strstr(panel.why, "setup table") != NULL);
+    CHECK(strstr(panel.why, "setup table"));
 }
 
 TEST(bad_sizes_and_tiles)
@@ -305,7 +305,7 @@ TEST(bad_sizes_and_tiles)
     struct tia_surface surface;
     panel.strips_size = 2 * 2 * 240 - 1;
     CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
-    CHECK(strstr(panel.why, "strips_size") != NULL);
+    CHECK(strstr(panel.why, "strips_size"));
     spi_panel_display.close(&panel);
     CHECK_EQ(model.commands, 0);
 
@@ -322,15 +322,15 @@ TEST(bad_sizes_and_tiles)
 TEST(bus_failures)
 {
     int calls = 0;
-    for (int status = TIA_ERR_DEVICE; status != TIA_OK && calls < 1000; calls++) {
+    for (int status = TIA_ERR_DEVICE; status && calls < 1000; calls++) {
         struct spi_panel panel = make_panel(240, 320, 0);
         struct tia_mode mode;
         model.fails_after = calls;
         status = spi_panel_display.open(&panel, &mode);
-        if (status == TIA_OK)
+        if (!status)
             status = draw(&panel, mode.tile_width, mode.tile_height);
-        CHECK(status == TIA_OK || status == TIA_ERR_DEVICE);
-        CHECK(status == TIA_OK || strstr(panel.why, "spi panel: the bus refused") == panel.why);
+        CHECK(!status || status == TIA_ERR_DEVICE);
+        CHECK(!status || strstr(panel.why, "spi panel: the bus refused") == panel.why);
         spi_panel_display.close(&panel);
         spi_panel_display.close(&panel);
     }

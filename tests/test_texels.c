@@ -95,8 +95,8 @@ static size_t write_png(const tia_rgb565 *pixels, unsigned width, unsigned heigh
     struct image *image = image_create(name, IMAGE_PNG, width, height, reason);
     ssize_t length = -1;
 
-    CHECK(fd >= 0 && image != NULL);
-    if (image && image_band(image, pixels, height) == TIA_OK && image_finish(image) == TIA_OK) {
+    CHECK(fd >= 0 && image);
+    if (image && !image_band(image, pixels, height) && !image_finish(image)) {
         FILE *written = fopen(name, "rb");
         length = written ? (ssize_t)fread(file, 1, sizeof file, written) : -1;
         if (written)

@@ -24,34 +24,29 @@ static int tasks(void)
 {
     int count = 0;
     DIR *directory = opendir("/proc/self/task");
-    for (struct dirent *entry; directory != NULL && (entry = readdir(directory)) != NULL;) {
+    for (struct dirent *entry; directory && (entry = readdir(directory)) != NULL;)
         count += entry->d_name[0] != '.';
-    }
-    if (directory != NULL) {
+    if (directory)
         (void)closedir(directory);
-    }
     return count;
 }
 
 static void every_job_once_on(unsigned threads)
 {
     struct threads *pool = threads_create(threads);
-    CHECK(pool != NULL);
-    for (unsigned i = 0; i < JOBS; i++) {
+    CHECK(pool);
+    for (unsigned i = 0; i < JOBS; i++)
         atomic_store(&done[i], 0u);
-    }
     unsigned expected[JOBS] = {0};
     for (unsigned round = 0; round < ROUNDS; round++) {
         unsigned count = round % 7 == 0 ? round % 3 : round * 3;
         threads_workers.run(pool, count_job, NULL, count);
-        for (unsigned i = 0; i < count; i++) {
+        for (unsigned i = 0; i < count; i++)
             expected[i]++;
-        }
         CHECK_EQ(atomic_load(&done[count > 0 ? count - 1 : 0]), expected[count > 0 ? count - 1 : 0]);
     }
-    for (unsigned i = 0; i < JOBS; i++) {
+    for (unsigned i = 0; i < JOBS; i++)
         CHECK_EQ(atomic_load(&done[i]), expected[i]);
-    }
     threads_destroy(pool);
 }
 
@@ -89,9 +84,8 @@ TEST(threads_come_and_go)
         CHECK_EQ(tasks(), before + 4);
         threads_destroy(pool);
         /* The kernel removes a joined thread's entry a moment after it has ended. */
-        for (unsigned wait = 0; wait < 100000 && tasks() != before; wait++) {
+        for (unsigned wait = 0; wait < 100000 && tasks() != before; wait++)
             (void)sched_yield();
-        }
         CHECK_EQ(tasks(), before);
     }
     threads_destroy(NULL);
@@ -100,7 +94,7 @@ TEST(threads_come_and_go)
 TEST(the_number_of_threads_is_limited)
 {
     struct threads *pool = threads_create(1000000);
-    CHECK(pool != NULL && threads_count(pool) >= 1 && threads_count(pool) <= THREADS_MAX);
+    CHECK(pool && threads_count(pool) >= 1 && threads_count(pool) <= THREADS_MAX);
     threads_destroy(pool);
 }
 
@@ -115,14 +109,11 @@ static void look_at_mask(void *arg, unsigned index)
     sigset_t mask;
     (void)pthread_sigmask(SIG_BLOCK, NULL, &mask);
     static const int asked[] = {SIGINT, SIGTERM, SIGHUP, SIGWINCH, SIGUSR1, SIGUSR2, SIGCHLD, SIGALRM};
-    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++) {
-        if (!pthread_equal(pthread_self(), caller) && sigismember(&mask, asked[i]) == 0) {
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++)
+        if (!pthread_equal(pthread_self(), caller) && sigismember(&mask, asked[i]) == 0)
             atomic_fetch_add(&open_to_signals, 1u);
-        }
-    }
-    if (!pthread_equal(pthread_self(), caller)) {
+    if (!pthread_equal(pthread_self(), caller))
         atomic_fetch_add(&others, 1u);
-    }
     (void)pthread_barrier_wait(&meeting);
 }
 
@@ -153,9 +144,8 @@ TEST(the_affinity_mask_counts)
     CHECK(sched_getaffinity(0, sizeof before, &before) == 0);
     CHECK_EQ(threads_processors(), CPU_COUNT(&before));
     size_t cpu = 0;
-    while (!CPU_ISSET(cpu, &before)) {
+    while (!CPU_ISSET(cpu, &before))
         cpu++;
-    }
     CPU_ZERO(&one);
     CPU_SET(cpu, &one);
     CHECK(sched_setaffinity(0, sizeof one, &one) == 0);

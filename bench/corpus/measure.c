@@ -90,7 +90,7 @@ static void compare(struct frame *frame, unsigned core, struct tia_tile tile, co
     for (size_t i = 0; i < count; i++) {
         bool flip = want->object[i] != got->object[i] || want->path_hash[i] != got->path_hash[i];
         enum verdict verdict = judge(tally, want->pixels[i], got->pixels[i], flip);
-        if (verdict != SAME && what->differs != NULL) {
+        if (verdict != SAME && what->differs) {
             struct measure_pixel a = pixel_of(want, tile, i), b = pixel_of(got, tile, i);
             what->differs(what->arg, core, verdict, &a, &b);
         }
@@ -105,13 +105,13 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
     size_t size = core->hits_size(frame->what->scene, tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
-    int status = memory == NULL ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, frame->views[n], tile);
+    int status = !memory ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, frame->views[n], tile);
 
-    if (status == TIA_OK)
+    if (!status)
         status = core->trace(frame->views[n], hits, tile);
-    if (status == TIA_OK)
+    if (!status)
         status = core->light(frame->views[n], hits, tile, &surface, &options);
-    if (status == TIA_OK)
+    if (!status)
         for (unsigned y = tile.y; y < tile.y + (unsigned)tile.height; y++)
             for (unsigned x = 0; x < tile.width; x++)
                 layer->object[i++] = core->hits_object(hits, x, y);
@@ -124,7 +124,7 @@ static bool layer_create(struct layer *layer, size_t count)
     layer->pixels = malloc(count * sizeof *layer->pixels);
     layer->path_hash = malloc(count * sizeof *layer->path_hash);
     layer->object = malloc(count * sizeof *layer->object);
-    return layer->pixels != NULL && layer->path_hash != NULL && layer->object != NULL;
+    return layer->pixels && layer->path_hash && layer->object;
 }
 
 static void layer_destroy(struct layer *layer)
@@ -136,7 +136,7 @@ static void layer_destroy(struct layer *layer)
 
 static void keep_picture(const struct measure *what, struct tia_tile tile, const struct layer *reference)
 {
-    if (what->picture != NULL)
+    if (what->picture)
         memcpy(what->picture + (size_t)tile.y * what->width, reference->pixels,
                (size_t)tile.width * tile.height * sizeof *reference->pixels);
 }
@@ -151,13 +151,13 @@ static void measure_band(void *arg, unsigned index)
     struct layer want = {0}, got = {0};
     int status = layer_create(&want, count) && layer_create(&got, count) ? TIA_OK : TIA_ERR_MEMORY;
 
-    if (status == TIA_OK)
+    if (!status)
         status = draw(frame, what->core_count, tile, &want);
-    if (status == TIA_OK)
+    if (!status)
         keep_picture(what, tile, &want);
-    for (unsigned core = 0; core < what->core_count && status == TIA_OK; core++) {
+    for (unsigned core = 0; core < what->core_count && !status; core++) {
         status = draw(frame, core, tile, &got);
-        if (status == TIA_OK)
+        if (!status)
             compare(frame, core, tile, &want, &got);
     }
     frame->bands[index].status = status;
@@ -170,10 +170,10 @@ static int prepare(struct frame *frame)
     const struct tia_scene *scene = frame->what->scene;
     int status = TIA_OK;
 
-    for (unsigned i = 0; i <= frame->what->core_count && status == TIA_OK; i++) {
+    for (unsigned i = 0; i <= frame->what->core_count && !status; i++) {
         size_t size = frame->cores[i]->view_size(scene, scene->light_count);
         frame->memory[i] = malloc(size);
-        status = frame->memory[i] == NULL
+        status = !frame->memory[i]
                      ? TIA_ERR_MEMORY
                      : frame->cores[i]->view_init(&frame->views[i], frame->memory[i], size, scene, scene->light_count,
                                                   frame->what->width, frame->what->height);
@@ -185,7 +185,7 @@ static int sum_up(const struct frame *frame, unsigned band_count, struct tally *
 {
     memset(tallies, 0, frame->what->core_count * sizeof *tallies);
     for (unsigned i = 0; i < band_count; i++) {
-        if (frame->bands[i].status != TIA_OK)
+        if (frame->bands[i].status)
             return frame->bands[i].status;
         for (unsigned core = 0; core < frame->what->core_count; core++)
             tally_add(&tallies[core], &frame->bands[i].tallies[core]);
@@ -201,8 +201,8 @@ int measure(const struct measure *what, struct tally *tallies)
     memcpy(frame.cores, what->cores, sizeof what->cores);
     frame.cores[what->core_count] = what->reference;
     frame.bands = calloc(band_count, sizeof *frame.bands);
-    int status = frame.bands == NULL ? TIA_ERR_MEMORY : prepare(&frame);
-    if (status == TIA_OK) {
+    int status = !frame.bands ? TIA_ERR_MEMORY : prepare(&frame);
+    if (!status) {
         what->workers->run(what->workers_ctx, measure_band, &frame, band_count);
         status = sum_up(&frame, band_count, tallies);
     }

@@ -55,7 +55,7 @@ void console_listen(struct console_listener *listener)
     struct console_listener **end = &console.listeners;
 
     console_ignore(listener);
-    while (*end != NULL)
+    while (*end)
         end = &(*end)->next;
     listener->next = NULL;
     *end = listener;
@@ -63,7 +63,7 @@ void console_listen(struct console_listener *listener)
 
 void console_ignore(struct console_listener *listener)
 {
-    for (struct console_listener **l = &console.listeners; *l != NULL; l = &(*l)->next)
+    for (struct console_listener **l = &console.listeners; *l; l = &(*l)->next)
         if (*l == listener) {
             *l = listener->next;
             return;
@@ -73,7 +73,7 @@ void console_ignore(struct console_listener *listener)
 static void enter(void)
 {
     console.state = CONSOLE_OURS;
-    for (struct console_listener *l = console.listeners; l != NULL; l = l->next)
+    for (struct console_listener *l = console.listeners; l; l = l->next)
         l->enter(l->arg);
 }
 
@@ -134,12 +134,11 @@ static void answer(void)
 {
     if (resumed)
         answer_resume();
-    while (console.vt.fd >= 0 && (leave_asked || enter_asked)) {
+    while (console.vt.fd >= 0 && (leave_asked || enter_asked))
         if (console.state == CONSOLE_AWAY ? enter_asked : !leave_asked)
             answer_enter();
         else
             answer_leave();
-    }
 }
 
 /* Turns pending signals into flags: a wait delivers none when a descriptor is ready. */
@@ -211,7 +210,7 @@ int console_open(bool graphics, char why[PORT_WHY])
     vt_find(&console.vt);
     take_signals();
     status = vt_take(&console.vt, graphics, LEAVE, ENTER, why);
-    if (status != TIA_OK) {
+    if (status) {
         give_signals();
         vt_close(&console.vt);
         return status;

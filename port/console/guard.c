@@ -233,14 +233,13 @@ static void take_signals(int signals)
 {
     struct signalfd_siginfo signal;
 
-    while (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal) {
+    while (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal)
         if (signal.ssi_signo == SIGCHLD)
             follow_watcher();
         else if (signal.ssi_signo == SIGUSR1)
             stand_in_leave();
         else
             stand_in_enter();
-    }
 }
 
 /* ---- messages ---- */
@@ -251,7 +250,7 @@ static int descriptor_of(struct msghdr *message)
     struct cmsghdr *part = CMSG_FIRSTHDR(message);
     int fd = -1;
 
-    if (part != NULL && part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_RIGHTS)
+    if (part && part->cmsg_level == SOL_SOCKET && part->cmsg_type == SCM_RIGHTS)
         (void)memcpy(&fd, CMSG_DATA(part), sizeof fd);
     return fd;
 }
@@ -266,7 +265,7 @@ static void follow(struct thing *t)
         (void)send(LINE, &ready, 1, MSG_NOSIGNAL);
         return;
     }
-    if (old != NULL && old->fd >= 0)
+    if (old && old->fd >= 0)
         (void)close(old->fd);
     (void)kept_note(t);
 }

@@ -47,9 +47,9 @@ int kept_note(const struct thing *message)
 {
     struct thing *place = kept_find(message);
 
-    if (place == NULL && !message->forget)
+    if (!place && !message->forget)
         place = free_place();
-    if (place == NULL)
+    if (!place)
         return -1;
     *place = *message;
     if (message->forget)

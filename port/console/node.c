@@ -28,7 +28,7 @@ static void fix(const char *path, char text[64])
     (void)snprintf(text, 64, " (run as root)");
     if (stat(path, &s) != 0 || s.st_gid == 0 || (s.st_mode & S_IRGRP) == 0)
         return;
-    if (getgrgid_r(s.st_gid, &entry, buffer, sizeof buffer, &group) == 0 && group != NULL)
+    if (getgrgid_r(s.st_gid, &entry, buffer, sizeof buffer, &group) == 0 && group)
         (void)snprintf(text, 64, " (join group '%.40s')", group->gr_name);
     else
         (void)snprintf(text, 64, " (join group %u)", (unsigned)s.st_gid);
@@ -75,7 +75,7 @@ static bool holds(long pid, dev_t device)
 
     (void)snprintf(path, sizeof path, "/proc/%ld/fd", pid);
     folder = opendir(path);
-    if (folder == NULL)
+    if (!folder)
         return false;
     while (!found && (entry = readdir(folder)) != NULL)
         found = fstatat(dirfd(folder), entry->d_name, &s, 0) == 0 && S_ISCHR(s.st_mode) && s.st_rdev == device;
@@ -90,7 +90,7 @@ static void name_of(long pid, char text[NODE_HOLDER])
 
     (void)snprintf(path, sizeof path, "/proc/%ld/comm", pid);
     file = fopen(path, "re");
-    if (file != NULL) {
+    if (file) {
         if (fscanf(file, "%31[^\n]", name) != 1)
             name[0] = '\0';
         (void)fclose(file);
@@ -105,14 +105,14 @@ const char *node_holder(const char *path, char text[NODE_HOLDER])
     DIR *processes = opendir("/proc");
 
     (void)snprintf(text, NODE_HOLDER, "another program");
-    while (stat(path, &s) == 0 && processes != NULL && (entry = readdir(processes)) != NULL) {
+    while (stat(path, &s) == 0 && processes && (entry = readdir(processes)) != NULL) {
         long pid = strtol(entry->d_name, NULL, 10);
         if (pid > 0 && pid != getpid() && holds(pid, s.st_rdev)) {
             name_of(pid, text);
             break;
         }
     }
-    if (processes != NULL)
+    if (processes)
         (void)closedir(processes);
     return text;
 }

@@ -43,9 +43,9 @@ static bool is_primary(int fd, uint32_t plane)
     drmModeObjectProperties *list = drmModeObjectGetProperties(fd, plane, DRM_MODE_OBJECT_PLANE);
     bool primary = false;
 
-    for (uint32_t i = 0; list != NULL && i < list->count_props; i++) {
+    for (uint32_t i = 0; list && i < list->count_props; i++) {
         drmModePropertyRes *property = drmModeGetProperty(fd, list->props[i]);
-        if (property != NULL && strcmp(property->name, "type") == 0)
+        if (property && strcmp(property->name, "type") == 0)
             primary = list->prop_values[i] == DRM_PLANE_TYPE_PRIMARY;
         drmModeFreeProperty(property);
     }
@@ -62,9 +62,9 @@ static drmModePlane *primary_plane(const struct card *card, uint32_t crtc)
 
     while (index < card->parts.resources->count_crtcs && card->parts.resources->crtcs[index] != crtc)
         index++;
-    for (uint32_t i = 0; planes != NULL && found == NULL && i < planes->count_planes; i++) {
+    for (uint32_t i = 0; planes && !found && i < planes->count_planes; i++) {
         drmModePlane *plane = drmModeGetPlane(card->fd, planes->planes[i]);
-        if (plane != NULL && (plane->possible_crtcs >> index & 1) != 0 && is_primary(card->fd, plane->plane_id))
+        if (plane && (plane->possible_crtcs >> index & 1) != 0 && is_primary(card->fd, plane->plane_id))
             found = plane;
         else
             drmModeFreePlane(plane);
@@ -76,8 +76,7 @@ static drmModePlane *primary_plane(const struct card *card, uint32_t crtc)
 bool card_format(const struct card *card, uint32_t crtc, int n, bool listed, struct card_format *format)
 {
     drmModePlane *plane = primary_plane(card, crtc);
-    bool found = card_format_of(plane != NULL ? plane->formats : NULL, plane != NULL ? plane->count_formats : 0, n,
-                                listed, format);
+    bool found = card_format_of(plane ? plane->formats : NULL, plane ? plane->count_formats : 0, n, listed, format);
 
     drmModeFreePlane(plane);
     return found;
@@ -144,7 +143,7 @@ void card_buffer_destroy(const struct card *card, struct card_buffer *buffer)
 {
     struct drm_mode_destroy_dumb dumb = {.handle = buffer->handle};
 
-    if (buffer->map != NULL)
+    if (buffer->map)
         (void)munmap(buffer->map, buffer->size);
     if (buffer->fb != 0)
         (void)drmModeRmFB(card->fd, buffer->fb);

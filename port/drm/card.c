@@ -21,11 +21,11 @@ int card_failed(const struct card *card, const char *what, char why[PORT_WHY])
 static int read_parts(struct drm_parts *p, int fd)
 {
     p->resources = drmModeGetResources(fd);
-    if (p->resources == NULL)
+    if (!p->resources)
         return -1;
     p->connectors = calloc((size_t)p->resources->count_connectors + 1, sizeof(drmModeConnector *));
     p->encoders = calloc((size_t)p->resources->count_encoders + 1, sizeof(drmModeEncoder *));
-    if (p->connectors == NULL || p->encoders == NULL)
+    if (!p->connectors || !p->encoders)
         return -1;
     for (int i = 0; i < p->resources->count_connectors; i++)
         p->connectors[i] = drmModeGetConnector(fd, p->resources->connectors[i]);
@@ -36,9 +36,9 @@ static int read_parts(struct drm_parts *p, int fd)
 
 static void free_parts(struct drm_parts *p)
 {
-    for (int i = 0; p->connectors != NULL && i < p->resources->count_connectors; i++)
+    for (int i = 0; p->connectors && i < p->resources->count_connectors; i++)
         drmModeFreeConnector(p->connectors[i]);
-    for (int i = 0; p->encoders != NULL && i < p->resources->count_encoders; i++)
+    for (int i = 0; p->encoders && i < p->resources->count_encoders; i++)
         drmModeFreeEncoder(p->encoders[i]);
     free(p->connectors);
     free(p->encoders);
@@ -64,7 +64,7 @@ int card_open(struct card *card, const char *path, char why[PORT_WHY])
         if (read_parts(&card->parts, card->fd) != 0)
             status = card_failed(card, "it drives no screens", why);
     }
-    if (status != TIA_OK)
+    if (status)
         card_close(card);
     return status;
 }

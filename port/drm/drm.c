@@ -66,15 +66,15 @@ static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
     const struct drm_parts *parts = &d->card.parts;
     char reason[PORT_WHY];
 
-    if (card_open(&d->card, path, why) != TIA_OK)
+    if (card_open(&d->card, path, why))
         return false;
     d->connector = pick_connector(parts, d->wish.connector, reason);
-    if (d->connector == NULL)
+    if (!d->connector)
         (void)snprintf(why, PORT_WHY, "%s: %.180s", path, reason);
     else if (pick_crtc(parts, d->connector) == 0)
         (void)snprintf(why, PORT_WHY, "%s: connector %s: no CRTC is free for it", path,
                        pick_name(d->connector, reason));
-    else if (card_become_master(&d->card, why) == TIA_OK)
+    else if (!card_become_master(&d->card, why))
         return true;
     card_close(&d->card);
     return false;
@@ -96,7 +96,7 @@ static bool try_card(void *arg, const char *path)
 static int find_card(struct drm *d)
 {
     d->wish.why[0] = '\0';
-    if (d->wish.device != NULL)
+    if (d->wish.device)
         (void)try_card(d, d->wish.device);
     else if (node_each(CARD, CARDS, try_card, d) == 0)
         (void)snprintf(d->wish.why, PORT_WHY, CARD "0: no such device (this kernel has no DRM driver loaded)");
@@ -113,7 +113,7 @@ static int prepare_drawing(struct drm *d)
     (void)pixel_name(&format, d->format);
     d->direct = pixel_is_rgb565(&format);
     expander_init(&d->expander, &format);
-    if (!d->direct && canvas_resize(&d->canvas, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay) != TIA_OK) {
+    if (!d->direct && canvas_resize(&d->canvas, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay)) {
         (void)snprintf(d->wish.why, PORT_WHY, "%s: no memory for a frame", d->card.path);
         return TIA_ERR_MEMORY;
     }
@@ -135,16 +135,16 @@ static int drm_open(void *ctx, struct tia_mode *mode)
     struct drm *d = ctx;
     int status = find_card(d);
 
-    if (status == TIA_OK)
+    if (!status)
         status = console_open(false, d->wish.why);
-    if (status != TIA_OK) {
+    if (status) {
         card_close(&d->card);
         return status;
     }
     status = scanout_light(&d->scanout, &d->card, d->connector, d->wish.mode, d->wish.why);
-    if (status == TIA_OK)
+    if (!status)
         status = prepare_drawing(d);
-    if (status != TIA_OK) {
+    if (status) {
         drm_close(d);
         return status;
     }
@@ -161,13 +161,13 @@ static int drm_open(void *ctx, struct tia_mode *mode)
 static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);
-    bool there = c != NULL && c->connection != DRM_MODE_DISCONNECTED;
+    bool there = c && c->connection != DRM_MODE_DISCONNECTED;
     char name[PICK_NAME];
 
     if (!there)
         (void)snprintf(d->wish.why, PORT_WHY, "%s: connector %s: its screen was unplugged", d->card.path,
                        pick_name(d->connector, name));
-    if (c == NULL && errno == ENODEV)
+    if (!c && errno == ENODEV)
         (void)card_failed(&d->card, "the device is gone", d->wish.why);
     drmModeFreeConnector(c);
     return there ? TIA_OK : TIA_ERR_DEVICE;
@@ -239,7 +239,7 @@ void *port_drm_create(const struct port_wish *wish)
 {
     struct drm *d = calloc(1, sizeof *d);
 
-    if (d == NULL) {
+    if (!d) {
         (void)snprintf(wish->why, PORT_WHY, "drm: out of memory");
         return NULL;
     }

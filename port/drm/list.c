@@ -96,17 +96,17 @@ static bool list_card(void *arg, const char *path)
     drmVersion *version;
     char text[PORT_WHY];
 
-    if (card_open(&card, path, text) != TIA_OK) {
+    if (card_open(&card, path, text)) {
         l->line(l->arg, text);
         return false;
     }
     version = drmGetVersion(card.fd);
-    if (card_become_master(&card, text) == TIA_OK)
-        (void)snprintf(text, sizeof text, "%s: driver %.40s", path, version != NULL ? version->name : "unknown");
+    if (!card_become_master(&card, text))
+        (void)snprintf(text, sizeof text, "%s: driver %.40s", path, version ? version->name : "unknown");
     drmFreeVersion(version);
     l->line(l->arg, text);
     for (int i = 0; i < card.parts.resources->count_connectors; i++)
-        if (card.parts.connectors[i] != NULL)
+        if (card.parts.connectors[i])
             list_connector(&card, card.parts.connectors[i], l->line, l->arg);
     card_close(&card);
     return false;

@@ -7,7 +7,7 @@ const char *pick_name(const drmModeConnector *connector, char name[PICK_NAME])
 {
     const char *type = drmModeGetConnectorTypeName(connector->connector_type);
 
-    (void)snprintf(name, PICK_NAME, "%.16s-%u", type != NULL ? type : "Unknown", connector->connector_type_id);
+    (void)snprintf(name, PICK_NAME, "%.16s-%u", type ? type : "Unknown", connector->connector_type_id);
     return name;
 }
 
@@ -20,7 +20,7 @@ const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME])
 static const drmModeEncoder *encoder(const struct drm_parts *parts, uint32_t id)
 {
     for (int i = 0; id != 0 && i < parts->resources->count_encoders; i++)
-        if (parts->encoders[i] != NULL && parts->encoders[i]->encoder_id == id)
+        if (parts->encoders[i] && parts->encoders[i]->encoder_id == id)
             return parts->encoders[i];
     return NULL;
 }
@@ -29,7 +29,7 @@ uint32_t pick_current_crtc(const struct drm_parts *parts, const drmModeConnector
 {
     const drmModeEncoder *e = encoder(parts, connector->encoder_id);
 
-    return e != NULL ? e->crtc_id : 0;
+    return e ? e->crtc_id : 0;
 }
 
 /* ---- connector ---- */
@@ -43,7 +43,7 @@ static const drmModeConnector *first_usable(const struct drm_parts *parts, bool 
 {
     for (int i = 0; i < parts->resources->count_connectors; i++) {
         const drmModeConnector *c = parts->connectors[i];
-        if (c != NULL && usable(c) && (!lit || pick_current_crtc(parts, c) != 0))
+        if (c && usable(c) && (!lit || pick_current_crtc(parts, c) != 0))
             return c;
     }
     return NULL;
@@ -63,7 +63,7 @@ static const drmModeConnector *named(const struct drm_parts *parts, const char *
 
     for (int i = 0; i < parts->resources->count_connectors; i++) {
         const drmModeConnector *c = parts->connectors[i];
-        if (c == NULL)
+        if (!c)
             continue;
         append(there, sizeof there, pick_name(c, name));
         if (strcmp(name, wish) != 0)
@@ -83,12 +83,12 @@ const drmModeConnector *pick_connector(const struct drm_parts *parts, const char
 {
     const drmModeConnector *c;
 
-    if (wish != NULL)
+    if (wish)
         return named(parts, wish, why);
     c = first_usable(parts, true);
-    if (c == NULL)
+    if (!c)
         c = first_usable(parts, false);
-    if (c == NULL)
+    if (!c)
         (void)snprintf(why, PORT_WHY, "no connector has a screen with a mode");
     return c;
 }
@@ -121,15 +121,15 @@ const drmModeModeInfo *pick_mode(const drmModeConnector *connector, const char *
 {
     const drmModeModeInfo *best = preferred(connector);
 
-    if (best != NULL && (wish == NULL || strcmp(wish, "preferred") == 0)) {
+    if (best && (!wish || strcmp(wish, "preferred") == 0)) {
         if (drawable(best) && n-- == 0)
             return best;
-        if (wish != NULL)
+        if (wish)
             return NULL;
     }
     for (int i = 0; i < connector->count_modes; i++) {
         const drmModeModeInfo *m = &connector->modes[i];
-        if (drawable(m) && (wish != NULL ? matches(m, wish) : m != best) && n-- == 0)
+        if (drawable(m) && (wish ? matches(m, wish) : m != best) && n-- == 0)
             return m;
     }
     return NULL;
@@ -141,7 +141,7 @@ static bool lights_another(const struct drm_parts *parts, uint32_t crtc, const d
 {
     for (int i = 0; i < parts->resources->count_connectors; i++) {
         const drmModeConnector *c = parts->connectors[i];
-        if (c != NULL && c->connector_id != than->connector_id && pick_current_crtc(parts, c) == crtc)
+        if (c && c->connector_id != than->connector_id && pick_current_crtc(parts, c) == crtc)
             return true;
     }
     return false;
@@ -153,7 +153,7 @@ uint32_t pick_crtc(const struct drm_parts *parts, const drmModeConnector *connec
 
     for (int i = 0; current == 0 && i < connector->count_encoders; i++) {
         const drmModeEncoder *e = encoder(parts, connector->encoders[i]);
-        for (int bit = 0; e != NULL && current == 0 && bit < parts->resources->count_crtcs && bit < 32; bit++) {
+        for (int bit = 0; e && current == 0 && bit < parts->resources->count_crtcs && bit < 32; bit++) {
             uint32_t crtc = parts->resources->crtcs[bit];
             if ((e->possible_crtcs >> bit & 1) != 0 && !lights_another(parts, crtc, connector))
                 current = crtc;

@@ -20,7 +20,7 @@ static void remember(struct scanout *s)
     s->old = drmModeGetCrtc(s->card->fd, s->crtc);
     s->old_count = 0;
     for (int i = 0; i < parts->resources->count_connectors && s->old_count < SCANOUT_CONNECTORS; i++)
-        if (parts->connectors[i] != NULL && pick_current_crtc(parts, parts->connectors[i]) == s->crtc)
+        if (parts->connectors[i] && pick_current_crtc(parts, parts->connectors[i]) == s->crtc)
             s->old_connectors[s->old_count++] = parts->connectors[i]->connector_id;
 }
 
@@ -29,7 +29,7 @@ static void put_back(struct scanout *s)
     drmModeCrtc *old = s->old;
     int fd = s->card->fd;
 
-    if (old != NULL && drmIsMaster(fd)) {
+    if (old && drmIsMaster(fd)) {
         if (old->mode_valid && old->buffer_id != 0 && s->old_count > 0)
             (void)drmModeSetCrtc(fd, old->crtc_id, old->buffer_id, old->x, old->y, s->old_connectors, s->old_count,
                                  &old->mode);
@@ -83,7 +83,7 @@ static int refused(const struct scanout *s, const char *mode_wish, const char *w
     bool choice = !hopeless(errno);
 
     (void)snprintf(why, PORT_WHY, "%s: mode %s: %s: %.80s%s", s->card->path, pick_mode_name(&s->mode, name), what,
-                   node_error(errno, reason), choice && mode_wish != NULL ? " (choose another with --mode)" : "");
+                   node_error(errno, reason), choice && mode_wish ? " (choose another with --mode)" : "");
     return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
 }
 
@@ -97,7 +97,7 @@ static int try_mode(struct scanout *s, const char *mode_wish, int *status, char 
         if (try(s, &what) == 0)
             return 0;
         int error = errno;
-        if (*status == TIA_OK || hopeless(error))
+        if (!*status || hopeless(error))
             *status = refused(s, mode_wish, what, why);
         if (hopeless(error))
             return *status;
@@ -120,9 +120,9 @@ int scanout_light(struct scanout *scanout, const struct card *card, const drmMod
     }
     if (answer == 0)
         return TIA_OK;
-    if (status == TIA_OK) {
+    if (!status) {
         (void)snprintf(why, PORT_WHY, "%s: mode %.40s: its screen has no such mode (see --mode help)", card->path,
-                       mode_wish != NULL ? mode_wish : "preferred");
+                       mode_wish ? mode_wish : "preferred");
         status = TIA_ERR_UNSUPPORTED;
     }
     scanout_end(scanout);
@@ -211,7 +211,7 @@ int scanout_relight(struct scanout *scanout)
 
 void scanout_end(struct scanout *scanout)
 {
-    if (scanout->card == NULL)
+    if (!scanout->card)
         return;
     scanout_settle(scanout);
     put_back(scanout);

@@ -51,7 +51,7 @@ static void try_node(struct evdev *evdev, const char *path)
     if (evdev->count == KEYBOARDS || is_used(evdev, path))
         return;
     status = keyboard_open(keyboard, path, why);
-    if (status == TIA_OK) {
+    if (!status) {
         evdev->count++;
         if (console_state() == CONSOLE_OURS)
             keyboard_grab(keyboard);

@@ -63,7 +63,7 @@ int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY
         return TIA_ERR_DEVICE;
     (void)snprintf(keyboard->path, sizeof keyboard->path, "%s", path);
     status = examine(keyboard, why);
-    if (status != TIA_OK) {
+    if (status) {
         keyboard_close(keyboard);
         return status;
     }

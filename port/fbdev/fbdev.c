@@ -70,7 +70,7 @@ static bool probe(void *arg, const char *path)
     struct fbdev *f = arg;
     char why[PORT_WHY];
 
-    if (fb_probe(&f->screen, path, why) == TIA_OK)
+    if (!fb_probe(&f->screen, path, why))
         return true;
     if (f->why[0] == '\0')
         (void)snprintf(f->why, PORT_WHY, "%s", why);
@@ -98,21 +98,21 @@ static void describe(const struct fbdev *f, struct tia_mode *mode)
 static int fbdev_open(void *ctx, struct tia_mode *mode)
 {
     struct fbdev *f = ctx;
-    int status = f->device != NULL ? fb_probe(&f->screen, f->device, f->why) : probe_first(f);
+    int status = f->device ? fb_probe(&f->screen, f->device, f->why) : probe_first(f);
 
-    if (status != TIA_OK)
+    if (status)
         return status;
     status = console_open(true, f->why);
-    if (status != TIA_OK) {
+    if (status) {
         fb_close(&f->screen, false);
         return status;
     }
     status = canvas_resize(&f->frame, (uint16_t)f->screen.var.xres, (uint16_t)f->screen.var.yres);
-    if (status != TIA_OK)
+    if (status)
         (void)snprintf(f->why, PORT_WHY, "%s: no memory for a frame", f->screen.path);
     else
         status = fb_take(&f->screen, f->why);
-    if (status != TIA_OK) {
+    if (status) {
         fbdev_close(f);
         return status;
     }
@@ -182,7 +182,7 @@ static int fbdev_present(void *ctx)
         return TIA_HIDDEN;
     fb_wait(&f->screen);
     copy(f, page);
-    if (fb_show(&f->screen, page) != TIA_OK)
+    if (fb_show(&f->screen, page))
         return lost(f);
     f->page = page;
     return TIA_OK;
@@ -203,7 +203,7 @@ void *port_fbdev_create(const struct port_wish *wish)
 {
     struct fbdev *f = calloc(1, sizeof *f);
 
-    if (f == NULL) {
+    if (!f) {
         (void)snprintf(wish->why, PORT_WHY, "fbdev: no memory");
         return NULL;
     }
@@ -231,7 +231,7 @@ static bool list_one(void *arg, const char *path)
     struct fb_screen s;
     char text[PORT_WHY], why[PORT_WHY], name[PIXEL_NAME];
 
-    if (fb_probe(&s, path, why) != TIA_OK) {
+    if (fb_probe(&s, path, why)) {
         l->line(l->arg, why);
         return false;
     }

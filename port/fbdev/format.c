@@ -46,13 +46,13 @@ int fb_format(const struct fb_var_screeninfo *var, const struct fb_fix_screeninf
         .blue = channel(&var->blue),
         .alpha = channel(&var->transp),
     };
-    if (fault == NULL)
+    if (!fault)
         fault = pixel_fault(format);
-    if (fault == NULL && (var->xres == 0 || var->yres == 0 || var->xres > TIA_SIZE_MAX || var->yres > TIA_SIZE_MAX))
+    if (!fault && (var->xres == 0 || var->yres == 0 || var->xres > TIA_SIZE_MAX || var->yres > TIA_SIZE_MAX))
         fault = "its size is none that can be drawn (1 to 8192 pixels)";
-    if (fault == NULL && !fits(var, fix, pixel_bytes(format)))
+    if (!fault && !fits(var, fix, pixel_bytes(format)))
         fault = "its rows or its memory are too short for its mode";
-    if (fault == NULL)
+    if (!fault)
         return TIA_OK;
     (void)snprintf(reason, PORT_WHY, "%ux%u, %u bits a pixel: %s", var->xres, var->yres, var->bits_per_pixel, fault);
     return TIA_ERR_UNSUPPORTED;

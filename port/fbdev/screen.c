@@ -35,7 +35,7 @@ static int read_format(struct fb_screen *s, char why[PORT_WHY])
         return failed(s, "not a framebuffer", why);
     s->old = s->var;
     status = fb_format(&s->var, &s->fix, &s->format, reason);
-    if (status != TIA_OK)
+    if (status)
         (void)snprintf(why, PORT_WHY, "%s: %.180s", s->path, reason);
     return status;
 }
@@ -61,9 +61,9 @@ int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY])
         return TIA_ERR_DEVICE;
     (void)snprintf(screen->path, sizeof screen->path, "%s", path);
     status = read_format(screen, why);
-    if (status == TIA_OK)
+    if (!status)
         status = lock(screen, why);
-    if (status != TIA_OK)
+    if (status)
         fb_close(screen, false);
     return status;
 }
@@ -96,7 +96,7 @@ static void ask_for_pages(struct fb_screen *s)
     if (read_mode(s) == 0 && same_picture(&s->var, &s->old) && s->var.yres_virtual >= 2 * s->var.yres &&
         fb_can_pan(&s->var, &s->fix)) {
         s->pages = 2;
-        if (fb_show(s, 0) == TIA_OK)
+        if (!fb_show(s, 0))
             return;
     }
     s->pages = 1;
@@ -140,7 +140,7 @@ static int take_palette(struct fb_screen *s)
     if (s->fix.visual != FB_VISUAL_DIRECTCOLOR || length[0] > 8 || length[1] > 8 || length[2] > 8)
         return 0;
     s->palette = calloc(3 * 256, sizeof *s->palette);
-    if (s->palette == NULL)
+    if (!s->palette)
         return -1;
     palette(s, s->palette, FBIOGETCMAP);
     memset(straight, 0xff, sizeof straight);
@@ -161,10 +161,10 @@ static size_t visible_start(const struct fb_screen *s)
 
 int fb_take(struct fb_screen *screen, char why[PORT_WHY])
 {
-    if (map(screen, why) != TIA_OK)
+    if (map(screen, why))
         return TIA_ERR_DEVICE;
     screen->saved = malloc(visible_size(screen));
-    if (screen->saved == NULL)
+    if (!screen->saved)
         return failed(screen, "saving the screen", why);
     memcpy(screen->saved, screen->memory + visible_start(screen), visible_size(screen));
     (void)guardian_keep_fb(screen->path, &screen->old);
@@ -226,9 +226,9 @@ static void put_back(struct fb_screen *s, bool visible)
         (void)put_mode(s, &old);
         (void)ioctl(s->fd, FBIOPAN_DISPLAY, &old);
     }
-    if (visible && s->memory != NULL)
+    if (visible && s->memory)
         memcpy(s->memory + visible_start(s), s->saved, visible_size(s));
-    if (s->palette != NULL)
+    if (s->palette)
         palette(s, s->palette, FBIOPUTCMAP);
     guardian_forget_fb(s->path);
 }
@@ -237,9 +237,9 @@ void fb_close(struct fb_screen *screen, bool visible)
 {
     if (screen->fd < 0)
         return;
-    if (screen->saved != NULL)
+    if (screen->saved)
         put_back(screen, visible);
-    if (screen->map != NULL)
+    if (screen->map)
         (void)munmap(screen->map, screen->map_size);
     free(screen->saved);
     free(screen->palette);

@@ -29,7 +29,7 @@ static int memory_open(void *ctx, struct tia_mode *mode)
     struct port_memory *memory = ctx;
     int result = memory->is_open ? TIA_ERR_ARGUMENT : memory->fail_open;
 
-    if (result == TIA_OK) {
+    if (!result) {
         memory->is_open = true;
         tell_mode(memory, mode);
     }

@@ -26,7 +26,7 @@ static int none_open(void *ctx, struct tia_mode *mode)
 {
     struct none_display *none = ctx;
 
-    if (canvas_resize(&none->canvas, none->width, none->height) != TIA_OK) {
+    if (canvas_resize(&none->canvas, none->width, none->height)) {
         (void)snprintf(none->why, PORT_WHY, "none: no memory for %ux%u pixels", none->width, none->height);
         return TIA_ERR_MEMORY;
     }

@@ -37,11 +37,9 @@ void *port_osmesa_create(const struct port_wish *wish)
     const struct gl_platform *chosen = NULL;
     struct osmesa *osmesa;
 
-    for (size_t i = 0; wish->device && i < PLATFORMS; i++) {
-        if (!strcmp(wish->device, platforms[i]->name)) {
+    for (size_t i = 0; wish->device && i < PLATFORMS; i++)
+        if (!strcmp(wish->device, platforms[i]->name))
             chosen = platforms[i];
-        }
-    }
     if (wish->device && !chosen) {
         (void)snprintf(wish->why, PORT_WHY, "osmesa:%s: no such library in this build", wish->device);
         return NULL;
@@ -70,9 +68,8 @@ static int prepare(struct gl_screen *screen)
     const struct gl_common *gl = &screen->gl;
     GLint largest[2] = {0, 0};
 
-    if (!gl_load(screen, &screen->gl, rows, sizeof rows / sizeof rows[0])) {
+    if (!gl_load(screen, &screen->gl, rows, sizeof rows / sizeof rows[0]))
         return TIA_ERR_UNSUPPORTED;
-    }
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 2);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 2);
     gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, largest);
@@ -93,12 +90,10 @@ static int open_platform(struct gl_screen *screen, const struct gl_platform *pla
 
     screen->platform = platform;
     status = platform->open(screen);
-    if (status == TIA_OK) {
+    if (!status)
         status = prepare(screen);
-    }
-    if (status != TIA_OK) {
+    if (status)
         platform->close(screen);
-    }
     return status;
 }
 
@@ -106,9 +101,8 @@ static int osmesa_mode(void *ctx, struct tia_mode *mode)
 {
     const struct osmesa *osmesa = ctx;
 
-    if (!osmesa->frame.pixels) {
+    if (!osmesa->frame.pixels)
         return TIA_ERR_ARGUMENT;
-    }
     *mode = (struct tia_mode){
         .width = osmesa->screen.width, .height = osmesa->screen.height, .concurrent = true, .format = "RGB565"};
     return TIA_OK;
@@ -118,9 +112,8 @@ static void osmesa_close(void *ctx)
 {
     struct osmesa *osmesa = ctx;
 
-    if (osmesa->screen.state) {
+    if (osmesa->screen.state)
         osmesa->screen.platform->close(&osmesa->screen);
-    }
     free(osmesa->screen.pixels);
     osmesa->screen.pixels = NULL;
     canvas_free(&osmesa->frame);
@@ -130,11 +123,9 @@ static int open_any(struct osmesa *osmesa)
 {
     int status = TIA_ERR_UNSUPPORTED;
 
-    for (size_t i = 0; i < PLATFORMS && status != TIA_OK; i++) {
-        if (!osmesa->chosen || osmesa->chosen == platforms[i]) {
+    for (size_t i = 0; i < PLATFORMS && status; i++)
+        if (!osmesa->chosen || osmesa->chosen == platforms[i])
             status = open_platform(&osmesa->screen, platforms[i]);
-        }
-    }
     return status;
 }
 
@@ -150,13 +141,13 @@ static int osmesa_open(void *ctx, struct tia_mode *mode)
     }
     status = canvas_resize(&osmesa->frame, screen->width, screen->height);
     screen->pixels = calloc((size_t)screen->width * screen->height, sizeof *screen->pixels);
-    if (status != TIA_OK || !screen->pixels) {
+    if (status || !screen->pixels) {
         (void)snprintf(screen->why, PORT_WHY, "osmesa: out of memory for %ux%u", screen->width, screen->height);
         status = TIA_ERR_MEMORY;
     } else {
         status = open_any(osmesa);
     }
-    if (status != TIA_OK) {
+    if (status) {
         osmesa_close(ctx);
         return status;
     }
@@ -181,12 +172,10 @@ static int osmesa_present(void *ctx)
     struct gl_screen *screen = &osmesa->screen;
     GLenum error;
 
-    if (!osmesa->frame.pixels) {
+    if (!osmesa->frame.pixels)
         return TIA_ERR_ARGUMENT;
-    }
-    if (!screen->platform->make_current(screen)) {
+    if (!screen->platform->make_current(screen))
         return gl_fail(screen, TIA_ERR_DEVICE, "cannot make the context current");
-    }
     screen->gl.DrawPixels(screen->width, screen->height, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, osmesa->frame.pixels);
     screen->gl.Finish();
     error = screen->gl.GetError();
@@ -201,9 +190,8 @@ const tia_rgb565 *port_osmesa_read(void *ctx)
     struct osmesa *osmesa = ctx;
     struct gl_screen *screen = &osmesa->screen;
 
-    if (!osmesa->frame.pixels || !screen->platform->make_current(screen)) {
+    if (!osmesa->frame.pixels || !screen->platform->make_current(screen))
         return NULL;
-    }
     screen->gl.Finish();
     screen->platform->read(screen);
     return screen->gl.GetError() == GL_NO_ERROR ? screen->pixels : NULL;
@@ -224,7 +212,7 @@ void port_osmesa_list(port_line *line, void *arg)
         struct osmesa *osmesa = port_osmesa_create(&wish);
         struct tia_mode mode;
 
-        if (osmesa && osmesa_open(osmesa, &mode) == TIA_OK) {
+        if (osmesa && !osmesa_open(osmesa, &mode)) {
             (void)snprintf(text, sizeof text, "osmesa:%s: any size, RGB565 (%s)", platforms[i]->name,
                            (const char *)osmesa->screen.gl.GetString(GL_RENDERER));
             osmesa_close(osmesa);

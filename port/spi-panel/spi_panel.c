@@ -42,7 +42,7 @@ static int send_data(struct spi_panel *panel, const uint8_t *bytes, size_t count
 static int send(struct spi_panel *panel, uint8_t command, const uint8_t *parameters, size_t count)
 {
     int status = send_command(panel, command);
-    return status == TIA_OK ? send_data(panel, parameters, count) : status;
+    return !status ? send_data(panel, parameters, count) : status;
 }
 
 static void pause_ms(const struct spi_panel *panel, unsigned ms)
@@ -59,7 +59,7 @@ static int send_range(struct spi_panel *panel, uint8_t command, unsigned first, 
 {
     unsigned last = first + count - 1;
     int status = send_command(panel, command);
-    if (status != TIA_OK)
+    if (status)
         return status;
     panel->range[0] = (uint8_t)(first >> 8);
     panel->range[1] = (uint8_t)first;
@@ -72,7 +72,7 @@ static int send_setup(struct spi_panel *panel)
 {
     const uint8_t *next = panel->setup, *end = next + panel->setup_size;
     int status = TIA_OK;
-    while (status == TIA_OK && panel->setup && end - next >= 2) {
+    while (!status && panel->setup && end - next >= 2) {
         if (end - next - 2 < next[1]) {
             panel->why = "spi panel: the setup table ends inside a command";
             return TIA_ERR_ARGUMENT;
@@ -88,16 +88,16 @@ static int wake(struct spi_panel *panel)
     static const uint8_t format = COLMOD_RGB565;
     int status = send(panel, SWRESET, NULL, 0);
     pause_ms(panel, RESET_MS);
-    if (status == TIA_OK)
+    if (!status)
         status = send(panel, SLPOUT, NULL, 0);
     pause_ms(panel, WAKE_MS);
-    if (status == TIA_OK)
+    if (!status)
         status = send(panel, COLMOD, &format, 1);
-    if (status == TIA_OK)
+    if (!status)
         status = send(panel, MADCTL, &panel->orientation, 1);
-    if (status == TIA_OK && panel->inverted)
+    if (!status && panel->inverted)
         status = send(panel, INVON, NULL, 0);
-    return status == TIA_OK ? send_setup(panel) : status;
+    return !status ? send_setup(panel) : status;
 }
 
 static int panel_mode(void *ctx, struct tia_mode *mode)
@@ -126,7 +126,7 @@ static int panel_open(void *ctx, struct tia_mode *mode)
     panel->shown = false;
     panel->awake = true;
     int status = wake(panel);
-    return status == TIA_OK ? panel_mode(ctx, mode) : status;
+    return !status ? panel_mode(ctx, mode) : status;
 }
 
 static tia_rgb565 *strip(const struct spi_panel *panel)
@@ -170,9 +170,9 @@ static int panel_submit(void *ctx, struct tia_tile tile)
     size_t count = (size_t)tile.width * tile.height;
     const uint8_t *bytes = wire_order(strip(panel), count);
     int status = send_range(panel, CASET, (unsigned)panel->left + tile.x, tile.width);
-    if (status == TIA_OK)
+    if (!status)
         status = send_range(panel, PASET, (unsigned)panel->top + tile.y, tile.height);
-    if (status == TIA_OK)
+    if (!status)
         status = send(panel, RAMWR, bytes, 2 * count);
     panel->strip ^= 1;
     return status;

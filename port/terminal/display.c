@@ -83,7 +83,7 @@ static int send_text(struct terminal *t, int timeout_ms)
 
 static int show(struct terminal *t)
 {
-    return send_text(t, -1) == TIA_OK ? TIA_OK : failed_with(t, errno);
+    return !send_text(t, -1) ? TIA_OK : failed_with(t, errno);
 }
 
 static unsigned smallest(unsigned a, unsigned b)
@@ -123,8 +123,7 @@ static int fit_window(struct terminal *t)
         return TIA_OK;
     uint16_t width = (uint16_t)smallest(pixels_across(t, columns), t->max_width);
     uint16_t height = (uint16_t)smallest(pixels_down(t, rows), t->max_height);
-    if (canvas_resize(&t->canvas, width, height) != TIA_OK ||
-        grid_resize(&t->grid, width, height, columns, rows) != TIA_OK) {
+    if (canvas_resize(&t->canvas, width, height) || grid_resize(&t->grid, width, height, columns, rows)) {
         t->columns = t->rows = 0;
         (void)failed(t, "out of memory");
         return TIA_ERR_MEMORY;
@@ -158,9 +157,9 @@ static bool locale_is_utf8(void)
         freelocale(locale);
         return found;
     }
-    for (size_t i = 0; i < sizeof names / sizeof names[0] && (name == NULL || *name == '\0'); i++)
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && (!name || *name == '\0'); i++)
         name = getenv(names[i]);
-    return name != NULL && (strcasestr(name, ".utf-8") != NULL || strcasestr(name, ".utf8") != NULL);
+    return name && (strcasestr(name, ".utf-8") || strcasestr(name, ".utf8"));
 }
 
 static int look_at_environment(struct terminal *t)
@@ -252,7 +251,7 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
     struct terminal *t = ctx;
     int status = fit_window(t);
 
-    if (status == TIA_OK && t->entered && t->resumes != terminal_resumes())
+    if (!status && t->entered && t->resumes != terminal_resumes())
         status = draw_again(t);
     tell_mode(t, mode);
     return status;
@@ -263,15 +262,15 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
     struct terminal *t = ctx;
     int status = open_window(t);
 
-    if (status == TIA_OK)
+    if (!status)
         status = look_at_environment(t);
-    if (status == TIA_OK)
+    if (!status)
         status = fit_window(t);
-    if (status == TIA_OK) {
+    if (!status) {
         enter(t);
         status = show(t);
     }
-    if (status != TIA_OK)
+    if (status)
         terminal_close(t);
     else
         tell_mode(t, mode);
@@ -333,7 +332,7 @@ void port_terminal_list(port_line *line, void *arg)
     struct terminal t = {.why = why, .fd = -1};
     unsigned columns, rows;
 
-    if (open_window(&t) != TIA_OK || look_at_environment(&t) != TIA_OK) {
+    if (open_window(&t) || look_at_environment(&t)) {
         line(arg, why);
     } else {
         read_window(&t, &columns, &rows);

@@ -126,9 +126,9 @@ static int tty_open(void *ctx)
     struct tty *tty = ctx;
     int status = open_terminal(tty);
 
-    if (status == TIA_OK)
+    if (!status)
         status = make_raw(tty);
-    if (status != TIA_OK) {
+    if (status) {
         tty_close(tty);
         return status;
     }

@@ -28,7 +28,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
     struct tia_read_error *error = &reader->error;
     struct tia_fault fault;
 
-    if (tia_scene_check(scene, &fault) == TIA_OK)
+    if (!tia_scene_check(scene, &fault))
         return TIA_OK;
     *error = (struct tia_read_error){{0}, 0, 0, {0}};
     locate(reader, &fault, arena);

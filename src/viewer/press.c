@@ -64,7 +64,7 @@ static int move_light(const struct tia_scene *scene, struct tia_light *light, co
 
     if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move) : !move_centre(&moved.centre, move))
         return 0;
-    if (tia_scene_check(&alone, NULL) != TIA_OK)
+    if (tia_scene_check(&alone, NULL))
         return 0;
     *light = moved;
     return 1;

@@ -49,8 +49,8 @@ static inline int frames_open(struct frames_canvas *c, const struct tia_scene *s
     c->memory[1] = malloc(hits);
     c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
     return c->memory[0] && c->memory[1] && c->pixels &&
-           core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) == TIA_OK &&
-           core->hits_init(&c->hits, c->memory[1], hits, c->view, c->area) == TIA_OK;
+           !core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) &&
+           !core->hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
 }
 
 /* Draws in tiles of the given size, from the last to the first. */

@@ -36,14 +36,14 @@ static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, 
 {
     const struct tia_surface surface = {strip, 2, 2 * WIDTH};
     int status = TIA_OK;
-    for (uint16_t y = 0; y < HEIGHT && status == TIA_OK; y += ROWS) {
+    for (uint16_t y = 0; y < HEIGHT && !status; y += ROWS) {
         const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};
         count_begin();
         if (!WHOLE)
             status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
-        if (trace && status == TIA_OK)
+        if (trace && !status)
             status = CORE.trace(view, hits, tile);
-        if (status == TIA_OK)
+        if (!status)
             status = CORE.light(view, hits, tile, &surface, NULL);
         count_end();
         *crc = tia_crc32(*crc, strip, (size_t)WIDTH * tile.height);
@@ -55,7 +55,7 @@ static int draw_and_tell(const char *name, const struct tia_view *view, struct t
 {
     uint32_t crc = 0;
     int status = draw(view, hits, trace, &crc);
-    board_print(status == TIA_OK ? name : "failed ");
+    board_print(!status ? name : "failed ");
     board_print_hex(crc);
     board_print("\n");
     return status;
@@ -76,13 +76,13 @@ int main(void)
     struct tia_view *view;
     struct tia_hits *hits = NULL;
     int status = CORE.view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT);
-    if (status == TIA_OK)
+    if (!status)
         status = CORE.set_lights(view, light_of('a'), 1);
-    if (status == TIA_OK && WHOLE)
+    if (!status && WHOLE)
         status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, all);
-    if (status == TIA_OK)
+    if (!status)
         status = draw_and_tell("full ", view, hits, true);
-    if (status == TIA_OK && WHOLE)
+    if (!status && WHOLE)
         status = draw_and_tell("relit ", view, hits, false);
     return -status;
 }

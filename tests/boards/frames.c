@@ -77,7 +77,7 @@ static void tell(const struct checksum *sum, char key, int status)
 {
     static char name[] = "? ";
     name[0] = key;
-    board_print(status == TIA_OK ? "frame " : "failed ");
+    board_print(!status ? "frame " : "failed ");
     board_print_number(sum->width);
     board_print("x");
     board_print_number(sum->height);

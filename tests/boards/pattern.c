@@ -8,13 +8,13 @@ static int show(const char **why)
     struct tia_surface surface;
     int status = panel_display.open(why, &mode);
     const struct tia_tile all = {0, 0, mode.width, mode.height};
-    if (status == TIA_OK)
+    if (!status)
         status = panel_display.acquire(why, all, &surface);
-    for (uint32_t i = 0; status == TIA_OK && i < (uint32_t)PANEL_WIDTH * PANEL_HEIGHT; i++)
+    for (uint32_t i = 0; !status && i < (uint32_t)PANEL_WIDTH * PANEL_HEIGHT; i++)
         surface.pixels[i] = (tia_rgb565)i;
-    if (status == TIA_OK)
+    if (!status)
         status = panel_display.submit(why, all);
-    if (status == TIA_OK)
+    if (!status)
         status = panel_display.present(why);
     return status;
 }
@@ -24,10 +24,10 @@ int main(void)
     const char *why = "";
     struct tia_event event;
     int status = panel_keyboard.open(&why);
-    if (status == TIA_OK)
+    if (!status)
         status = show(&why);
-    board_print(status == TIA_OK ? "ready\n" : why);
-    while (status == TIA_OK && panel_keyboard.poll(&why, &event) == 0)
+    board_print(!status ? "ready\n" : why);
+    while (!status && panel_keyboard.poll(&why, &event) == 0)
         (void)panel_keyboard.wait(&why, -1);
     panel_display.close(&why);
     panel_keyboard.close(&why);

@@ -313,7 +313,7 @@ static inline bool make_accepted(struct bytes *b, struct made *m)
 
     make_scene(b, m);
     for (int i = 0; i < 3 * MADE_SHAPES + MADE_SPHERES + MADE_LIGHTS; i++) {
-        if (tia_scene_check(&m->scene, &fault) == TIA_OK)
+        if (!tia_scene_check(&m->scene, &fault))
             return true;
         mend(m, &fault);
     }

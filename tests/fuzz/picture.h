@@ -39,9 +39,9 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     p->pixels = malloc(count * sizeof *p->pixels);
     p->path_hash = malloc(count * sizeof *p->path_hash);
     MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
-    MUST(core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height) == TIA_OK);
-    MUST(core->hits_init(&p->hits, p->memory[1], hits, p->view, tile) == TIA_OK);
-    MUST(core->trace(p->view, p->hits, tile) == TIA_OK);
+    MUST(!core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height));
+    MUST(!core->hits_init(&p->hits, p->memory[1], hits, p->view, tile));
+    MUST(!core->trace(p->view, p->hits, tile));
 }
 
 static inline void light_picture(struct picture *p, bool dither)
@@ -49,7 +49,7 @@ static inline void light_picture(struct picture *p, bool dither)
     struct tia_surface surface = {p->pixels, 2, p->tile.width * 2};
     struct tia_options options = {dither, p->path_hash};
 
-    MUST(p->core->light(p->view, p->hits, p->tile, &surface, &options) == TIA_OK);
+    MUST(!p->core->light(p->view, p->hits, p->tile, &surface, &options));
 }
 
 static inline void close_picture(struct picture *p)

@@ -16,7 +16,7 @@ static void must_decode(const uint8_t *data, size_t size)
     uint32_t sum = 0;
     tia_q30 mean;
 
-    if (image_decode(&texels, data, size, SIDE, MOST, &why) != TIA_OK) {
+    if (image_decode(&texels, data, size, SIDE, MOST, &why)) {
         MUST(why && *why && !texels.rgb);
         return;
     }
@@ -26,7 +26,7 @@ static void must_decode(const uint8_t *data, size_t size)
         sum += texels.rgb[i];
     MUST(sum <= 255 * MOST);
     free(texels.rgb);
-    MUST(image_opacity(&mean, data, size, SIDE, MOST, &why) == TIA_OK && mean >= 0 && mean <= TIA_Q30_ONE);
+    MUST(!image_opacity(&mean, data, size, SIDE, MOST, &why) && mean >= 0 && mean <= TIA_Q30_ONE);
 }
 
 static void must_be_whole(const struct image_film *film, size_t line, size_t size)

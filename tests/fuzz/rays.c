@@ -38,7 +38,7 @@ static uint64_t work_of(const struct made *m, uint32_t pixels)
 /* Less of what multiplies, until it is drawn in no time. */
 static void limit_work(struct made *m, struct tia_tile *tile)
 {
-    while (work_of(m, (uint32_t)tile->width * tile->height) > WORK) {
+    while (work_of(m, (uint32_t)tile->width * tile->height) > WORK)
         if (m->scene.depth != 1 && rays_of(m, 1) > 32)
             m->scene.depth = m->scene.depth ? m->scene.depth - 1 : TIA_DEPTH;
         else if (tile->width > 1)
@@ -49,14 +49,13 @@ static void limit_work(struct made *m, struct tia_tile *tile)
             m->scene.camera.samples /= 4;
         else
             break;
-    }
 }
 
 static void relight(struct picture *p, const struct tia_scene *scene, bool dither)
 {
-    MUST(tia_view_set_lights(p->view, NULL, 0) == TIA_OK);
+    MUST(!tia_view_set_lights(p->view, NULL, 0));
     light_picture(p, dither);
-    MUST(tia_view_set_lights(p->view, scene->lights, scene->light_count) == TIA_OK);
+    MUST(!tia_view_set_lights(p->view, scene->lights, scene->light_count));
     light_picture(p, dither);
 }
 
@@ -81,7 +80,7 @@ static void draw_sooner(const struct picture *plain, const struct tia_scene *sce
     void *memory = malloc(size);
     struct picture sooner;
 
-    MUST(memory && tia_bvh_build(&with.bvh, memory, size, NULL, scene) == TIA_OK);
+    MUST(memory && !tia_bvh_build(&with.bvh, memory, size, NULL, scene));
     open_picture(&sooner, &tia_core_q16, &with, width, height, plain->tile);
     light_picture(&sooner, false);
     must_be_same(plain, &sooner);

@@ -82,10 +82,10 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
         status = tia_read(&reader, &scene, memory, need, &again);
         MUST(again == need);
     }
-    if (status == TIA_OK)
+    if (!status)
         must_warn(warnings, size);
-    if (status == TIA_OK)
-        MUST(tia_scene_check(&scene, NULL) == TIA_OK);
+    if (!status)
+        MUST(!tia_scene_check(&scene, NULL));
     else
         MUST(status == TIA_ERR_RANGE && *reader.error.text && reader.error.line <= size + 1 &&
              reader.error.column <= size + 1);

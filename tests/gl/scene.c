@@ -120,9 +120,8 @@ static void draw_ball(const struct gl_ball *ball)
         gl.Begin(GL_TRIANGLE_STRIP);
         for (int i = 0; i < 2 * (segments + 1); i++) {
             double theta = reach * (ring + i % 2) / rings, phi = 2 * PI * (i / 2 % segments) / segments, p[3];
-            for (int k = 0; k < 3; k++) {
+            for (int k = 0; k < 3; k++)
                 p[k] = c[k] + ball->radius * (cos(theta) * w[k] + sin(theta) * (cos(phi) * u[k] + sin(phi) * v[k]));
-            }
             gl.Vertex3d(p[0], p[1], p[2]);
         }
         gl.End();
@@ -190,11 +189,10 @@ static void set(GLuint program, const char *name, int thing, const double *value
 
     (void)snprintf(element, sizeof element, "%s[%d]", name, thing);
     place = gl.GetUniformLocation(program, element);
-    if (count == 3) {
+    if (count == 3)
         gl.Uniform3f(place, (float)value[0], (float)value[1], (float)value[2]);
-    } else {
+    else
         gl.Uniform1f(place, (float)value[0]);
-    }
 }
 
 static void draw_things(GLuint program, int count, bool mask)
@@ -226,9 +224,8 @@ static tia_rgb565 quantised(const gl_colour c)
 {
     double level[3];
 
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         level[k] = floor((k == 1 ? 63 : 31) * fmin(1, fmax(0, (double)c[k])) + 0.5);
-    }
     return (tia_rgb565)((unsigned)level[0] << 11 | (unsigned)level[1] << 5 | (unsigned)level[2]);
 }
 
@@ -244,9 +241,8 @@ static void place(GLuint program, const struct gl_ball *light, double aspect)
         set(program, "colour", i, ball->colour, 3);
         set(program, "radius", i, &ball->radius, 1);
         gl.NewList((GLuint)i + 1, GL_COMPILE);
-        if (ball->radius > 0) {
+        if (ball->radius > 0)
             draw_ball(ball);
-        }
         gl.EndList();
     }
 }
@@ -257,15 +253,13 @@ static bool draw(const struct gl_ball *light, struct picture *picture, char *why
     GLuint program;
     GLenum error;
 
-    if (!make_target(picture->width, picture->height, why) || !(program = make_program(why))) {
+    if (!make_target(picture->width, picture->height, why) || !(program = make_program(why)))
         return false;
-    }
     place(program, light, (double)picture->width / picture->height);
     draw_things(program, THINGS, false);
     read_pixels(picture);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         picture->colour[i] = quantised(pixels[i]);
-    }
     draw_things(program, LIGHT, true);
     read_pixels(picture);
     for (size_t i = 0; i < count; i++) {
@@ -273,9 +267,8 @@ static bool draw(const struct gl_ball *light, struct picture *picture, char *why
         picture->lit[i] = pixels[i][2] > 0;
     }
     error = gl.GetError();
-    if (error != GL_NO_ERROR) {
+    if (error != GL_NO_ERROR)
         (void)snprintf(why, PORT_WHY, "GL error 0x%x", error);
-    }
     return error == GL_NO_ERROR;
 }
 
@@ -302,10 +295,9 @@ bool gl_scene_draw(const char *library, const struct gl_ball *light, struct pict
     wish.width = (uint16_t)picture->width;
     wish.height = (uint16_t)picture->height;
     ctx = port_osmesa_create(&wish);
-    if (!ctx) {
+    if (!ctx)
         return false;
-    }
-    if (port_osmesa_display.open(ctx, &mode) == TIA_OK) {
+    if (!port_osmesa_display.open(ctx, &mode)) {
         drawn = load(ctx, why) && draw(light, picture, why);
         port_osmesa_display.close(ctx);
     }

@@ -82,7 +82,7 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
         for (unsigned x = tile.x; x < tile.x + (unsigned)tile.width; x++, out += surface->step) {
             struct oracle_pixel pixel = hits->pixels[hits_index(hits, x, y)];
             *(tia_rgb565 *)(void *)out = oracle_pack(&pixel, x, y, options->dither);
-            if (options->path_hash != NULL)
+            if (options->path_hash)
                 options->path_hash[i++] = pixel.path_hash;
         }
     }

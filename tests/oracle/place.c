@@ -119,7 +119,7 @@ unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ra
 {
     const struct tia_shape *s = index < scene->sphere_count ? NULL : &scene->shapes[index - scene->sphere_count];
 
-    if (s == NULL || s->kind != TIA_MESH || scene->meshes[s->mesh].groups == NULL)
+    if (!s || s->kind != TIA_MESH || !scene->meshes[s->mesh].groups)
         return 1;
     if (s->transform != 0)
         ray = local_ray(&scene->transforms[s->transform - 1], ray);

@@ -50,9 +50,9 @@ static int view(const char **why)
     struct tia_mode mode;
     scene.camera.samples = 1; /* such a processor has time for only one ray per pixel */
     int status = panel_keyboard.open(why);
-    if (status == TIA_OK)
+    if (!status)
         status = panel_display.open(why, &mode);
-    if (status == TIA_OK)
+    if (!status)
         status = tia_viewer_run(&viewer);
     panel_display.close(why);
     panel_keyboard.close(why);
@@ -66,7 +66,7 @@ int main(void)
     board_print(panel_board.name);
     board_print(": a, d, s, w put the light, arrows and page keys move it, any other key quits\n");
     int status = view(&why);
-    if (status == TIA_OK) {
+    if (!status) {
         board_print("a key ended the viewer after ");
         board_print_number(frames);
         board_print(" frames, stack ");

@@ -9,9 +9,8 @@ uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length)
     const unsigned char *from = bytes;
     uint64_t count = length;
     tia_rgb565 pairs[1024];
-    for (unsigned i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < 4; i++)
         pairs[i] = (tia_rgb565)(count >> 16 * i & 0xffffu);
-    }
     crc = tia_crc32(crc, pairs, 4);
     while (length > 0) {
         size_t some = length < sizeof pairs ? length : sizeof pairs, n = (some + 1) / 2;

@@ -48,7 +48,7 @@ static bool is_identifier(const char *text)
     word[0] = ' ';
     memcpy(word + 1, text, length);
     memcpy(word + 1 + length, " ", 2);
-    return strstr(keywords, word) == NULL;
+    return !strstr(keywords, word);
 }
 
 /* 0: continue; 1: done; 2: usage error. */
@@ -90,7 +90,7 @@ static int parse(const struct converter *converter, struct request *request, int
     int option, result = 0;
 
     memcpy(options, known, sizeof options);
-    if (converter->symbol == NULL) /* drops --name, the last one */
+    if (!converter->symbol) /* drops --name, the last one */
         options[sizeof options / sizeof *options - 2] = (struct option){0};
     opterr = 0;
     while (result == 0 && (option = getopt_long(argc, argv, ":o:hV", options, NULL)) != -1)
@@ -103,7 +103,7 @@ static int parse(const struct converter *converter, struct request *request, int
     request->scene = argv[optind];
     if (optind + 1 < argc)
         return fail(converter, 2, argv[optind + 1], "unexpected argument (see --help)");
-    return request->output != NULL ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
+    return request->output ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
 }
 
 static void name_source(struct request *request)
@@ -112,10 +112,10 @@ static void name_source(struct request *request)
 
     (void)snprintf(request->source, sizeof request->source, "%s",
                    strcmp(request->scene, "-") == 0 ? "a scene from standard input"
-                   : slash != NULL                  ? slash + 1
+                   : slash                          ? slash + 1
                                                     : request->scene);
     for (char *at = request->source; *at != '\0'; at++)
-        if (!isalnum((unsigned char)*at) && strchr(" .-_", *at) == NULL)
+        if (!isalnum((unsigned char)*at) && !strchr(" .-_", *at))
             *at = '_';
 }
 
@@ -134,7 +134,7 @@ static int open_scene(const struct converter *converter, struct request *request
     if (request->format == SCENE_UNKNOWN)
         return fail(converter, 2, request->scene, "its name does not tell its format (use --scene-format)");
     int status = scene_open(file, request->scene, request->format, request->strict);
-    if (status == TIA_OK) {
+    if (!status) {
         warn(converter, file);
         return 0;
     }
@@ -155,7 +155,7 @@ int convert(const struct converter *converter, int argc, char **argv)
     result = open_scene(converter, &request, &file);
     if (result != 0)
         return result;
-    if (converter->write(&request, &file.scene, why) != TIA_OK)
+    if (converter->write(&request, &file.scene, why))
         result = fail(converter, 1, why, "");
     scene_close(&file);
     return result;

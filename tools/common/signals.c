@@ -21,9 +21,8 @@ static bool notes;
 static void end(int number)
 {
     struct sigaction action = {.sa_handler = SIG_DFL};
-    for (const struct signals_cleanup *cleanup = cleanups; cleanup != NULL; cleanup = cleanup->next) {
+    for (const struct signals_cleanup *cleanup = cleanups; cleanup; cleanup = cleanup->next)
         cleanup->undo(cleanup->arg);
-    }
     (void)sigaction(number, &action, NULL);
     (void)raise(number); /* kills when the handler returns: until then it is blocked */
 }
@@ -32,11 +31,9 @@ static void end(int number)
 static void handle(void (*handler)(int number))
 {
     struct sigaction action = {.sa_handler = handler, .sa_mask = set};
-    for (size_t i = 0; i < ENDING; i++) {
-        if (sigismember(&set, ending[i]) == 1) {
+    for (size_t i = 0; i < ENDING; i++)
+        if (sigismember(&set, ending[i]) == 1)
             (void)sigaction(ending[i], &action, NULL);
-        }
-    }
 }
 
 void signals_prepare(void)
@@ -45,26 +42,22 @@ void signals_prepare(void)
     (void)sigaction(SIGPIPE, &ignore, NULL);
     (void)sigaction(SIGXFSZ, &ignore, NULL);
     (void)sigemptyset(&set);
-    for (size_t i = 0; i < ENDING; i++) {
-        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) {
+    for (size_t i = 0; i < ENDING; i++)
+        if (sigaction(ending[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             (void)sigaddset(&set, ending[i]);
-        }
-    }
     handle(end);
 }
 
 void signals_hold(void)
 {
-    if (holds++ == 0) {
+    if (holds++ == 0)
         (void)pthread_sigmask(SIG_BLOCK, &set, &mask_before);
-    }
 }
 
 void signals_allow(void)
 {
-    if (--holds == 0) {
+    if (--holds == 0)
         (void)pthread_sigmask(SIG_SETMASK, &mask_before, NULL);
-    }
 }
 
 void signals_add(struct signals_cleanup *cleanup)
@@ -79,12 +72,10 @@ void signals_remove(struct signals_cleanup *cleanup)
 {
     struct signals_cleanup **at = &cleanups;
     signals_hold();
-    while (*at != NULL && *at != cleanup) {
+    while (*at && *at != cleanup)
         at = &(*at)->next;
-    }
-    if (*at != NULL) {
+    if (*at)
         *at = cleanup->next;
-    }
     signals_allow();
 }
 
@@ -106,13 +97,11 @@ bool signals_asked(void *unused)
 {
     sigset_t pending;
     (void)unused;
-    if (noted != 0) {
+    if (noted != 0)
         return true;
-    }
     bool any = false, known = sigpending(&pending) == 0;
-    for (size_t i = 0; known && i < ENDING; i++) {
+    for (size_t i = 0; known && i < ENDING; i++)
         any = any || (sigismember(&set, ending[i]) == 1 && sigismember(&pending, ending[i]) == 1);
-    }
     return any;
 }
 
@@ -128,8 +117,7 @@ void signals_release(void)
 int signals_end(int status)
 {
     signals_release();
-    if (noted != 0) {
+    if (noted != 0)
         (void)raise(noted);
-    }
     return status;
 }

@@ -13,9 +13,8 @@
 /* Keeps the reason of the first failure, since it causes the later ones. */
 static int fail(struct sink *sink, int error)
 {
-    if (!sink->failed) {
+    if (!sink->failed)
         (void)snprintf(sink->why, PORT_WHY, "%.180s: %s", sink->name, strerror(error));
-    }
     sink->failed = true;
     return TIA_ERR_DEVICE;
 }
@@ -30,9 +29,8 @@ static int open_directly(struct sink *sink)
 static int open_beside(struct sink *sink, const struct stat *before)
 {
     sink->path = temporary_target(sink->name);
-    if (sink->path == NULL || (before != NULL && access(sink->path, W_OK) != 0)) {
+    if (!sink->path || (before && access(sink->path, W_OK) != 0))
         return fail(sink, errno);
-    }
     sink->fd = temporary_create(&sink->temporary, sink->path, before);
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
@@ -41,15 +39,12 @@ static int open_file(struct sink *sink)
 {
     struct stat status;
     bool exists = stat(sink->name, &status) == 0;
-    if (!exists && errno != ENOENT) {
+    if (!exists && errno != ENOENT)
         return fail(sink, errno);
-    }
-    if (exists && S_ISDIR(status.st_mode)) {
+    if (exists && S_ISDIR(status.st_mode))
         return fail(sink, EISDIR);
-    }
-    if (exists && !S_ISREG(status.st_mode)) {
+    if (exists && !S_ISREG(status.st_mode))
         return open_directly(sink);
-    }
     return open_beside(sink, exists ? &status : NULL);
 }
 
@@ -64,9 +59,8 @@ int sink_open(struct sink *sink, const char *name, char *why)
     } else {
         result = open_file(sink);
     }
-    if (result != TIA_OK) {
+    if (result)
         sink_discard(sink);
-    }
     return result;
 }
 
@@ -74,11 +68,10 @@ static int drain(struct sink *sink)
 {
     for (size_t done = 0; done < sink->used;) {
         ssize_t wrote = write(sink->fd, sink->buffer + done, sink->used - done);
-        if (wrote > 0) {
+        if (wrote > 0)
             done += (size_t)wrote;
-        } else if (wrote == 0 || errno != EINTR) {
+        else if (wrote == 0 || errno != EINTR)
             return fail(sink, wrote == 0 ? EIO : errno);
-        }
     }
     sink->used = 0;
     return TIA_OK;
@@ -94,9 +87,8 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
         sink->used += now;
         from += now;
         count -= now;
-        if (sink->used == sizeof sink->buffer) {
+        if (sink->used == sizeof sink->buffer)
             (void)drain(sink);
-        }
     }
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
@@ -106,16 +98,13 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
  * until it has its name, as the lock goes with the descriptor. */
 int sink_seal(struct sink *sink)
 {
-    if (!sink->failed) {
+    if (!sink->failed)
         (void)drain(sink);
-    }
-    if (!sink->failed && sink->temporary.name != NULL && fsync(sink->fd) != 0) {
+    if (!sink->failed && sink->temporary.name && fsync(sink->fd) != 0)
         (void)fail(sink, errno);
-    }
-    if (sink->temporary.name == NULL) {
-        if (close(sink->fd) != 0 && !sink->failed) {
+    if (!sink->temporary.name) {
+        if (close(sink->fd) != 0 && !sink->failed)
             (void)fail(sink, errno);
-        }
         sink->fd = -1;
     }
     if (sink->failed) {
@@ -127,9 +116,8 @@ int sink_seal(struct sink *sink)
 
 int sink_publish(struct sink *sink)
 {
-    if (sink->temporary.name != NULL && temporary_rename(&sink->temporary, sink->path) != 0) {
+    if (sink->temporary.name && temporary_rename(&sink->temporary, sink->path) != 0)
         (void)fail(sink, errno);
-    }
     sink_discard(sink);
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
@@ -137,7 +125,7 @@ int sink_publish(struct sink *sink)
 int sink_commit(struct sink *sink)
 {
     int status = sink_seal(sink);
-    return status == TIA_OK ? sink_publish(sink) : status;
+    return !status ? sink_publish(sink) : status;
 }
 
 /* Removed before it is closed: no other run can think that it was left behind. */

@@ -18,24 +18,21 @@ enum { NAMES = 64, LINKS_MOST = 40 }; /* runs for one name at once; links as Lin
 static int directory_length(const char *path)
 {
     const char *slash = strrchr(path, '/');
-    return slash != NULL ? (int)(slash + 1 - path) : 0;
+    return slash ? (int)(slash + 1 - path) : 0;
 }
 
 char *temporary_target(const char *name)
 {
     char *path = strdup(name), link[PATH_MAX];
-    for (int links = 0; path != NULL; links++) {
+    for (int links = 0; path; links++) {
         ssize_t length = readlink(path, link, sizeof link);
-        if (length < 0) {
+        if (length < 0)
             return path; /* no link, or nothing there */
-        }
         char *next = NULL;
-        if (links == LINKS_MOST || length == sizeof link) {
+        if (links == LINKS_MOST || length == sizeof link)
             errno = links == LINKS_MOST ? ELOOP : ENAMETOOLONG;
-        } else if (asprintf(&next, "%.*s%.*s", link[0] != '/' ? directory_length(path) : 0, path, (int)length, link) <
-                   0) {
+        else if (asprintf(&next, "%.*s%.*s", link[0] != '/' ? directory_length(path) : 0, path, (int)length, link) < 0)
             next = NULL;
-        }
         free(path);
         path = next;
     }
@@ -46,9 +43,8 @@ char *temporary_target(const char *name)
 static uint32_t hash(const char *text)
 {
     uint32_t sum = UINT32_C(2166136261);
-    for (; *text != '\0'; text++) {
+    for (; *text != '\0'; text++)
         sum = (sum ^ (unsigned char)*text) * UINT32_C(16777619);
-    }
     return sum;
 }
 
@@ -79,12 +75,10 @@ static bool has_name(int fd, const char *name)
 static void remove_left(const char *name)
 {
     int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (fd < 0) {
+    if (fd < 0)
         return;
-    }
-    if (has_name(fd, name) && flock(fd, LOCK_EX | LOCK_NB) == 0 && has_name(fd, name)) {
+    if (has_name(fd, name) && flock(fd, LOCK_EX | LOCK_NB) == 0 && has_name(fd, name))
         (void)unlink(name);
-    }
     (void)close(fd);
 }
 
@@ -93,9 +87,8 @@ static void remove_left(const char *name)
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
-    if (fd < 0) {
+    if (fd < 0)
         return -1;
-    }
     bool taken = flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (taken || !has_name(fd, name)) {
         (void)close(fd);
@@ -139,7 +132,7 @@ static bool make_like(int fd, const struct stat *before)
 
 static int finish(struct temporary *temporary, int fd, const struct stat *before)
 {
-    if (fd >= 0 && before != NULL && !make_like(fd, before)) {
+    if (fd >= 0 && before && !make_like(fd, before)) {
         int error = errno;
         temporary_remove(temporary);
         (void)close(fd);
@@ -152,11 +145,11 @@ static int finish(struct temporary *temporary, int fd, const struct stat *before
 /* All names are looked at: runs of which the first is done may have left the second's file. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
 {
-    mode_t mode = before != NULL ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+    mode_t mode = before ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
     int fd = -1, error = EEXIST;
     for (unsigned i = 0; i < NAMES; i++) {
         char *name = name_beside(path, i);
-        if (name == NULL) {
+        if (!name) {
             error = errno;
             break;
         }
@@ -165,9 +158,8 @@ int temporary_create(struct temporary *temporary, const char *path, const struct
             fd = take_name(temporary, name, mode);
             error = errno;
         }
-        if (name != temporary->name) {
+        if (name != temporary->name)
             free(name);
-        }
     }
     errno = error;
     return finish(temporary, fd, before);
@@ -184,9 +176,8 @@ int temporary_rename(struct temporary *temporary, const char *path)
 {
     signals_hold();
     int result = rename(temporary->name, path), error = errno;
-    if (result == 0) {
+    if (result == 0)
         forget(temporary);
-    }
     signals_allow();
     errno = error;
     return result;
@@ -194,7 +185,7 @@ int temporary_rename(struct temporary *temporary, const char *path)
 
 void temporary_remove(struct temporary *temporary)
 {
-    if (temporary->name != NULL) {
+    if (temporary->name) {
         (void)unlink(temporary->name);
         forget(temporary);
     }

@@ -22,7 +22,7 @@ static void put(struct text *text, const char *bytes)
     if (length == 0)
         return;
     (void)sink_write(&text->sink, bytes, length);
-    text->column = newline != NULL ? (unsigned)strlen(newline + 1) : text->column + (unsigned)length;
+    text->column = newline ? (unsigned)strlen(newline + 1) : text->column + (unsigned)length;
     text->last = bytes[length - 1];
 }
 

@@ -28,9 +28,8 @@ struct threads {
 unsigned threads_processors(void)
 {
     cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) != 0) {
+    if (sched_getaffinity(0, sizeof set, &set) != 0)
         return 1;
-    }
     unsigned count = (unsigned)CPU_COUNT(&set);
     return count < 1 ? 1 : count > THREADS_MAX ? THREADS_MAX : count;
 }
@@ -40,9 +39,8 @@ static void run_jobs(struct threads *pool)
 {
     for (;;) {
         unsigned index = atomic_fetch_add(&pool->next, 1u);
-        if (index >= pool->count) {
+        if (index >= pool->count)
             return;
-        }
         pool->job(pool->arg, index);
     }
 }
@@ -53,19 +51,16 @@ static void *work(void *arg)
     unsigned seen = 0;
     (void)pthread_mutex_lock(&pool->lock);
     for (;;) {
-        while (pool->round == seen && !pool->quit) {
+        while (pool->round == seen && !pool->quit)
             (void)pthread_cond_wait(&pool->begin, &pool->lock);
-        }
-        if (pool->quit) {
+        if (pool->quit)
             break;
-        }
         seen = pool->round;
         (void)pthread_mutex_unlock(&pool->lock);
         run_jobs(pool);
         (void)pthread_mutex_lock(&pool->lock);
-        if (--pool->busy == 0) {
+        if (--pool->busy == 0)
             (void)pthread_cond_signal(&pool->end);
-        }
     }
     (void)pthread_mutex_unlock(&pool->lock);
     return NULL;
@@ -77,9 +72,8 @@ static void block_signals(sigset_t *before)
     static const int faults[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
     sigset_t all;
     (void)sigfillset(&all);
-    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++)
         (void)sigdelset(&all, faults[i]);
-    }
     (void)pthread_sigmask(SIG_SETMASK, &all, before);
 }
 
@@ -88,14 +82,12 @@ static void start(struct threads *pool, unsigned count)
 {
     sigset_t before;
     pthread_attr_t attributes;
-    if (count == 0 || pthread_attr_init(&attributes) != 0) {
+    if (count == 0 || pthread_attr_init(&attributes) != 0)
         return;
-    }
     (void)pthread_attr_setstacksize(&attributes, STACK_BYTES);
     block_signals(&before);
-    while (pool->started < count && pthread_create(&pool->thread[pool->started], &attributes, work, pool) == 0) {
+    while (pool->started < count && pthread_create(&pool->thread[pool->started], &attributes, work, pool) == 0)
         pool->started++;
-    }
     (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
     (void)pthread_attr_destroy(&attributes);
 }
@@ -104,9 +96,8 @@ struct threads *threads_create(unsigned count)
 {
     unsigned others = count > THREADS_MAX ? THREADS_MAX - 1 : count > 0 ? count - 1 : 0;
     struct threads *pool = calloc(1, sizeof *pool + others * sizeof pool->thread[0]);
-    if (pool == NULL) {
+    if (!pool)
         return NULL;
-    }
     (void)pthread_mutex_init(&pool->lock, NULL);
     (void)pthread_cond_init(&pool->begin, NULL);
     (void)pthread_cond_init(&pool->end, NULL);
@@ -136,9 +127,8 @@ static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, un
     (void)pthread_mutex_unlock(&pool->lock);
     run_jobs(pool);
     (void)pthread_mutex_lock(&pool->lock);
-    while (pool->busy > 0) {
+    while (pool->busy > 0)
         (void)pthread_cond_wait(&pool->end, &pool->lock);
-    }
     (void)pthread_mutex_unlock(&pool->lock);
 }
 
@@ -156,16 +146,14 @@ const struct tia_workers threads_workers = {run, enter, leave};
 
 void threads_destroy(struct threads *pool)
 {
-    if (pool == NULL) {
+    if (!pool)
         return;
-    }
     (void)pthread_mutex_lock(&pool->lock);
     pool->quit = true;
     (void)pthread_cond_broadcast(&pool->begin);
     (void)pthread_mutex_unlock(&pool->lock);
-    for (unsigned i = 0; i < pool->started; i++) {
+    for (unsigned i = 0; i < pool->started; i++)
         (void)pthread_join(pool->thread[i], NULL);
-    }
     (void)pthread_cond_destroy(&pool->begin);
     (void)pthread_cond_destroy(&pool->end);
     (void)pthread_mutex_destroy(&pool->lock);

@@ -67,11 +67,11 @@ int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct 
 {
     unsigned stride = map->width + GUTTER, total = map->core_count * stride - GUTTER;
     struct image *image = image_create(path, IMAGE_PNG, total, map->height, why);
-    tia_rgb565 *row = image != NULL ? malloc(total * sizeof *row) : NULL;
+    tia_rgb565 *row = image ? malloc(total * sizeof *row) : NULL;
 
-    if (image == NULL)
+    if (!image)
         return TIA_ERR_DEVICE;
-    if (row == NULL) {
+    if (!row) {
         image_discard(image);
         return TIA_ERR_MEMORY;
     }
@@ -84,6 +84,6 @@ int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct 
     }
     free(row);
     int status = image_seal(image);
-    *sealed = status == TIA_OK ? image : NULL;
+    *sealed = !status ? image : NULL;
     return status;
 }

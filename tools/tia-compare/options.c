@@ -88,7 +88,7 @@ static bool size(const char *text, struct options *options)
     const char *x = strchr(text, 'x');
     uint64_t w, h;
 
-    if (x == NULL || x - text >= (ptrdiff_t)sizeof width)
+    if (!x || x - text >= (ptrdiff_t)sizeof width)
         return false;
     memcpy(width, text, (size_t)(x - text));
     if (!number(width, 1, TIA_SIZE_MAX, &w) || !number(x + 1, 1, TIA_SIZE_MAX, &h))
@@ -195,7 +195,6 @@ int options_parse(struct options *options, int argc, char **argv)
     for (int i = 0; i < options->scene_count && result == 0; i++)
         if (scene_format_of(options->scenes[i]) == SCENE_UNKNOWN)
             result = mistake(options->scenes[i], "not a scene: must end in .tia, .nff or .obj");
-    options->thesis |=
-        options->random + options->rays_random + (unsigned)options->scene_count == 0 || options->keys != NULL;
+    options->thesis |= options->random + options->rays_random + (unsigned)options->scene_count == 0 || options->keys;
     return result;
 }

@@ -22,14 +22,14 @@ bool pictures_begin(struct pictures *pictures, const char *name, unsigned most)
     pictures->images = calloc(most, sizeof(struct image *));
     pictures->paths = calloc(most, sizeof(char *));
     allow_files();
-    return pictures->images != NULL && pictures->paths != NULL;
+    return pictures->images && pictures->paths;
 }
 
 /* FILE.png, or FILE-N.png for the Nth of several frames. */
 static char *path_of(const struct pictures *pictures)
 {
     const char *name = pictures->name, *dot = strrchr(name, '.');
-    int stem = (int)(dot != NULL && strchr(dot, '/') == NULL ? dot - name : (ptrdiff_t)strlen(name));
+    int stem = (int)(dot && !strchr(dot, '/') ? dot - name : (ptrdiff_t)strlen(name));
     char *path;
 
     if (pictures->most == 1)
@@ -41,7 +41,7 @@ int pictures_add(struct pictures *pictures, const struct heatmap *map)
 {
     char *path = path_of(pictures);
 
-    if (path == NULL)
+    if (!path)
         return TIA_ERR_MEMORY;
     pictures->paths[pictures->count] = path;
     return heatmap_draw(map, path, pictures->why, &pictures->images[pictures->count++]);
@@ -51,7 +51,7 @@ int pictures_publish(struct pictures *pictures)
 {
     int status = TIA_OK;
 
-    for (unsigned i = 0; i < pictures->count && status == TIA_OK; i++) {
+    for (unsigned i = 0; i < pictures->count && !status; i++) {
         status = image_publish(pictures->images[i]);
         pictures->images[i] = NULL;
     }
@@ -61,7 +61,7 @@ int pictures_publish(struct pictures *pictures)
 void pictures_end(struct pictures *pictures)
 {
     for (unsigned i = 0; i < pictures->count; i++) {
-        if (pictures->images[i] != NULL)
+        if (pictures->images[i])
             image_discard(pictures->images[i]);
         free(pictures->paths[i]);
     }

@@ -31,7 +31,7 @@ static int failed(const char *what, const char *why)
 /* Of run->pictures. */
 static int told(const struct run *run, int status)
 {
-    if (status == TIA_OK)
+    if (!status)
         return 0;
     (void)fprintf(stderr, "tia-compare: %s\n", run->pictures.why);
     return 1;
@@ -47,17 +47,17 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     what.scene = scene;
     what.width = run->options.width > 0 ? run->options.width : width;
     what.height = run->options.width > 0 ? run->options.height : height;
-    if (run->options.heatmap != NULL) {
+    if (run->options.heatmap) {
         status = heatmap_alloc(&map, what.width, what.height, what.core_count) ? TIA_OK : TIA_ERR_MEMORY;
         what.picture = map.picture;
         what.differs = heatmap_mark;
         what.arg = &map;
     }
-    if (status == TIA_OK)
+    if (!status)
         status = measure(&what, tallies);
-    if (status != TIA_OK)
+    if (status)
         result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
-    else if (run->options.heatmap != NULL)
+    else if (run->options.heatmap)
         result = told(run, pictures_add(&run->pictures, &map));
     if (result == 0)
         report_frame(&run->report, name, what.width, what.height, tallies);
@@ -101,14 +101,14 @@ static int run_file(struct run *run, const char *path)
     struct scene_file file;
     const char *slash = strrchr(path, '/');
 
-    if (scene_open(&file, path, scene_format_of(path), false) != TIA_OK) {
+    if (scene_open(&file, path, scene_format_of(path), false)) {
         (void)fprintf(stderr, "tia-compare: %s\n", file.why);
         return 2;
     }
     char line[SCENE_WHY];
     for (unsigned at = 0; scene_warning(&file, &at, line);)
         (void)fprintf(stderr, "tia-compare: %s\n", line);
-    int result = run_frame(run, slash != NULL ? slash + 1 : path, &file.scene, 640, 480);
+    int result = run_frame(run, slash ? slash + 1 : path, &file.scene, 640, 480);
     scene_close(&file);
     return result;
 }
@@ -117,14 +117,14 @@ static int run_frames(struct run *run)
 {
     static const char *const all_keys[] = {"", "a", "d", "s", "w"};
     const struct options *o = &run->options;
-    unsigned thesis = !o->thesis ? 0 : o->keys != NULL ? 1 : 5;
+    unsigned thesis = !o->thesis ? 0 : o->keys ? 1 : 5;
     unsigned count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
     int result = 0;
 
-    if (o->heatmap != NULL && !pictures_begin(&run->pictures, o->heatmap, count))
+    if (o->heatmap && !pictures_begin(&run->pictures, o->heatmap, count))
         result = told(run, TIA_ERR_MEMORY);
     for (unsigned i = 0; i < thesis && result == 0; i++)
-        result = run_thesis(run, o->keys != NULL ? o->keys : all_keys[i]);
+        result = run_thesis(run, o->keys ? o->keys : all_keys[i]);
     for (unsigned i = 0; i < o->random && result == 0; i++)
         result = run_random(run, i);
     for (unsigned i = 0; i < o->rays_random && result == 0; i++)
@@ -171,7 +171,7 @@ int main(int argc, char **argv)
         return result < 0 ? 2 : 0;
     signals_prepare();
     struct threads *pool = threads_create(run.options.threads);
-    if (pool == NULL)
+    if (!pool)
         return failed("threads", "out of memory");
     run.what = (struct measure){.reference = &tia_core_f64,
                                 .cores = {&tia_core_q16, &tia_core_f32},

@@ -58,7 +58,7 @@ void unit_bvh(struct unit *unit)
 {
     const struct tia_bvh *bvh = unit->scene->bvh;
 
-    if (bvh == NULL)
+    if (!bvh)
         return;
     write_tree(unit, &bvh->objects, "objects");
     write_mesh_trees(unit, bvh);

@@ -45,7 +45,7 @@ static void write_faces(struct unit *unit, uint32_t index, const struct tia_mesh
 
 static void write_groups(struct unit *unit, uint32_t index, const struct tia_mesh *m)
 {
-    if (m->groups == NULL || m->face_count == 0)
+    if (!m->groups || m->face_count == 0)
         return;
     table_begin(unit, "uint32_t", "groups_%u", index);
     for (uint32_t i = 0; i < m->face_count; i++)
@@ -60,7 +60,7 @@ static void write_mesh(struct unit *unit, uint32_t index, const struct tia_mesh 
     field_table(unit, "normals", m->normal_count, "normals_%u", index);
     field_table(unit, "uvs", m->uv_count, "uvs_%u", index);
     field_table(unit, "faces", m->face_count, "faces_%u", index);
-    field_table(unit, "groups", m->groups == NULL ? 0 : m->face_count, "groups_%u", index);
+    field_table(unit, "groups", !m->groups ? 0 : m->face_count, "groups_%u", index);
     text_word(&unit->text, ".vertex_count = %uu,", m->vertex_count);
     field_unsigned(unit, "normal_count", m->normal_count);
     field_unsigned(unit, "uv_count", m->uv_count);

@@ -42,11 +42,11 @@ static void write_shape(struct unit *unit, const struct tia_shape *s)
     field_unsigned(unit, "transform", s->transform);
     if (s->kind == TIA_TRIANGLE) {
         write_triangle(unit, &s->triangle);
-    } else if (f->member == NULL) {
+    } else if (!f->member) {
         text_word(text, ".%s = %uu},\n", names[s->kind], s->kind == TIA_MESH ? s->mesh : s->grid);
     } else {
         text_word(text, ".%s = {", names[s->kind]);
-        for (; f->member != NULL; f++)
+        for (; f->member; f++)
             write_field(unit, s, f);
         text_print(text, "}},\n");
     }

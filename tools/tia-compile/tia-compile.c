@@ -23,7 +23,7 @@ static int write_unit(const struct request *request, const struct tia_scene *sce
     struct tia_scene compiled = *scene;
     int status = text_open(&unit.text, request->output, why);
 
-    if (status != TIA_OK)
+    if (status)
         return status;
     if (scene->sphere_count + scene->shape_count <= FEW && scene->mesh_count == 0)
         compiled.bvh = NULL;

@@ -69,7 +69,7 @@ static void write_scene(struct unit *unit)
     write_camera(unit);
     field_rgb(unit, "background", s->background);
     field_unsigned(unit, "depth", s->depth);
-    if (s->bvh != NULL)
+    if (s->bvh)
         text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
     if (unit->text.column > 0)
         text_print(&unit->text, "\n");
@@ -92,7 +92,7 @@ void unit_write(struct unit *unit, const char *source)
 
     unit->text.tight = true;
     text_print(&unit->text, "/* %s, as tia-compile wrote it: do not edit. */\n// clang-format off\n", source);
-    if (scene->bvh != NULL)
+    if (scene->bvh)
         text_print(&unit->text, "#include <tia/bvh.h>\n");
     if (scene->track_count > 0)
         text_print(&unit->text, "#include <tia/motion.h>\n");

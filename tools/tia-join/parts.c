@@ -34,9 +34,8 @@ static int read_at(struct parts *parts, const struct part *part, int fd, void *b
 {
     for (size_t done = 0; done < count;) {
         ssize_t got = pread(fd, (char *)bytes + done, count - done, (off_t)(offset + done));
-        if (got <= 0) {
+        if (got <= 0)
             return failed(parts, "%.300s: %s", part->path, got == 0 ? "ends too early" : strerror(errno));
-        }
         done += (size_t)got;
     }
     return 0;
@@ -55,9 +54,8 @@ static int open_part(struct parts *parts, const struct part *part, uint64_t *len
         *length = (uint64_t)status.st_size;
         return fd;
     }
-    if (fd >= 0) {
+    if (fd >= 0)
         (void)close(fd);
-    }
     return -1;
 }
 
@@ -65,17 +63,15 @@ static int check_header(struct parts *parts, struct part *part, int fd, uint64_t
 {
     char text[IMAGE_PART_HEADER];
     size_t count = length < sizeof text ? (size_t)length : sizeof text;
-    if (read_at(parts, part, fd, text, count, 0) != 0) {
+    if (read_at(parts, part, fd, text, count, 0) != 0)
         return -1;
-    }
     part->header = image_part_parse(&part->film, text, count);
     if (part->header == 0) {
         part->header = image_y4m_parse(&part->film, text, count);
         part->is_y4m = part->header != 0;
     }
-    if (part->header == 0) {
+    if (part->header == 0)
         return failed(parts, "%.300s: not a part (.tiapart, or .y4m by tia)", part->path);
-    }
     if (length != part->header + frame_bytes(part) * part->film.frames) {
         return failed(parts, "%.300s: %llu bytes, not the %llu of its header", part->path, (unsigned long long)length,
                       (unsigned long long)(part->header + frame_bytes(part) * part->film.frames));
@@ -87,9 +83,8 @@ static int read_part(struct parts *parts, struct part *part)
 {
     uint64_t length = 0;
     int fd = open_part(parts, part, &length);
-    if (fd < 0) {
+    if (fd < 0)
         return -1;
-    }
     int result = check_header(parts, part, fd, length);
     (void)close(fd);
     return result;
@@ -127,11 +122,9 @@ static bool overlap(const struct image_film *a, const struct image_film *b)
 static const struct part *part_of(const struct parts *parts, uint32_t frame, unsigned row)
 {
     const struct image_film pixel = {.first_row = row, .rows = 1, .first_frame = frame, .frames = 1};
-    for (unsigned i = 0; i < parts->count; i++) {
-        if (overlap(&parts->array[i].film, &pixel)) {
+    for (unsigned i = 0; i < parts->count; i++)
+        if (overlap(&parts->array[i].film, &pixel))
             return &parts->array[i];
-        }
-    }
     return NULL;
 }
 
@@ -141,18 +134,15 @@ static int check_gaps(struct parts *parts)
 {
     const struct image_film *film = &parts->array[0].film;
     uint64_t rows = 0;
-    for (unsigned i = 0; i < parts->count; i++) {
+    for (unsigned i = 0; i < parts->count; i++)
         rows += (uint64_t)parts->array[i].film.rows * parts->array[i].film.frames;
-    }
-    if (rows == (uint64_t)film->height * film->all_frames) {
+    if (rows == (uint64_t)film->height * film->all_frames)
         return 0;
-    }
     for (uint32_t frame = 0; frame < film->all_frames; frame++) {
         for (unsigned row = 0; row < film->height;) {
             const struct part *part = part_of(parts, frame, row);
-            if (part == NULL) {
+            if (!part)
                 return failed(parts, "row %u of frame %u is in no part", row, (unsigned)frame);
-            }
             row = part->film.first_row + part->film.rows;
         }
     }
@@ -164,9 +154,8 @@ static int check_overlaps(struct parts *parts)
     for (unsigned i = 0; i < parts->count; i++) {
         for (unsigned j = 0; j < i; j++) {
             const struct part *a = &parts->array[i], *b = &parts->array[j];
-            if (overlap(&a->film, &b->film)) {
+            if (overlap(&a->film, &b->film))
                 return failed(parts, "%.200s and %.200s: both have the same rows", b->path, a->path);
-            }
         }
     }
     return 0;
@@ -175,15 +164,13 @@ static int check_overlaps(struct parts *parts)
 int parts_open(struct parts *parts, char *const *paths, unsigned count)
 {
     *parts = (struct parts){.array = calloc(count, sizeof *parts->array), .count = count};
-    if (parts->array == NULL) {
+    if (!parts->array)
         return failed(parts, "memory: exhausted");
-    }
     for (unsigned i = 0; i < count; i++) {
         struct part *part = &parts->array[i];
         part->path = paths[i];
-        if (read_part(parts, part) != 0 || check_same(parts, part) != 0) {
+        if (read_part(parts, part) != 0 || check_same(parts, part) != 0)
             return -1;
-        }
     }
     return check_overlaps(parts) != 0 ? -1 : check_gaps(parts);
 }
@@ -206,25 +193,22 @@ static int compare(const void *left, const void *right)
 
 static bool learn_colours(struct parts *parts)
 {
-    if (parts->colours == NULL) {
+    if (!parts->colours) {
         parts->colours = malloc(65536 * sizeof *parts->colours);
-        for (uint32_t i = 0; parts->colours != NULL && i < 65536; i++) {
+        for (uint32_t i = 0; parts->colours && i < 65536; i++)
             parts->colours[i] = (uint64_t)image_y4m_colour((tia_rgb565)i) << 16 | i;
-        }
-        if (parts->colours != NULL) {
+        if (parts->colours)
             qsort(parts->colours, 65536, sizeof *parts->colours, compare);
-        }
     }
-    return parts->colours != NULL;
+    return parts->colours;
 }
 
 /* Finds the pixel with the given Y, U, V by binary search. False: no pixel has it. */
 static bool find_pixel(const uint64_t *colours, uint32_t colour, tia_rgb565 *pixel)
 {
     const uint64_t *at = colours;
-    for (unsigned step = 32768; step > 0; step /= 2) {
+    for (unsigned step = 32768; step > 0; step /= 2)
         at += at[step] >> 16 <= colour ? step : 0;
-    }
     *pixel = (tia_rgb565)(*at & 65535);
     return *at >> 16 == colour;
 }
@@ -233,16 +217,15 @@ static int read_planes(struct parts *parts, const struct part *part, int fd, uin
 {
     size_t count = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = malloc(3 * count);
-    if (bytes == NULL || !learn_colours(parts)) {
+    if (!bytes || !learn_colours(parts)) {
         free(bytes);
         return failed(parts, "memory: exhausted");
     }
     int result = read_at(parts, part, fd, bytes, 3 * count, offset + IMAGE_Y4M_FRAME);
     for (size_t i = 0; i < count && result == 0; i++) {
         uint32_t colour = (uint32_t)bytes[i] << 16 | (uint32_t)bytes[count + i] << 8 | bytes[2 * count + i];
-        if (!find_pixel(parts->colours, colour, &rows[i])) {
+        if (!find_pixel(parts->colours, colour, &rows[i]))
             result = failed(parts, "%.300s: a colour that tia does not write", part->path);
-        }
     }
     free(bytes);
     return result;
@@ -253,9 +236,8 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     size_t count = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = (unsigned char *)rows;
     int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset);
-    for (size_t i = 0; i < count && result == 0; i++) { /* little endian, in place */
+    for (size_t i = 0; i < count && result == 0; i++) /* little endian, in place */
         rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
-    }
     return result;
 }
 
@@ -267,14 +249,12 @@ static int check_sum(struct parts *parts, const struct part *part, uint32_t fram
     size_t length = part->is_y4m ? IMAGE_Y4M_FRAME : IMAGE_PART_SUM;
     uint32_t sum = image_part_begin_sum(&part->film, frame);
     sum = tia_crc32(sum, rows, (size_t)part->film.width * part->film.rows);
-    if (part->is_y4m) {
+    if (part->is_y4m)
         image_y4m_put_frame(wanted, sum);
-    } else {
+    else
         image_part_put_sum(wanted, sum);
-    }
-    if (memcmp(found, wanted, length) != 0) {
+    if (memcmp(found, wanted, length) != 0)
         return failed(parts, "%.300s: frame %u is damaged: its checksum is another", part->path, (unsigned)frame);
-    }
     return 0;
 }
 
@@ -296,9 +276,8 @@ static int read_rows(struct parts *parts, const struct part *part, uint32_t fram
     tia_rgb565 *rows = pixels + (size_t)film->first_row * film->width;
     uint64_t length;
     int fd = open_part(parts, part, &length);
-    if (fd < 0) {
+    if (fd < 0)
         return -1;
-    }
     int result = read_frame(parts, part, fd, frame, rows);
     (void)close(fd);
     return result;
@@ -309,9 +288,8 @@ int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels)
     for (unsigned i = 0; i < parts->count; i++) {
         const struct image_film *film = &parts->array[i].film;
         if (frame >= film->first_frame && frame - film->first_frame < film->frames &&
-            read_rows(parts, &parts->array[i], frame, pixels) != 0) {
+            read_rows(parts, &parts->array[i], frame, pixels) != 0)
             return -1;
-        }
     }
     return 0;
 }

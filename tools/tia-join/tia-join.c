@@ -38,20 +38,17 @@ static int refuse(int status, const char *what, const char *why)
 {
     char text[700];
     (void)snprintf(text, sizeof text, "%s%s%s", what, *why != '\0' ? ": " : "", why);
-    for (char *at = text; *at != '\0'; at++) {
-        if ((unsigned char)*at < ' ' || *at == 127) {
+    for (char *at = text; *at != '\0'; at++)
+        if ((unsigned char)*at < ' ' || *at == 127)
             *at = '?';
-        }
-    }
     (void)fprintf(stderr, "tia-join: %s\n", text);
     return status;
 }
 
 static int print(const char *text)
 {
-    if (fputs(text, stdout) < 0 || fflush(stdout) != 0) {
+    if (fputs(text, stdout) < 0 || fflush(stdout) != 0)
         return refuse(NOT_WRITTEN, "standard output", strerror(errno));
-    }
     return FINE;
 }
 
@@ -59,13 +56,10 @@ static int print(const char *text)
 
 static int join_frame(struct join *join, struct series *series, uint32_t frame, tia_rgb565 *pixels)
 {
-    if (parts_frame(&join->parts, frame, pixels) != 0) {
+    if (parts_frame(&join->parts, frame, pixels) != 0)
         return refuse(REFUSED, join->parts.why, "");
-    }
-    if (series_begin(series, frame) != TIA_OK || image_band(series->image, pixels, series->film.height) != TIA_OK ||
-        series_end(series) != TIA_OK) {
+    if (series_begin(series, frame) || image_band(series->image, pixels, series->film.height) || series_end(series))
         return refuse(NOT_WRITTEN, join->why, "");
-    }
     return FINE;
 }
 
@@ -73,30 +67,27 @@ static int join_frames(struct join *join, const struct image_film *film)
 {
     struct series series = {.name = join->output, .format = join->format, .film = *film, .why = join->why};
     tia_rgb565 *pixels = malloc((size_t)film->width * film->height * sizeof *pixels);
-    int result = pixels != NULL ? FINE : refuse(NOT_WRITTEN, "memory", "exhausted");
-    for (uint32_t frame = 0; frame < film->frames && result == FINE; frame++) {
+    int result = pixels ? FINE : refuse(NOT_WRITTEN, "memory", "exhausted");
+    for (uint32_t frame = 0; frame < film->frames && result == FINE; frame++)
         result = join_frame(join, &series, frame, pixels);
-    }
     free(pixels);
     if (result != FINE) {
         series_discard(&series);
         return result;
     }
-    return series_finish(&series) == TIA_OK ? FINE : refuse(NOT_WRITTEN, join->why, "");
+    return !series_finish(&series) ? FINE : refuse(NOT_WRITTEN, join->why, "");
 }
 
 static int join_parts(struct join *join, char *const *paths, unsigned count)
 {
-    if (parts_open(&join->parts, paths, count) != 0) {
+    if (parts_open(&join->parts, paths, count) != 0)
         return refuse(REFUSED, join->parts.why, "");
-    }
     struct image_film film = join->parts.array[0].film;
     film.first_row = film.first_frame = 0;
     film.rows = film.height;
     film.frames = film.all_frames;
-    if (film.frames > 1 && !image_format_films(join->format) && !series_is_pattern(join->output)) {
+    if (film.frames > 1 && !image_format_films(join->format) && !series_is_pattern(join->output))
         return refuse(REFUSED, join->output, "one picture for a film (name it .y4m, or with %04d in its name)");
-    }
     return join_frames(join, &film);
 }
 
@@ -121,19 +112,16 @@ static int parse_option(struct join *join, int option, char **argv)
 
 static int check(struct join *join, int parts)
 {
-    if (join->output == NULL) {
+    if (!join->output)
         return refuse(REFUSED, "--output", "is missing (tia-join -h)");
-    }
-    if (join->format == IMAGE_UNKNOWN) {
+    if (join->format == IMAGE_UNKNOWN)
         join->format = image_format_of(join->output);
-    }
     if (join->format == IMAGE_UNKNOWN) {
         return refuse(REFUSED, join->output,
                       "unknown picture format (name it .png, .ppm, .bmp, .565 or .y4m, or use --format)");
     }
-    if (!image_format_built(join->format)) {
+    if (!image_format_built(join->format))
         return refuse(REFUSED, join->output, "this build does not write such files (use .ppm)");
-    }
     return parts > 0 ? FINE : refuse(REFUSED, "no part is named", "(tia-join -h)");
 }
 
@@ -149,17 +137,14 @@ int main(int argc, char **argv)
     opterr = 0;
     signals_prepare();
     for (int option; result == FINE && (option = getopt_long(argc, argv, ":o:hV", longs, NULL)) != -1;) {
-        if (option == 'h' || option == 'V') {
+        if (option == 'h' || option == 'V')
             return print(option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
-        }
         result = parse_option(&join, option, argv);
     }
-    if (result == FINE) {
+    if (result == FINE)
         result = check(&join, argc - optind);
-    }
-    if (result == FINE) {
+    if (result == FINE)
         result = join_parts(&join, argv + optind, (unsigned)(argc - optind));
-    }
     parts_close(&join.parts);
     return result;
 }

@@ -14,7 +14,7 @@ static void write_tapered(struct pov *pov, const char *name, struct tia_vec3 bas
                           const tia_q16 *base_radius)
 {
     pov_triple(pov, name, pov_vec3(base));
-    if (base_radius != NULL)
+    if (base_radius)
         text_word(&pov->text, ", %.10g", pov_q16(*base_radius));
     pov_triple(pov, ",", pov_vec3(top));
     text_word(&pov->text, ", %.10g", radius);
@@ -75,13 +75,13 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
 bool pov_closed(const struct tia_scene *scene, const struct tia_shape *s)
 {
     return s->kind == TIA_SPHERE || s->kind == TIA_BOX || s->kind == TIA_GRID ||
-           (s->kind == TIA_MESH && scene->meshes[s->mesh].groups == NULL) ||
-           (s->kind == TIA_CYLINDER && s->cylinder.capped) || (s->kind == TIA_CONE && s->cone.capped);
+           (s->kind == TIA_MESH && !scene->meshes[s->mesh].groups) || (s->kind == TIA_CYLINDER && s->cylinder.capped) ||
+           (s->kind == TIA_CONE && s->cone.capped);
 }
 
 bool pov_flat(const struct tia_shape *s)
 {
-    return s != NULL && (s->kind == TIA_PLANE || s->kind == TIA_DISC);
+    return s && (s->kind == TIA_PLANE || s->kind == TIA_DISC);
 }
 
 /* tia/shape.h's tangents of a unit normal. */
@@ -106,7 +106,7 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
 
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
 {
-    if (s == NULL)
+    if (!s)
         return;
     switch (s->kind) {
     case TIA_SPHERE:

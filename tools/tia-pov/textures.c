@@ -38,7 +38,7 @@ static char *picture_path(const struct pov *pov, uint32_t material)
 
     if (length > 4 && strcmp(pov->path + length - 4, ".pov") == 0)
         length -= 4;
-    if (path != NULL)
+    if (path)
         (void)snprintf(path, length + 16, "%.*s-%u.ppm", (int)length, pov->path, material);
     return path;
 }
@@ -58,13 +58,13 @@ static void write_image(struct pov *pov, uint32_t material, double transmit)
     char *path = picture_path(pov, material);
     struct text picture;
 
-    if (path == NULL || text_open(&picture, path, pov->why) != TIA_OK ||
-        write_texels(&picture, t, pov_rgb(pov->scene->materials[material].colour)) != TIA_OK) {
+    if (!path || text_open(&picture, path, pov->why) ||
+        write_texels(&picture, t, pov_rgb(pov->scene->materials[material].colour))) {
         pov->failed = true;
     } else {
         const char *slash = strrchr(path, '/');
         text_word(&pov->text, "image_map { ppm ");
-        write_string(&pov->text, slash != NULL ? slash + 1 : path);
+        write_string(&pov->text, slash ? slash + 1 : path);
         text_word(&pov->text, "gamma 1.0 %s transmit all %.10g }", t->bilinear ? "interpolate 2" : "", transmit);
     }
     free(path);

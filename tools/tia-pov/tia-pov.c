@@ -18,7 +18,7 @@ static int write_pov(const struct request *request, const struct tia_scene *scen
     static struct pov pov;
     int status = text_open(&pov.text, request->output, why);
 
-    if (status != TIA_OK)
+    if (status)
         return status;
     pov.path = request->output;
     pov.why = why;

@@ -46,12 +46,10 @@ static int refuse(int what, char **argv)
     char letter[3] = {'-', (char)optopt, '\0'};
     bool is_short = optopt > 0 && optopt < 256 && strncmp(argv[optind - 1], "--", 2) != 0;
     const char *name = is_short ? letter : argv[optind - 1];
-    if (what == ':') {
+    if (what == ':')
         return fail(EXIT_USAGE, "%.200s: a value is missing (tia -h shows which)", name);
-    }
-    if (!is_short && optopt != 0) {
+    if (!is_short && optopt != 0)
         return fail(EXIT_USAGE, "%.200s: takes no value", name);
-    }
     return fail(EXIT_USAGE, "%.200s: unknown option (tia -h lists them)", name);
 }
 
@@ -67,13 +65,11 @@ int arguments_parse(struct options *options, int argc, char **argv)
     opterr = 0;
     for (int option; (option = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
         int result = option == ':' || option == '?' ? refuse(option, argv) : parse_option(options, option, optarg);
-        if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION) {
+        if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION)
             return result;
-        }
     }
-    if (optind + 1 < argc) {
+    if (optind + 1 < argc)
         return fail(EXIT_USAGE, "%.200s: one scene at a time", argv[optind + 1]);
-    }
     options->scene_path = argv[optind]; /* NULL after the last argument */
     return check(options);
 }
@@ -87,9 +83,8 @@ static void name_keys(const struct tia_scene *scene, char *text, size_t size)
     text[0] = '\0';
     for (uint32_t i = 0; i < scene->binding_count && used + 60 < size; i++) {
         uint16_t key = scene->bindings[i].key;
-        if (key > ' ' && key < 127) {
+        if (key > ' ' && key < 127)
             used += (size_t)snprintf(text + used, size - used, "%c ", key);
-        }
     }
     (void)snprintf(text + used, size - used, "<left> <right> <up> <down> <pgup> <pgdn>");
 }
@@ -98,13 +93,11 @@ static int load_keys(struct options *options)
 {
     const char *text = options->key_text, *bad;
     char names[300];
-    if (text == NULL) {
+    if (!text)
         return EXIT_FINE;
-    }
     options->keys = malloc((strlen(text) + 1) * sizeof *options->keys);
-    if (options->keys == NULL) {
+    if (!options->keys)
         return fail(EXIT_RUNNING, "memory: exhausted");
-    }
     if (!parse_keys(text, &options->scene, options->keys, &options->key_count, &bad)) {
         name_keys(&options->scene, names, sizeof names);
         return fail(EXIT_USAGE, "--keys '%.200s': no key that moves the light (%s)", bad, names);
@@ -115,27 +108,23 @@ static int load_keys(struct options *options)
 static void warn(const struct scene_file *file)
 {
     char line[SCENE_WHY];
-    for (unsigned at = 0; scene_warning(file, &at, line);) {
+    for (unsigned at = 0; scene_warning(file, &at, line);)
         note("%s", line);
-    }
 }
 
 int arguments_load(struct options *options)
 {
-    if (options->scene_path != NULL) {
+    if (options->scene_path) {
         int status = scene_open(&options->file, options->scene_path, options->scene_format, options->strict);
-        if (status != TIA_OK) {
+        if (status)
             return fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why);
-        }
         warn(&options->file);
         options->scene = options->file.scene;
     }
-    if (options->samples != 0) {
+    if (options->samples != 0)
         options->scene.camera.samples = options->samples;
-    }
-    if (options->depth != 0) {
+    if (options->depth != 0)
         options->scene.depth = options->depth;
-    }
     return load_keys(options);
 }
 

@@ -11,10 +11,8 @@ static const struct tia_core *const cores[] = {
 
 const struct tia_core *arithmetic_called(const char *name)
 {
-    for (size_t i = 0; i < sizeof cores / sizeof cores[0]; i++) {
-        if (strcmp(cores[i]->name, name) == 0) {
+    for (size_t i = 0; i < sizeof cores / sizeof cores[0]; i++)
+        if (strcmp(cores[i]->name, name) == 0)
             return cores[i];
-        }
-    }
     return NULL;
 }

@@ -8,10 +8,9 @@
 
 static bool is_one_of(const char *name, const char *const *names)
 {
-    while (*names != NULL && strcmp(name, *names) != 0) {
+    while (*names && strcmp(name, *names) != 0)
         names++;
-    }
-    return *names != NULL;
+    return *names;
 }
 
 /* A name that another build of tia knows is not a usage error; opening it fails later, with its own message. */
@@ -20,44 +19,34 @@ static int check_names(const struct options *options)
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
     static const char *const inputs[] = {"auto", "evdev", "tty", "none", NULL};
     bool display = is_one_of(options->display, displays), input = is_one_of(options->input, inputs);
-    for (const struct port_display *port = port_displays; port->name != NULL; port++) {
+    for (const struct port_display *port = port_displays; port->name; port++)
         display = display || strcmp(port->name, options->display) == 0;
-    }
-    for (const struct port_input *port = port_inputs; port->name != NULL; port++) {
+    for (const struct port_input *port = port_inputs; port->name; port++)
         input = input || strcmp(port->name, options->input) == 0;
-    }
-    if (!display) {
+    if (!display)
         return wrong("--display", options->display, "no such display (auto, drm, fbdev, terminal or none)");
-    }
-    if (!input) {
+    if (!input)
         return wrong("--input", options->input, "no such input (auto, evdev, tty or none)");
-    }
-    if (options->display_device != NULL && strcmp(options->display, "auto") == 0) {
+    if (options->display_device && strcmp(options->display, "auto") == 0)
         return wrong("--display", options->display_device, "auto takes no device (name the display)");
-    }
-    if (options->input_device != NULL && strcmp(options->input, "auto") == 0) {
+    if (options->input_device && strcmp(options->input, "auto") == 0)
         return wrong("--input", options->input_device, "auto takes no device (name the input)");
-    }
     return EXIT_FINE;
 }
 
 /* Chooses the file's format and checks the options for files. */
 static int check_output(struct options *options)
 {
-    if (options->output == NULL) {
+    if (!options->output)
         return options->format == IMAGE_UNKNOWN ? EXIT_FINE : fail(EXIT_USAGE, "--format: needs --output FILE");
-    }
-    if (strcmp(options->display, "auto") != 0 || strcmp(options->input, "auto") != 0 || options->connector != NULL ||
-        options->mode != NULL) {
+    if (strcmp(options->display, "auto") != 0 || strcmp(options->input, "auto") != 0 || options->connector ||
+        options->mode)
         return fail(EXIT_USAGE, "--output: goes to a file, without --display, --input, --connector or --mode");
-    }
     bool is_standard = strcmp(options->output, "-") == 0;
-    if (is_standard && options->checksum) {
+    if (is_standard && options->checksum)
         return fail(EXIT_USAGE, "--checksum: standard output already gets the picture (-o FILE)");
-    }
-    if (options->format == IMAGE_UNKNOWN && !is_standard) {
+    if (options->format == IMAGE_UNKNOWN && !is_standard)
         options->format = image_format_of(options->output);
-    }
     if (options->format == IMAGE_UNKNOWN) {
         return fail(EXIT_USAGE,
                     "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565 or .y4m, or use --format)",
@@ -67,9 +56,8 @@ static int check_output(struct options *options)
         return fail(EXIT_USAGE, "%.200s: this build writes no .%s (use .ppm)", options->output,
                     image_format_name(options->format));
     }
-    if (options->action == ACTION_SHOW) {
+    if (options->action == ACTION_SHOW)
         options->action = ACTION_DRAW;
-    }
     return EXIT_FINE;
 }
 
@@ -77,34 +65,28 @@ static int check_output(struct options *options)
 static int check_parts(const struct options *options)
 {
     const char *output = options->output;
-    bool films = output != NULL && (image_format_films(options->format) || series_is_pattern(output));
-    if (options->frame_range && !films) {
+    bool films = output && (image_format_films(options->format) || series_is_pattern(output));
+    if (options->frame_range && !films)
         return fail(EXIT_USAGE, "--frame-range: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
-    }
-    if (options->tile_rows && (output == NULL || options->format != IMAGE_PART)) {
+    if (options->tile_rows && (!output || options->format != IMAGE_PART))
         return fail(EXIT_USAGE, "--tile-rows: needs a part file (-o FILE.tiapart)");
-    }
-    if (options->rate_given && output != NULL && !films) {
+    if (options->rate_given && output && !films)
         return fail(EXIT_USAGE, "--fps: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
-    }
-    if (options->rate_given && output == NULL && options->frames == 0) {
+    if (options->rate_given && !output && options->frames == 0)
         return fail(EXIT_USAGE, "--fps: on a display needs --frames N (without both it plays by the clock)");
-    }
     return EXIT_FINE;
 }
 
 /* Only DRM has connectors and modes. */
 static int check_drm(struct options *options)
 {
-    if (options->connector == NULL && options->mode == NULL) {
+    if (!options->connector && !options->mode)
         return EXIT_FINE;
-    }
-    if (strcmp(options->display, "auto") == 0) {
+    if (strcmp(options->display, "auto") == 0)
         options->display = "drm";
-    }
     if (strcmp(options->display, "drm") != 0) {
         return fail(EXIT_USAGE, "--%s: only the drm display has it (-d drm)",
-                    options->connector != NULL ? "connector" : "mode");
+                    options->connector ? "connector" : "mode");
     }
     return EXIT_FINE;
 }
@@ -113,15 +95,12 @@ static int check_drm(struct options *options)
 static int check_scene(struct options *options)
 {
     const char *path = options->scene_path;
-    if (path == NULL) {
+    if (!path)
         return options->scene_format == SCENE_UNKNOWN ? EXIT_FINE : fail(EXIT_USAGE, "--scene-format: needs a SCENE");
-    }
-    if (strcmp(path, "-") == 0 && options->scene_format == SCENE_UNKNOWN) {
+    if (strcmp(path, "-") == 0 && options->scene_format == SCENE_UNKNOWN)
         return fail(EXIT_USAGE, "standard input: unknown scene format (use --scene-format)");
-    }
-    if (options->scene_format == SCENE_UNKNOWN) {
+    if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
-    }
     if (options->scene_format == SCENE_UNKNOWN) {
         return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff or .obj, or use --scene-format)",
                     path);
@@ -132,14 +111,11 @@ static int check_scene(struct options *options)
 int check(struct options *options)
 {
     int result = check_names(options);
-    if (result == EXIT_FINE) {
+    if (result == EXIT_FINE)
         result = check_output(options);
-    }
-    if (result == EXIT_FINE) {
+    if (result == EXIT_FINE)
         result = check_parts(options);
-    }
-    if (result == EXIT_FINE) {
+    if (result == EXIT_FINE)
         result = check_drm(options);
-    }
     return result == EXIT_FINE ? check_scene(options) : result;
 }

@@ -30,12 +30,10 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
 {
     int status = series_end(&drawing->series);
     uint64_t now = clock_now_us();
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
-    if (drawing->options->checksum) {
+    if (drawing->options->checksum)
         progress_erase(&drawing->picture.progress);
-    }
     if (drawing->options->checksum &&
         (printf("%" PRIu32 " %08" PRIx32 "\n", frame, drawing->picture.crc) < 0 || fflush(stdout) != 0)) {
         drawing->no_output = true;
@@ -50,26 +48,23 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
 static int draw_frame(struct drawing *drawing, uint32_t frame)
 {
     int status = film_scene_update(&drawing->film_scene, frame);
-    if (status == TIA_OK) {
+    if (!status)
         status = series_begin(&drawing->series, frame);
-    }
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     drawing->picture.view = drawing->film_scene.view;
     drawing->picture.image = drawing->series.image;
     status = picture_draw(&drawing->picture);
-    return status == TIA_OK ? end_frame(drawing, frame) : status;
+    return !status ? end_frame(drawing, frame) : status;
 }
 
 static int draw_film(struct drawing *drawing)
 {
     const struct image_film *film = &drawing->film;
     int status = TIA_OK;
-    for (uint32_t i = 0; i < film->frames && status == TIA_OK; i++) {
+    for (uint32_t i = 0; i < film->frames && !status; i++)
         status = draw_frame(drawing, film->first_frame + i);
-    }
-    if (status != TIA_OK) {
+    if (status) {
         series_discard(&drawing->series);
         return status;
     }
@@ -79,10 +74,9 @@ static int draw_film(struct drawing *drawing)
 static int draw_all(struct drawing *drawing)
 {
     int status = picture_begin(&drawing->picture, drawing->options, &drawing->film);
-    if (status == TIA_OK) {
+    if (!status)
         status = film_scene_begin(&drawing->film_scene, drawing->options, drawing->why);
-    }
-    return status == TIA_OK ? draw_film(drawing) : status;
+    return !status ? draw_film(drawing) : status;
 }
 
 /* The same figures as for a display. */
@@ -98,10 +92,9 @@ static int print_stats(const struct drawing *drawing)
 
 static int report(const struct drawing *drawing, int status)
 {
-    if (drawing->no_output) {
+    if (drawing->no_output)
         return fail_output();
-    }
-    if (status != TIA_OK) {
+    if (status) {
         return fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s",
                     drawing->why[0] != '\0' ? drawing->why : fail_reason(status));
     }
@@ -112,9 +105,8 @@ int draw(const struct options *options)
 {
     struct drawing drawing = {.options = options, .start_us = clock_now_us()};
     int status = film_plan(options, &drawing.film);
-    if (status != EXIT_FINE) {
+    if (status != EXIT_FINE)
         return status;
-    }
     drawing.series =
         (struct series){.name = options->output, .format = options->format, .film = drawing.film, .why = drawing.why};
     status = draw_all(&drawing);

@@ -11,11 +11,9 @@ static void say(const char *format, va_list values)
 {
     char text[1024];
     (void)vsnprintf(text, sizeof text, format, values);
-    for (char *at = text; *at != '\0'; at++) {
-        if ((unsigned char)*at < ' ' || *at == 127) {
+    for (char *at = text; *at != '\0'; at++)
+        if ((unsigned char)*at < ' ' || *at == 127)
             *at = '?';
-        }
-    }
     (void)fflush(stdout);
     (void)fprintf(stderr, "tia: %s\n", text);
 }

@@ -24,12 +24,10 @@ struct rotation film_rotation(const struct options *options)
 static uint32_t count_frames(const struct options *options)
 {
     int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
-    if (options->frames != 0) {
+    if (options->frames != 0)
         return options->frames;
-    }
-    if (left <= 0) {
+    if (left <= 0)
         return 1;
-    }
     uint64_t whole = (uint64_t)options->rate[1] * 65536;
     uint64_t count = ((uint64_t)left * options->rate[0] + whole - 1) / whole;
     return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
@@ -39,7 +37,7 @@ static uint32_t count_frames(const struct options *options)
 static uint32_t identify(const struct options *options)
 {
     char text[120];
-    const char *keys = options->key_text != NULL ? options->key_text : "";
+    const char *keys = options->key_text ? options->key_text : "";
     int length = snprintf(text, sizeof text, "%s %d %u %u %u %d %u/%u", options->core->name, options->dither,
                           (unsigned)options->rotate, (unsigned)options->samples, (unsigned)options->depth,
                           (int)options->time, (unsigned)options->rate[0], (unsigned)options->rate[1]);

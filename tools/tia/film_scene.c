@@ -9,12 +9,12 @@
 /* Makes *memory at least `size` bytes; its contents may be lost. */
 static bool get_memory(void **memory, size_t *bytes, size_t size)
 {
-    if (*memory == NULL || *bytes < size) {
+    if (!*memory || *bytes < size) {
         free(*memory);
         *memory = malloc(size > 0 ? size : 1);
-        *bytes = *memory != NULL ? size : 0;
+        *bytes = *memory ? size : 0;
     }
-    return *memory != NULL;
+    return *memory;
 }
 
 /* A scene that was valid in the file can leave a range between two keyframes. */
@@ -22,7 +22,7 @@ static int check(struct film_scene *film, tia_q16 time)
 {
     struct tia_fault fault;
     int status = tia_scene_check(film->scene, &fault);
-    if (status != TIA_OK) {
+    if (status) {
         (void)snprintf(film->why, PORT_WHY, "scene: at %.3f s: %s %u: %s: %s", (double)time / TIA_Q16_ONE, fault.thing,
                        (unsigned)fault.index, fault.field, fault.rule);
     }
@@ -37,13 +37,11 @@ static int set_time(struct film_scene *film, uint32_t frame)
     film->scene = scene;
     if (scene->track_count > 0) {
         size_t size = tia_scene_at_size(scene);
-        if (!get_memory(&film->arrays, &film->arrays_bytes, size)) {
+        if (!get_memory(&film->arrays, &film->arrays_bytes, size))
             return TIA_ERR_MEMORY;
-        }
         int status = tia_scene_at(&film->moved, film->arrays, size, scene, time);
-        if (status != TIA_OK) {
+        if (status)
             return status;
-        }
         film->scene = &film->moved;
     }
     return check(film, time);
@@ -52,13 +50,11 @@ static int set_time(struct film_scene *film, uint32_t frame)
 static int build_bvh(struct film_scene *film)
 {
     struct tia_scene *moved = &film->moved;
-    if (film->scene != moved || film->options->scene.bvh == NULL) {
+    if (film->scene != moved || !film->options->scene.bvh)
         return TIA_OK;
-    }
     size_t size = tia_bvh_size(moved);
-    if (!get_memory(&film->bvh_memory, &film->bvh_bytes, size)) {
+    if (!get_memory(&film->bvh_memory, &film->bvh_bytes, size))
         return TIA_ERR_MEMORY;
-    }
     return tia_bvh_build(&moved->bvh, film->bvh_memory, size, NULL, moved);
 }
 
@@ -67,38 +63,33 @@ static int prepare_view(struct film_scene *film)
     const struct options *options = film->options;
     const struct lights *lights = &film->lights;
     size_t size = options->core->view_size(film->scene, lights->capacity);
-    if (!get_memory(&film->view_memory, &film->view_bytes, size)) {
+    if (!get_memory(&film->view_memory, &film->view_bytes, size))
         return TIA_ERR_MEMORY;
-    }
     struct rotation rotation = film_rotation(options);
     int status = options->core->view_init(&film->view, film->view_memory, size, film->scene, lights->capacity,
                                           rotation.width, rotation.height);
-    return status == TIA_OK ? options->core->set_lights(film->view, lights->array, lights->count) : status;
+    return !status ? options->core->set_lights(film->view, lights->array, lights->count) : status;
 }
 
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why)
 {
     *film = (struct film_scene){.options = options, .why = why};
     int status = set_time(film, 0);
-    if (status == TIA_OK && !lights_copy(&film->lights, film->scene)) {
+    if (!status && !lights_copy(&film->lights, film->scene))
         status = TIA_ERR_MEMORY;
-    }
-    if (status == TIA_OK) {
+    if (!status)
         lights_press(&film->lights, film->scene, options->keys, options->key_count);
-    }
     return status;
 }
 
 int film_scene_update(struct film_scene *film, uint32_t frame)
 {
-    if (film->view != NULL && film->options->scene.track_count == 0) {
+    if (film->view && film->options->scene.track_count == 0)
         return TIA_OK;
-    }
     int status = set_time(film, frame);
-    if (status == TIA_OK) {
+    if (!status)
         status = build_bvh(film);
-    }
-    if (status == TIA_OK) {
+    if (!status) {
         lights_follow(&film->lights, film->scene);
         status = prepare_view(film);
     }

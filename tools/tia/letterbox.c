@@ -26,12 +26,11 @@ static void choose_rotation(struct letterbox *letterbox)
 
 static int choose_frame(struct letterbox *letterbox)
 {
-    if (!letterbox->checksum) {
+    if (!letterbox->checksum)
         return TIA_OK;
-    }
     free(letterbox->frame);
     letterbox->frame = malloc((size_t)letterbox->place.width * letterbox->place.height * sizeof *letterbox->frame);
-    if (letterbox->frame == NULL) {
+    if (!letterbox->frame) {
         (void)snprintf(letterbox->why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
@@ -68,12 +67,11 @@ static int letterbox_open(void *ctx, struct tia_mode *mode)
 {
     struct letterbox *letterbox = ctx;
     int status = letterbox->screen->open(letterbox->screen_ctx, &letterbox->mode);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     letterbox->opened = true;
     status = fit(letterbox);
-    if (status != TIA_OK) {
+    if (status) {
         letterbox->screen->close(letterbox->screen_ctx);
         return status;
     }
@@ -87,9 +85,8 @@ static int letterbox_mode(void *ctx, struct tia_mode *mode)
     struct letterbox *letterbox = ctx;
     struct tia_mode now;
     int status = letterbox->screen->mode(letterbox->screen_ctx, &now);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     bool changed = now.width != letterbox->mode.width || now.height != letterbox->mode.height;
     letterbox->mode = now;
     status = changed || letterbox->place.width == 0 ? fit(letterbox) : TIA_OK;
@@ -129,9 +126,8 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
                                      (ptrdiff_t)(letterbox->place.width * sizeof(tia_rgb565))};
     } else {
         int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &under);
-        if (status != TIA_OK) {
+        if (status)
             return status;
-        }
     }
     *surface = rotation_surface(&letterbox->rotation, &under, place.width, place.height);
     return TIA_OK;
@@ -142,9 +138,8 @@ static void put(const struct tia_surface *surface, struct tia_tile tile, const t
 {
     for (unsigned y = 0; y < tile.height; y++) {
         char *at = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch;
-        for (unsigned x = 0; x < tile.width; x++, at += surface->step) {
-            *(tia_rgb565 *)(void *)at = from != NULL ? from[y * from_width + x] : 0;
-        }
+        for (unsigned x = 0; x < tile.width; x++, at += surface->step)
+            *(tia_rgb565 *)(void *)at = from ? from[y * from_width + x] : 0;
     }
 }
 
@@ -152,9 +147,8 @@ static int put_tile(struct letterbox *letterbox, struct tia_tile place, const ti
 {
     struct tia_surface surface;
     int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &surface);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     put(&surface, place, from, letterbox->place.width);
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }
@@ -163,9 +157,8 @@ static int letterbox_submit(void *ctx, struct tia_tile tile)
 {
     struct letterbox *letterbox = ctx;
     struct tia_tile place = on_screen(letterbox, tile);
-    if (letterbox->checksum) {
+    if (letterbox->checksum)
         return put_tile(letterbox, place, in_frame(letterbox, place));
-    }
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }
 
@@ -182,9 +175,8 @@ static int blacken(struct letterbox *letterbox, struct tia_tile area)
                                     (uint16_t)(width < tile_width ? width : tile_width),
                                     (uint16_t)(height < tile_height ? height : tile_height)};
             int status = put_tile(letterbox, tile, NULL);
-            if (status != TIA_OK) {
+            if (status)
                 return status;
-            }
         }
     }
     return TIA_OK;
@@ -202,9 +194,8 @@ static int draw_border(struct letterbox *letterbox)
         {0, (uint16_t)below, letterbox->mode.width, (uint16_t)(letterbox->mode.height - below)},
     };
     int status = TIA_OK;
-    for (unsigned i = 0; i < 4 && status == TIA_OK; i++) {
+    for (unsigned i = 0; i < 4 && !status; i++)
         status = border[i].width > 0 && border[i].height > 0 ? blacken(letterbox, border[i]) : TIA_OK;
-    }
     return status;
 }
 
@@ -212,12 +203,10 @@ static int letterbox_present(void *ctx)
 {
     struct letterbox *letterbox = ctx;
     int status = draw_border(letterbox);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
-    if (letterbox->checksum) {
+    if (letterbox->checksum)
         letterbox->crc = tia_crc32(0, letterbox->frame, (size_t)letterbox->place.width * letterbox->place.height);
-    }
     return letterbox->screen->present(letterbox->screen_ctx);
 }
 

@@ -12,12 +12,10 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
     lights->capacity = scene->light_count + scene->binding_count + 1;
     lights->array = calloc(lights->capacity, sizeof *lights->array);
     lights->detached = calloc(lights->capacity, sizeof *lights->detached);
-    if (lights->array == NULL || lights->detached == NULL) {
+    if (!lights->array || !lights->detached)
         return false;
-    }
-    if (lights->count > 0) {
+    if (lights->count > 0)
         memcpy(lights->array, scene->lights, lights->count * sizeof *lights->array);
-    }
     return true;
 }
 
@@ -31,17 +29,14 @@ void lights_press(struct lights *lights, const struct tia_scene *scene, const ui
 {
     for (size_t i = 0; i < count; i++) {
         uint32_t light = tia_key_light(scene, lights->array, lights->count, keys[i]);
-        if (tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0) {
+        if (tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0)
             lights->detached[light] = true;
-        }
     }
 }
 
 void lights_follow(struct lights *lights, const struct tia_scene *scene)
 {
-    for (uint32_t i = 0; i < scene->light_count; i++) {
-        if (!lights->detached[i]) {
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        if (!lights->detached[i])
             lights->array[i] = scene->lights[i];
-        }
-    }
 }

@@ -10,16 +10,13 @@ bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max
     const char *at = text;
     for (; *at >= '0' && *at <= '9'; at++) {
         sum = sum * 10 + (uint64_t)(*at - '0');
-        if (sum > max) {
+        if (sum > max)
             return false;
-        }
     }
-    if (at == text || sum < min || (end == NULL && *at != '\0')) {
+    if (at == text || sum < min || (!end && *at != '\0'))
         return false;
-    }
-    if (end != NULL) {
+    if (end)
         *end = at;
-    }
     *value = (uint32_t)sum;
     return true;
 }
@@ -28,9 +25,8 @@ bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *widt
 {
     uint32_t w, h;
     const char *rest;
-    if (!parse_number(text, &rest, 1, max, &w) || *rest != 'x' || !parse_number(rest + 1, end, 1, max, &h)) {
+    if (!parse_number(text, &rest, 1, max, &w) || *rest != 'x' || !parse_number(rest + 1, end, 1, max, &h))
         return false;
-    }
     *width = (uint16_t)w;
     *height = (uint16_t)h;
     return true;
@@ -41,12 +37,10 @@ bool parse_mode(const char *text)
     uint16_t width, height;
     uint32_t hertz;
     const char *rest;
-    if (strcmp(text, "preferred") == 0) {
+    if (strcmp(text, "preferred") == 0)
         return true;
-    }
-    if (!parse_size(text, &rest, UINT16_MAX, &width, &height)) {
+    if (!parse_size(text, &rest, UINT16_MAX, &width, &height))
         return false;
-    }
     return *rest == '\0' || (*rest == '@' && parse_number(rest + 1, NULL, 1, 1000, &hertz));
 }
 
@@ -57,9 +51,8 @@ static uint32_t fraction(const char *text, size_t count)
 {
     unsigned char digits[FRACTION_DIGITS];
     uint32_t bits = 0;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         digits[i] = (unsigned char)(text[i] - '0');
-    }
     for (unsigned bit = 0; bit < 17; bit++) {
         unsigned carry = 0;
         for (size_t i = count; i-- > 0;) {
@@ -76,14 +69,12 @@ bool parse_seconds(const char *text, tia_q16 *seconds)
 {
     uint32_t whole, part = 0;
     const char *rest;
-    if (!parse_number(text, &rest, 0, 32767, &whole)) {
+    if (!parse_number(text, &rest, 0, 32767, &whole))
         return false;
-    }
     if (*rest == '.') {
         size_t count = strspn(rest + 1, "0123456789");
-        if (count == 0 || count > FRACTION_DIGITS) {
+        if (count == 0 || count > FRACTION_DIGITS)
             return false;
-        }
         part = fraction(rest + 1, count);
         rest += 1 + count;
     }
@@ -96,9 +87,8 @@ bool parse_rate(const char *text, uint32_t rate[2])
 {
     const char *rest;
     rate[1] = 1;
-    if (!parse_number(text, &rest, 1, 1000000, &rate[0])) {
+    if (!parse_number(text, &rest, 1, 1000000, &rate[0]))
         return false;
-    }
     return *rest == '\0' || (*rest == '/' && parse_number(rest + 1, NULL, 1, 1000000, &rate[1]));
 }
 

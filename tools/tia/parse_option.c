@@ -9,9 +9,8 @@
 
 static int set_size(struct options *options, const char *value)
 {
-    if (!parse_size(value, NULL, TIA_SIZE_MAX, &options->width, &options->height)) {
+    if (!parse_size(value, NULL, TIA_SIZE_MAX, &options->width, &options->height))
         return wrong("--size", value, "not a size (1x1 to 8192x8192, like 640x480)");
-    }
     return EXIT_FINE;
 }
 
@@ -31,26 +30,23 @@ static int set_scene_format(struct options *options, const char *value)
 static int set_samples(struct options *options, const char *value)
 {
     if (!parse_number(value, NULL, 1, TIA_SAMPLES_MAX, &options->samples) ||
-        (options->samples != 1 && options->samples != 4 && options->samples != 16)) {
+        (options->samples != 1 && options->samples != 4 && options->samples != 16))
         return wrong("--samples", value, "not 1, 4 or 16");
-    }
     return EXIT_FINE;
 }
 
 static int set_time(struct options *options, const char *value)
 {
-    if (!parse_seconds(value, &options->time)) {
+    if (!parse_seconds(value, &options->time))
         return wrong("--time", value, "not a number of seconds (0 to 32767.999, like 1.25)");
-    }
     return EXIT_FINE;
 }
 
 static int set_rate(struct options *options, const char *value)
 {
     options->rate_given = true;
-    if (!parse_rate(value, options->rate)) {
+    if (!parse_rate(value, options->rate))
         return wrong("--fps", value, "not a rate (1 to 1000000 frames, like 25 or 30000/1001)");
-    }
     return EXIT_FINE;
 }
 
@@ -60,34 +56,30 @@ static int set_range(const char *option, const char *value, bool *given, uint32_
     const char *rest;
     *given = true;
     if (!parse_number(value, &rest, 0, UINT32_MAX - 1, first) || *rest != '-' ||
-        !parse_number(rest + 1, NULL, *first, UINT32_MAX - 1, last)) {
+        !parse_number(rest + 1, NULL, *first, UINT32_MAX - 1, last))
         return wrong(option, value, "not a range (FIRST-LAST, counted from 0)");
-    }
     return EXIT_FINE;
 }
 
 static int set_number(const char *option, const char *value, uint32_t max, uint32_t *number)
 {
-    if (!parse_number(value, NULL, 1, max, number)) {
+    if (!parse_number(value, NULL, 1, max, number))
         return fail(EXIT_USAGE, "%s '%.200s': not a number from 1 to %u", option, value, max);
-    }
     return EXIT_FINE;
 }
 
 static int set_rotate(struct options *options, const char *value)
 {
-    if (!parse_number(value, NULL, 0, 270, &options->rotate) || options->rotate % 90 != 0) {
+    if (!parse_number(value, NULL, 0, 270, &options->rotate) || options->rotate % 90 != 0)
         return wrong("--rotate", value, "not 0, 90, 180 or 270");
-    }
     return EXIT_FINE;
 }
 
 static int set_arithmetic(struct options *options, const char *value)
 {
     options->core = arithmetic_called(value);
-    if (options->core != NULL) {
+    if (options->core)
         return EXIT_FINE;
-    }
     return wrong("--arithmetic", value,
                  strcmp(value, "f64") == 0 ? "this build has q16 only (make F64=yes)" : "not q16 or f64");
 }
@@ -97,28 +89,25 @@ static void set_device(char *value, const char **name, const char **device)
 {
     char *colon = strchr(value, ':');
     *name = value;
-    *device = colon != NULL && colon[1] != '\0' ? colon + 1 : NULL;
-    if (colon != NULL) {
+    *device = colon && colon[1] != '\0' ? colon + 1 : NULL;
+    if (colon)
         *colon = '\0';
-    }
 }
 
 static int set_connector(struct options *options, const char *value)
 {
-    if (strcmp(value, "help") == 0) {
+    if (strcmp(value, "help") == 0)
         options->action = ACTION_MODES;
-    }
     options->connector = value;
     return EXIT_FINE;
 }
 
 static int set_mode(struct options *options, const char *value)
 {
-    if (strcmp(value, "help") == 0) {
+    if (strcmp(value, "help") == 0)
         options->action = ACTION_MODES;
-    } else if (!parse_mode(value)) {
+    else if (!parse_mode(value))
         return wrong("--mode", value, "not preferred, WxH or WxH@HERTZ (--mode help lists what there is)");
-    }
     options->mode = value;
     return EXIT_FINE;
 }

@@ -21,16 +21,14 @@ static struct tia_tile tile_of(const struct picture *picture, const struct pictu
 static void write_band(struct picture *picture, const struct picture_band *band)
 {
     size_t count = (size_t)band->rows * picture->width;
-    if (picture->checksum && image_bottom_up(picture->image)) {
+    if (picture->checksum && image_bottom_up(picture->image))
         picture->crc = crc_join(tia_crc32(0, band->pixels, count), picture->crc, picture->crc_bytes);
-    } else if (picture->checksum) {
+    else if (picture->checksum)
         picture->crc = tia_crc32(picture->crc, band->pixels, count);
-    }
     picture->crc_bytes += count * sizeof *band->pixels;
     int status = image_band(picture->image, band->pixels, band->rows);
-    if (status != TIA_OK) {
+    if (status)
         atomic_store(&picture->status, status);
-    }
 }
 
 static void draw_rows(struct picture *picture, unsigned job)
@@ -47,23 +45,20 @@ static void draw_rows(struct picture *picture, unsigned job)
     struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
 
     int status = picture->core->trace(picture->view, picture->hits, tile);
-    if (status == TIA_OK) {
+    if (!status)
         status = picture->core->light(picture->view, picture->hits, tile, &surface, &picture->pixel_options);
-    }
-    if (status != TIA_OK) {
+    if (status)
         atomic_store(&picture->status, status);
-    }
     progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
 }
 
 static void work(void *arg, unsigned index)
 {
     struct picture *picture = arg;
-    if (index > 0) {
+    if (index > 0)
         draw_rows(picture, index - 1);
-    } else if (picture->band[1].rows > 0) {
+    else if (picture->band[1].rows > 0)
         write_band(picture, &picture->band[1]);
-    }
 }
 
 /* ---- the picture ---- */
@@ -77,9 +72,8 @@ static int draw_band(struct picture *picture)
         jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
         int status = picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view,
                                               picture->tile);
-        if (status != TIA_OK) {
+        if (status)
             return status;
-        }
     }
     threads_workers.run(picture->pool, work, picture, jobs + 1);
 
@@ -97,7 +91,7 @@ int picture_draw(struct picture *picture)
     int status = TIA_OK;
     picture->crc = 0;
     picture->crc_bytes = 0;
-    for (unsigned i = 0; i <= count && status == TIA_OK; i++) {
+    for (unsigned i = 0; i <= count && !status; i++) {
         struct picture_band *band = &picture->band[0];
         band->rows = 0;
         if (i < count) {
@@ -130,15 +124,12 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     picture->job_rows = tile.width < JOB_PIXELS ? (unsigned)JOB_PIXELS / tile.width : 1;
     picture->hits_bytes = core->hits_size(&options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
-    for (unsigned i = 0; i < 2; i++) {
+    for (unsigned i = 0; i < 2; i++)
         picture->band[i].pixels = malloc((size_t)picture->band_rows * film->width * sizeof(tia_rgb565));
-    }
     picture->pool = threads_create(options->threads);
     progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames);
-    if (picture->hits_memory == NULL || picture->pool == NULL || picture->band[0].pixels == NULL ||
-        picture->band[1].pixels == NULL) {
+    if (!picture->hits_memory || !picture->pool || !picture->band[0].pixels || !picture->band[1].pixels)
         return TIA_ERR_MEMORY;
-    }
     return TIA_OK;
 }
 
@@ -146,8 +137,7 @@ void picture_end(struct picture *picture)
 {
     progress_end(&picture->progress);
     threads_destroy(picture->pool);
-    for (unsigned i = 0; i < 2; i++) {
+    for (unsigned i = 0; i < 2; i++)
         free(picture->band[i].pixels);
-    }
     free(picture->hits_memory);
 }

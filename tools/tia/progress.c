@@ -61,9 +61,8 @@ void progress_add(struct progress *progress, uint64_t pixels)
 
 void progress_erase(struct progress *progress)
 {
-    if (progress->shown) {
+    if (progress->shown)
         (void)fputs(erase, stderr);
-    }
     progress->shown = false;
 }
 

@@ -13,7 +13,7 @@
 struct session *session_create(const struct options *options)
 {
     struct session *session = calloc(1, sizeof *session);
-    if (session != NULL) {
+    if (session) {
         session->options = options;
         signals_catch_waiting();
     }
@@ -26,10 +26,9 @@ int session_open_input(struct session *session, const struct port_input *port)
 {
     struct port_wish wish = {.device = session->options->input_device, .why = session->why};
     session->input_ctx = port->create(&wish);
-    if (session->input_ctx == NULL) {
+    if (!session->input_ctx)
         return EXIT_INPUT;
-    }
-    if (port->ops->open(session->input_ctx) != TIA_OK) {
+    if (port->ops->open(session->input_ctx)) {
         port->ops->close(session->input_ctx);
         port->destroy(session->input_ctx);
         session->input_ctx = NULL;
@@ -56,9 +55,8 @@ int session_open_display(struct session *session, const struct port_display *por
     const struct options *options = session->options;
     struct port_wish wish = display_wish(session);
     session->display_ctx = port->create(&wish);
-    if (session->display_ctx == NULL) {
+    if (!session->display_ctx)
         return EXIT_DISPLAY;
-    }
     session->display = port;
     session->letterbox = (struct letterbox){.screen = port->ops,
                                             .screen_ctx = session->display_ctx,
@@ -69,20 +67,19 @@ int session_open_display(struct session *session, const struct port_display *por
                                             .checksum = options->checksum,
                                             .why = session->why};
     int status = letterbox_display.open(&session->letterbox, &session->mode);
-    if (status == TIA_ERR_MEMORY) {
+    if (status == TIA_ERR_MEMORY)
         return EXIT_RUNNING;
-    }
-    return status == TIA_OK ? EXIT_FINE : EXIT_DISPLAY;
+    return !status ? EXIT_FINE : EXIT_DISPLAY;
 }
 
 void session_close(struct session *session)
 {
-    if (session->display != NULL) {
+    if (session->display) {
         letterbox_display.close(&session->letterbox);
         session->display->destroy(session->display_ctx);
         session->display = NULL;
     }
-    if (session->input != NULL) {
+    if (session->input) {
         session->input->ops->close(session->input_ctx);
         session->input->destroy(session->input_ctx);
         session->input = NULL;
@@ -98,7 +95,7 @@ static void *get_memory(void *ctx, size_t size)
     if (size > session->memory_bytes) {
         free(session->memory);
         session->memory = malloc(size);
-        session->memory_bytes = session->memory != NULL ? size : 0;
+        session->memory_bytes = session->memory ? size : 0;
     }
     return session->memory;
 }
@@ -118,9 +115,8 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
     struct session *session = ctx;
     session->stats.frames++;
     stats_add(&session->stats.draw, frame->draw_us);
-    if (frame->key_us != 0) {
+    if (frame->key_us != 0)
         stats_add(&session->stats.flip, frame->key_us);
-    }
     return session->options->checksum ? print_checksum(session, frame->number) : TIA_OK;
 }
 
@@ -131,17 +127,15 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
 static int open_lines(struct session *session)
 {
     session->lines = stdout;
-    if (session->options->checksum && isatty(STDOUT_FILENO) != 0) {
+    if (session->options->checksum && isatty(STDOUT_FILENO) != 0)
         session->lines = open_memstream(&session->text, &session->text_bytes);
-    }
-    return session->lines != NULL ? TIA_OK : TIA_ERR_MEMORY;
+    return session->lines ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 static int close_lines(struct session *session)
 {
-    if (session->lines == NULL || session->lines == stdout) {
+    if (!session->lines || session->lines == stdout)
         return TIA_OK;
-    }
     (void)fclose(session->lines);
     int result = fputs(session->text, stdout);
     free(session->text);
@@ -183,8 +177,7 @@ int session_run(struct session *session)
     int status = TIA_ERR_MEMORY;
     session->why[0] = '\0';
     session->pool = threads_create(session->options->threads);
-    if (session->pool != NULL && lights_copy(&session->lights, &session->options->scene) &&
-        open_lines(session) == TIA_OK) {
+    if (session->pool && lights_copy(&session->lights, &session->options->scene) && !open_lines(session)) {
         struct tia_viewer viewer = viewer_of(session);
         status = tia_viewer_run(&viewer);
     }
@@ -193,22 +186,18 @@ int session_run(struct session *session)
     session->stats.format = session->format;
     session->stats.width = session->letterbox.rotation.width;
     session->stats.height = session->letterbox.rotation.height;
-    session->stats.threads = session->pool != NULL ? threads_count(session->pool) : 1;
-    if (status < 0 && session->why[0] == '\0') {
+    session->stats.threads = session->pool ? threads_count(session->pool) : 1;
+    if (status < 0 && session->why[0] == '\0')
         (void)snprintf(session->why, PORT_WHY, "%s", fail_reason(status));
-    }
     return status == TIA_ERR_RANGE ? EXIT_USAGE : status < 0 ? EXIT_RUNNING : EXIT_FINE;
 }
 
 int session_end(struct session *session, int status)
 {
-    if (close_lines(session) != TIA_OK && status == EXIT_FINE) {
+    if (close_lines(session) && status == EXIT_FINE)
         status = fail_output();
-    }
-    if (session->options->stats && session->stats.display != NULL && status == EXIT_FINE &&
-        stats_print(&session->stats) != 0) {
+    if (session->options->stats && session->stats.display && status == EXIT_FINE && stats_print(&session->stats) != 0)
         status = EXIT_RUNNING;
-    }
     threads_destroy(session->pool);
     lights_free(&session->lights);
     free(session->memory);

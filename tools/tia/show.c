@@ -15,19 +15,17 @@
 static const struct port_display *find_display(const char *name)
 {
     const struct port_display *port = port_displays;
-    while (port->name != NULL && strcmp(port->name, name) != 0) {
+    while (port->name && strcmp(port->name, name) != 0)
         port++;
-    }
-    return port->name != NULL ? port : NULL;
+    return port->name ? port : NULL;
 }
 
 static const struct port_input *find_input(const char *name)
 {
     const struct port_input *port = port_inputs;
-    while (port->name != NULL && strcmp(port->name, name) != 0) {
+    while (port->name && strcmp(port->name, name) != 0)
         port++;
-    }
-    return port->name != NULL ? port : NULL;
+    return port->name ? port : NULL;
 }
 
 /* ---- the input for a display ---- */
@@ -41,7 +39,7 @@ static int refuse_input(struct session *session, const char *name)
 static int open_input(struct session *session, const char *name)
 {
     const struct port_input *port = find_input(name);
-    return port != NULL ? session_open_input(session, port) : refuse_input(session, name);
+    return port ? session_open_input(session, port) : refuse_input(session, name);
 }
 
 /* A display that takes over the console needs a way out: an input, or a limit on the frames. */
@@ -56,16 +54,13 @@ static int choose_input(struct session *session, const struct port_display *port
         }
         return open_input(session, "none");
     }
-    if (strcmp(options->input, "auto") != 0) {
+    if (strcmp(options->input, "auto") != 0)
         return open_input(session, options->input);
-    }
-    if (port->takes_screen) {
+    if (port->takes_screen)
         return open_input(session, "evdev");
-    }
     bool terminal = strcmp(port->name, "terminal") == 0;
-    if (!terminal && (limited || isatty(STDIN_FILENO) == 0)) {
+    if (!terminal && (limited || isatty(STDIN_FILENO) == 0))
         return open_input(session, "none");
-    }
     int status = open_input(session, "tty");
     return status != EXIT_FINE && limited ? open_input(session, "none") : status;
 }
@@ -75,12 +70,10 @@ static int choose_input(struct session *session, const struct port_display *port
 static int try_display(struct session *session, const struct port_display *port)
 {
     int status = choose_input(session, port);
-    if (status == EXIT_FINE) {
+    if (status == EXIT_FINE)
         status = session_open_display(session, port);
-    }
-    if (status == EXIT_FINE) {
+    if (status == EXIT_FINE)
         status = session_run(session);
-    }
     session_close(session);
     return status;
 }
@@ -88,9 +81,8 @@ static int try_display(struct session *session, const struct port_display *port)
 /* Whether `auto` tries it; other displays must be named. */
 static bool is_automatic(const struct port_display *port)
 {
-    if (strcmp(port->name, "terminal") == 0) {
+    if (strcmp(port->name, "terminal") == 0)
         return isatty(STDOUT_FILENO) != 0;
-    }
     return strcmp(port->name, "drm") == 0 || strcmp(port->name, "fbdev") == 0;
 }
 
@@ -101,24 +93,21 @@ static int draw_instead(const struct options *options)
     file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
     file.output = file.format == IMAGE_PNG ? "tia.png" : "tia.ppm";
     int status = draw(&file);
-    if (status == EXIT_FINE) {
+    if (status == EXIT_FINE)
         note("no display and no terminal: wrote %s (tia --list-displays says why)", file.output);
-    }
     return status;
 }
 
 static int show_any(struct session *session)
 {
-    for (const struct port_display *port = port_displays; port->name != NULL; port++) {
-        if (!is_automatic(port)) {
+    for (const struct port_display *port = port_displays; port->name; port++) {
+        if (!is_automatic(port))
             continue;
-        }
         int status = try_display(session, port);
         bool named = strcmp(session->options->input, "auto") != 0 && strcmp(session->options->input, "none") != 0;
         bool refused = status == EXIT_DISPLAY || (status == EXIT_INPUT && !named);
-        if (!refused || session->letterbox.opened) {
+        if (!refused || session->letterbox.opened)
             return status;
-        }
     }
     session->why[0] = '\0';
     signals_release();
@@ -128,7 +117,7 @@ static int show_any(struct session *session)
 static int show_named(struct session *session, const char *name)
 {
     const struct port_display *port = find_display(name);
-    if (port == NULL) {
+    if (!port) {
         (void)snprintf(session->why, PORT_WHY, "%.40s: this build has no such display (tia --list-displays)", name);
         return EXIT_DISPLAY;
     }
@@ -138,14 +127,12 @@ static int show_named(struct session *session, const char *name)
 int show(const struct options *options)
 {
     struct session *session = session_create(options);
-    if (session == NULL) {
+    if (!session)
         return fail(EXIT_RUNNING, "memory: exhausted");
-    }
     bool any = strcmp(options->display, "auto") == 0;
     int status = any ? show_any(session) : show_named(session, options->display);
-    if (status != EXIT_FINE && session->why[0] != '\0') {
+    if (status != EXIT_FINE && session->why[0] != '\0')
         (void)fail(status, "%s", session->why);
-    }
     return session_end(session, status);
 }
 
@@ -163,11 +150,10 @@ static void print_input(const char *name)
     const struct port_input *port = find_input(name);
     char why[PORT_WHY] = "this build has none";
     struct port_wish wish = {.why = why};
-    void *ctx = port != NULL ? port->create(&wish) : NULL;
-    if (ctx != NULL) {
-        if (port->ops->open(ctx) == TIA_OK) {
+    void *ctx = port ? port->create(&wish) : NULL;
+    if (ctx) {
+        if (!port->ops->open(ctx))
             (void)snprintf(why, sizeof why, "works");
-        }
         port->ops->close(ctx);
         port->destroy(ctx);
     }
@@ -177,18 +163,16 @@ static void print_input(const char *name)
 int show_list(const char *only)
 {
     bool found = false;
-    for (const struct port_display *port = port_displays; port->name != NULL; port++) {
-        if (only == NULL || strcmp(port->name, only) == 0) {
+    for (const struct port_display *port = port_displays; port->name; port++) {
+        if (!only || strcmp(port->name, only) == 0) {
             (void)printf("%s: %s\n", port->name, port->summary);
             port->list(print_line, NULL);
-            if (port->takes_screen) {
+            if (port->takes_screen)
                 print_input("evdev");
-            }
             found = true;
         }
     }
-    if (only != NULL && !found) {
+    if (only && !found)
         return fail(EXIT_DISPLAY, "%s: this build has no such display (tia --list-displays)", only);
-    }
     return fflush(stdout) == 0 ? EXIT_FINE : fail_output();
 }

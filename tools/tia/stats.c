@@ -18,9 +18,8 @@ static int compare(const void *left, const void *right)
 uint32_t stats_percentile(struct samples *samples, unsigned percent)
 {
     uint64_t kept = samples->count < STATS_SAMPLES ? samples->count : STATS_SAMPLES;
-    if (kept == 0) {
+    if (kept == 0)
         return 0;
-    }
     qsort(samples->us, (size_t)kept, sizeof samples->us[0], compare);
     uint64_t rank = (kept * percent + 99) / 100;
     return samples->us[rank > 0 ? rank - 1 : 0];

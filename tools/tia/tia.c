@@ -16,18 +16,15 @@
  * messages would go into the picture. */
 static void fill_descriptors(void)
 {
-    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
-        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF) {
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
             (void)open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-        }
-    }
 }
 
 static int print(const char *text)
 {
-    if (fputs(text, stdout) < 0 || fflush(stdout) != 0) {
+    if (fputs(text, stdout) < 0 || fflush(stdout) != 0)
         return fail_output();
-    }
     return EXIT_FINE;
 }
 
@@ -55,12 +52,10 @@ int main(int argc, char **argv)
     fill_descriptors();
     signals_prepare();
     int status = arguments_parse(&options, argc, argv);
-    if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW)) {
+    if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW))
         status = arguments_load(&options);
-    }
-    if (status == EXIT_FINE) {
+    if (status == EXIT_FINE)
         status = act(&options);
-    }
     arguments_free(&options);
     return status;
 }

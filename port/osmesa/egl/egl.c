@@ -60,9 +60,8 @@ static int find_display(struct gl_screen *screen, struct egl *egl)
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
     gl_proc proc = egl->GetProcAddress("eglGetPlatformDisplayEXT");
 
-    if (!extensions || !strstr(extensions, "EGL_MESA_platform_surfaceless") || !proc) {
+    if (!extensions || !strstr(extensions, "EGL_MESA_platform_surfaceless") || !proc)
         return gl_fail(screen, TIA_ERR_UNSUPPORTED, "no EGL_MESA_platform_surfaceless (install libegl-mesa0)");
-    }
     memcpy(&get_platform_display, &proc, sizeof proc);
     egl->display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (egl->display == EGL_NO_DISPLAY || !egl->Initialize(egl->display, NULL, NULL)) {
@@ -75,15 +74,12 @@ static int find_display(struct gl_screen *screen, struct egl *egl)
 
 static int make_context(struct gl_screen *screen, struct egl *egl)
 {
-    if (egl->BindAPI(EGL_OPENGL_API)) {
+    if (egl->BindAPI(EGL_OPENGL_API))
         egl->context = egl->CreateContext(egl->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, NULL);
-    }
-    if (egl->context == EGL_NO_CONTEXT || !egl_make_current(screen)) {
+    if (egl->context == EGL_NO_CONTEXT || !egl_make_current(screen))
         return gl_fail(screen, TIA_ERR_UNSUPPORTED, "no OpenGL context: error 0x%x", (unsigned)egl->GetError());
-    }
-    if (!gl_load(screen, egl, framebuffer_rows, sizeof framebuffer_rows / sizeof framebuffer_rows[0])) {
+    if (!gl_load(screen, egl, framebuffer_rows, sizeof framebuffer_rows / sizeof framebuffer_rows[0]))
         return TIA_ERR_UNSUPPORTED;
-    }
     return TIA_OK;
 }
 
@@ -97,9 +93,8 @@ static int make_framebuffer(struct gl_screen *screen, struct egl *egl)
     egl->GenFramebuffers(1, &framebuffer);
     egl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     egl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
-    if (egl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    if (egl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return gl_fail(screen, TIA_ERR_UNSUPPORTED, "no RGB565 framebuffer of %ux%u", screen->width, screen->height);
-    }
     return TIA_OK;
 }
 
@@ -110,19 +105,15 @@ static int egl_open(struct gl_screen *screen)
     int status;
 
     screen->state = egl;
-    if (!egl) {
+    if (!egl)
         return gl_fail(screen, TIA_ERR_MEMORY, "out of memory");
-    }
     library = gl_library(screen, "libEGL.so.1", "libegl1");
-    if (!library) {
+    if (!library)
         return TIA_ERR_DEVICE;
-    }
-    if (!gl_symbols(screen, library, egl, egl_rows, sizeof egl_rows / sizeof egl_rows[0])) {
+    if (!gl_symbols(screen, library, egl, egl_rows, sizeof egl_rows / sizeof egl_rows[0]))
         return TIA_ERR_UNSUPPORTED;
-    }
-    if ((status = find_display(screen, egl)) == TIA_OK && (status = make_context(screen, egl)) == TIA_OK) {
+    if ((status = find_display(screen, egl)) == TIA_OK && (status = make_context(screen, egl)) == TIA_OK)
         status = make_framebuffer(screen, egl);
-    }
     return status;
 }
 
@@ -145,9 +136,8 @@ static void egl_close(struct gl_screen *screen)
 
     if (egl && egl->display != EGL_NO_DISPLAY) {
         (void)egl->MakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (egl->context != EGL_NO_CONTEXT) {
+        if (egl->context != EGL_NO_CONTEXT)
             (void)egl->DestroyContext(egl->display, egl->context);
-        }
     }
     free(egl);
     screen->state = NULL;

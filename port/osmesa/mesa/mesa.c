@@ -33,20 +33,16 @@ static int mesa_open(struct gl_screen *screen)
     void *library;
 
     screen->state = mesa;
-    if (!mesa) {
+    if (!mesa)
         return gl_fail(screen, TIA_ERR_MEMORY, "out of memory");
-    }
     library = gl_library(screen, "libOSMesa.so.8", "libosmesa6");
-    if (!library) {
+    if (!library)
         return TIA_ERR_DEVICE;
-    }
-    if (!gl_symbols(screen, library, mesa, rows, sizeof rows / sizeof rows[0])) {
+    if (!gl_symbols(screen, library, mesa, rows, sizeof rows / sizeof rows[0]))
         return TIA_ERR_UNSUPPORTED;
-    }
     mesa->context = mesa->CreateContextExt(OSMESA_RGB_565, 0, 0, 0, NULL);
-    if (!mesa->context || !mesa_make_current(screen)) {
+    if (!mesa->context || !mesa_make_current(screen))
         return gl_fail(screen, TIA_ERR_DEVICE, "cannot make an RGB565 context");
-    }
     mesa->PixelStore(OSMESA_Y_UP, 0);
     return TIA_OK;
 }

@@ -86,7 +86,7 @@ int tia_line_include(struct tia_job *job)
     status = status ? status : check(job, &name, path);
     if (status)
         return status;
-    if (reader->library(reader->ctx, path, &text, &length, &why) != TIA_OK)
+    if (reader->library(reader->ctx, path, &text, &length, &why))
         return tia_job_missing(job, &name, why, "a scene's file");
     if (tia_text_is_too_long(length))
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");

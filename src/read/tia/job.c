@@ -70,7 +70,7 @@ void tia_job_animate(struct tia_job *job, const struct tia_word *name)
 
 bool tia_job_moves(const struct tia_job *job, const struct tia_word *name)
 {
-    return find(job, TIA_OF_ANIMATED, TIA_NAMED_MOVER, name) != NULL;
+    return find(job, TIA_OF_ANIMATED, TIA_NAMED_MOVER, name);
 }
 
 struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name)

@@ -114,7 +114,7 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     int status = tia_include_path(job, file, path);
     if (status || job->pass != TIA_FILLING || job->seeking)
         return status;
-    if (reader->image(reader->ctx, path, &image, &why) != TIA_OK)
+    if (reader->image(reader->ctx, path, &image, &why))
         return tia_job_missing(job, file, why, "a picture");
     texture->width = image.width;
     texture->height = image.height;

@@ -58,7 +58,7 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
 {
     uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - (int)tile.y) * tile.width : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->prepared, .hashed = path_hash != NULL};
+    struct path path = {.view = view->prepared, .hashed = path_hash};
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)

@@ -116,12 +116,11 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
     uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
     uint32_t *items = allocate(space, count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = count; !tia_bvh_stops(&space->asker, 1) && i-- > 0;) {
+    for (uint32_t i = count; !tia_bvh_stops(&space->asker, 1) && i-- > 0;)
         if (find_box(&space->boxes[i], scene, i, bvh->meshes))
             items[first++] = i;
         else
             items[--last] = i;
-    }
     bvh->objects = build(space, items, first);
     bvh->unbounded = items + last;
     bvh->unbounded_count = count - last;

@@ -21,13 +21,11 @@ struct ppm {
 static void skip_blanks(struct ppm *ppm)
 {
     while (ppm->at < ppm->end && (*ppm->at == '#' || *ppm->at == ' ' || (*ppm->at >= '\t' && *ppm->at <= '\r'))) {
-        if (*ppm->at == '#') {
-            while (ppm->at < ppm->end && *ppm->at != '\n') {
+        if (*ppm->at == '#')
+            while (ppm->at < ppm->end && *ppm->at != '\n')
                 ppm->at++;
-            }
-        } else {
+        else
             ppm->at++;
-        }
     }
 }
 
@@ -39,9 +37,8 @@ static unsigned read_number(struct ppm *ppm)
     const unsigned char *start = ppm->at;
     while (ppm->at < ppm->end && *ppm->at >= '0' && *ppm->at <= '9') {
         value = value * 10 + (unsigned)(*ppm->at++ - '0');
-        if (value > 65535) {
+        if (value > 65535)
             return 65536;
-        }
     }
     return ppm->at > start ? value : 65536;
 }
@@ -49,12 +46,10 @@ static unsigned read_number(struct ppm *ppm)
 static unsigned take_value(struct ppm *ppm, bool plain, unsigned full)
 {
     size_t bytes = full > 255 ? 2 : 1;
-    if (plain) {
+    if (plain)
         return read_number(ppm);
-    }
-    if ((size_t)(ppm->end - ppm->at) < bytes) {
+    if ((size_t)(ppm->end - ppm->at) < bytes)
         return 65536;
-    }
     unsigned value = *ppm->at++;
     return bytes == 1 ? value : value << 8 | *ppm->at++;
 }
@@ -80,12 +75,11 @@ static int decode_ppm(struct image_texels *texels, const unsigned char *bytes, s
     struct ppm ppm = {bytes + 2, bytes + length};
     bool plain = bytes[1] == '3';
     unsigned width = read_number(&ppm), height = read_number(&ppm), full = read_number(&ppm);
-    if (width > 65535 || height > 65535 || full == 0 || full > 65535) {
+    if (width > 65535 || height > 65535 || full == 0 || full > 65535)
         return refuse(why, "a damaged PPM file");
-    }
     ppm.at += !plain && ppm.at < ppm.end; /* the single blank before binary values */
     int status = image_room(texels, width, height, side, most, why);
-    return status == TIA_OK ? take_values(&ppm, plain, full, texels, why) : status;
+    return !status ? take_values(&ppm, plain, full, texels, why) : status;
 }
 
 /* ---- all formats ---- */
@@ -103,9 +97,8 @@ static bool is_png(const void *bytes, size_t length)
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why)
 {
-    if (is_ppm(bytes, length)) {
+    if (is_ppm(bytes, length))
         return decode_ppm(texels, bytes, length, side, most, why);
-    }
     if (is_png(bytes, length)) {
 #ifdef TIA_HAVE_PNG
         return image_decode_png(texels, bytes, length, side, most, why);
@@ -122,13 +115,11 @@ int image_decode(struct image_texels *texels, const void *bytes, size_t length, 
 
 static unsigned char *decode_alpha(const struct image_texels *texels, const void *bytes, size_t length)
 {
-    if (is_ppm(bytes, length)) {
+    if (is_ppm(bytes, length))
         return NULL;
-    }
 #ifdef TIA_HAVE_PNG
-    if (is_png(bytes, length)) {
+    if (is_png(bytes, length))
         return image_alpha_png(texels, bytes, length);
-    }
 #endif
 #ifdef TIA_HAVE_STB
     return image_alpha_stb(texels, bytes, length);
@@ -142,9 +133,8 @@ static unsigned char *decode_alpha(const struct image_texels *texels, const void
 static tia_q30 mean_of(const unsigned char *values, size_t count)
 {
     uint64_t sum = 0;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         sum += values[i];
-    }
     return (tia_q30)((sum << 16) / (255 * (uint64_t)count) << 14);
 }
 
@@ -152,12 +142,11 @@ int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side
 {
     struct image_texels texels = {0, 0, NULL};
     int status = image_decode(&texels, bytes, length, side, most, why);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     size_t count = (size_t)texels.width * texels.height;
     unsigned char *alpha = decode_alpha(&texels, bytes, length);
-    *mean = alpha != NULL ? mean_of(alpha, count) : mean_of(texels.rgb, 3 * count);
+    *mean = alpha ? mean_of(alpha, count) : mean_of(texels.rgb, 3 * count);
     free(alpha);
     free(texels.rgb);
     return TIA_OK;

@@ -15,13 +15,12 @@ int image_decode_png(struct image_texels *texels, const void *bytes, size_t leng
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
     *why = "a damaged PNG file";
-    if (png_image_begin_read_from_memory(&image, bytes, length) == 0) {
+    if (png_image_begin_read_from_memory(&image, bytes, length) == 0)
         return TIA_ERR_RANGE;
-    }
     image.format = PNG_FORMAT_RGB;
     image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* like 8-bit files: keep the values, convert no gamma */
     int status = image_room(texels, image.width, image.height, side, most, why);
-    if (status == TIA_OK && png_image_finish_read(&image, &black, texels->rgb, 0, NULL) == 0) {
+    if (!status && png_image_finish_read(&image, &black, texels->rgb, 0, NULL) == 0) {
         free(texels->rgb);
         texels->rgb = NULL;
         *why = "a damaged PNG file";
@@ -37,19 +36,17 @@ unsigned char *image_alpha_png(const struct image_texels *texels, const unsigned
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, bytes, length) == 0) {
+    if (png_image_begin_read_from_memory(&image, bytes, length) == 0)
         return NULL;
-    }
     bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     image.format = PNG_FORMAT_GA;
     unsigned char *alpha = has_alpha ? malloc(count * 2) : NULL;
-    if (alpha != NULL && png_image_finish_read(&image, NULL, alpha, 0, NULL) == 0) {
+    if (alpha && png_image_finish_read(&image, NULL, alpha, 0, NULL) == 0) {
         free(alpha);
         alpha = NULL;
     }
-    for (size_t i = 0; alpha != NULL && i < count; i++) {
+    for (size_t i = 0; alpha && i < count; i++)
         alpha[i] = alpha[2 * i + 1];
-    }
     png_image_free(&image);
     return alpha;
 }

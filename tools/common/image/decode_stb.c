@@ -42,7 +42,7 @@ static unsigned char *load_padded(const struct image_texels *texels, const unsig
     stbi__start_mem(&context, padded, (int)(length + SPARE));
     unsigned char *all = stbi__load_and_postprocess_8bit(&context, &width, &height, &channels, 4);
     bool is_whole = context.img_buffer <= padded + length;
-    if (all != NULL && (!is_whole || width != (int)texels->width || height != (int)texels->height)) {
+    if (all && (!is_whole || width != (int)texels->width || height != (int)texels->height)) {
         free(all);
         all = NULL;
     }
@@ -55,7 +55,7 @@ static unsigned char *load(const struct image_texels *texels, const unsigned cha
 {
     unsigned char *padded = calloc(1, length + SPARE);
     unsigned char *all = NULL;
-    if (padded != NULL) {
+    if (padded) {
         memcpy(padded, bytes, length);
         all = load_padded(texels, padded, length);
     }
@@ -66,11 +66,9 @@ static unsigned char *load(const struct image_texels *texels, const unsigned cha
 /* What is transparent is laid on black. */
 static void lay(struct image_texels *texels, const unsigned char *all)
 {
-    for (size_t i = 0; i < (size_t)texels->width * texels->height; i++, all += 4) {
-        for (size_t c = 0; c < 3; c++) {
+    for (size_t i = 0; i < (size_t)texels->width * texels->height; i++, all += 4)
+        for (size_t c = 0; c < 3; c++)
             texels->rgb[3 * i + c] = (unsigned char)((all[c] * all[3] + 127) / 255);
-        }
-    }
 }
 
 /* Of rows from the top down, a BMP's header gives the height negative. */
@@ -85,15 +83,12 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
 {
     while (length > 0 && at < end && at[0] >> 4 <= 1 && (at[0] & 15) <= 3) {
         int codes = 0;
-        for (int i = 1; i <= 16 && i < end - at; i++) {
+        for (int i = 1; i <= 16 && i < end - at; i++)
             codes += at[i];
-        }
-        if (codes > 256) {
+        if (codes > 256)
             return false;
-        }
-        if (end - at < 17 + codes) {
+        if (end - at < 17 + codes)
             return true;
-        }
         at += 17 + codes;
         length -= 17 + codes;
     }
@@ -105,14 +100,11 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
 static bool is_safe(const unsigned char *bytes, size_t length)
 {
     const unsigned char *end = bytes + length;
-    if (length == 0 || bytes[0] != 0xff) {
+    if (length == 0 || bytes[0] != 0xff)
         return true;
-    }
-    for (const unsigned char *at = bytes; end - at > 4; at++) {
-        if (at[0] == 0xff && at[1] == 0xc4 && !are_tables(at + 4, end, (at[2] << 8 | at[3]) - 2)) {
+    for (const unsigned char *at = bytes; end - at > 4; at++)
+        if (at[0] == 0xff && at[1] == 0xc4 && !are_tables(at + 4, end, (at[2] << 8 | at[3]) - 2))
             return false;
-        }
-    }
     return true;
 }
 
@@ -121,15 +113,13 @@ int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, si
 {
     int width, height, channels;
     if (length > INT_MAX - SPARE || !is_safe(bytes, length) ||
-        stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0) {
+        stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0)
         return refuse(why, "no PNG, PPM, JPEG, BMP, TGA or GIF file, or a damaged one");
-    }
     int status = image_room(texels, magnitude(width), magnitude(height), side, most, why);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     unsigned char *all = load(texels, bytes, length);
-    if (all == NULL) {
+    if (!all) {
         free(texels->rgb);
         texels->rgb = NULL;
         return refuse(why, "a damaged JPEG, BMP, TGA or GIF file");
@@ -143,13 +133,11 @@ unsigned char *image_alpha_stb(const struct image_texels *texels, const unsigned
 {
     int width, height, channels;
     size_t count = (size_t)texels->width * texels->height;
-    if (stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0 || channels % 2 != 0) {
+    if (stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0 || channels % 2 != 0)
         return NULL;
-    }
     unsigned char *all = load(texels, bytes, length);
-    for (size_t i = 0; all != NULL && i < count; i++) {
+    for (size_t i = 0; all && i < count; i++)
         all[i] = all[4 * i + 3];
-    }
     return all;
 }
 

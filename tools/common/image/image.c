@@ -22,18 +22,16 @@ static const struct image_codec *const codecs[] = {
 
 enum image_format image_format_called(const char *name)
 {
-    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PART; format++) {
-        if (strcasecmp(name, names[format]) == 0) {
+    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PART; format++)
+        if (strcasecmp(name, names[format]) == 0)
             return format;
-        }
-    }
     return IMAGE_UNKNOWN;
 }
 
 enum image_format image_format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    return dot != NULL ? image_format_called(dot + 1) : IMAGE_UNKNOWN;
+    return dot ? image_format_called(dot + 1) : IMAGE_UNKNOWN;
 }
 
 const char *image_format_name(enum image_format format)
@@ -43,7 +41,7 @@ const char *image_format_name(enum image_format format)
 
 bool image_format_built(enum image_format format)
 {
-    return codecs[format] != NULL;
+    return codecs[format];
 }
 
 bool image_format_films(enum image_format format)
@@ -67,7 +65,7 @@ static struct image *allocate(enum image_format format, const struct image_film 
 {
     struct image *image = calloc(1, sizeof *image);
     unsigned char *line = malloc((size_t)film->width * 3 + 4);
-    if (image == NULL || line == NULL) {
+    if (!image || !line) {
         (void)snprintf(why, PORT_WHY, "memory: exhausted");
         free(image);
         free(line);
@@ -95,14 +93,13 @@ struct image *image_create_film(const char *path, enum image_format format, cons
         return NULL;
     }
     struct image *image = allocate(format, film, why);
-    if (image == NULL) {
+    if (!image)
         return NULL;
-    }
-    if (sink_open(&image->sink, path, why) != TIA_OK) {
+    if (sink_open(&image->sink, path, why)) {
         release(image);
         return NULL;
     }
-    if (image->codec->begin(image) != TIA_OK) {
+    if (image->codec->begin(image)) {
         image_discard(image);
         return NULL;
     }
@@ -111,7 +108,7 @@ struct image *image_create_film(const char *path, enum image_format format, cons
 
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count)
 {
-    for (unsigned i = 0; i < count && image->status == TIA_OK; i++) {
+    for (unsigned i = 0; i < count && !image->status; i++) {
         unsigned row = image->codec->bottom_up ? count - 1 - i : i;
         image->status = image->codec->row(image, pixels + (size_t)row * image->width);
         image->rows++;
@@ -122,23 +119,21 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count)
 int image_seal(struct image *image)
 {
     uint64_t rows = (uint64_t)image->height * image->film.frames;
-    if (image->status == TIA_OK && image->rows != rows) {
+    if (!image->status && image->rows != rows) {
         (void)snprintf(image->sink.why, PORT_WHY, "%.150s: %" PRIu64 " rows of %" PRIu64 " were drawn",
                        image->sink.name, image->rows, rows);
         image->status = TIA_ERR_ARGUMENT;
     }
-    if (image->status == TIA_OK) {
+    if (!image->status)
         image->status = image->codec->end(image);
-    }
     int status = image->status;
-    if (status != TIA_OK) {
+    if (status) {
         image_discard(image);
         return status;
     }
     status = sink_seal(&image->sink);
-    if (status != TIA_OK) {
+    if (status)
         image_discard(image);
-    }
     return status;
 }
 
@@ -152,7 +147,7 @@ int image_publish(struct image *image)
 int image_finish(struct image *image)
 {
     int status = image_seal(image);
-    return status == TIA_OK ? image_publish(image) : status;
+    return !status ? image_publish(image) : status;
 }
 
 void image_discard(struct image *image)

@@ -50,9 +50,8 @@ size_t image_part_parse(struct image_film *film, const char *text, size_t length
     unsigned n[10];
     take_line(line, text, length);
     if (sscanf(line, "TIAPART2 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5], &n[6],
-               &n[7], &n[8], &n[9]) != 10) {
+               &n[7], &n[8], &n[9]) != 10)
         return 0;
-    }
     *film = (struct image_film){n[0], n[1], n[2], n[3], n[4], n[5], n[6], {n[7], n[8]}, n[9]};
     return check_spelling(film, line, again, image_part_print(again, film));
 }
@@ -63,9 +62,8 @@ size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
     unsigned n[8];
     take_line(line, text, length);
     if (sscanf(line, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%8x", &n[0], &n[1],
-               &n[2], &n[3], &n[4], &n[5], &n[6], &n[7]) != 8) {
+               &n[2], &n[3], &n[4], &n[5], &n[6], &n[7]) != 8)
         return 0;
-    }
     *film = (struct image_film){n[0], n[1], 0, n[1], n[4], n[5], n[6], {n[2], n[3]}, n[7]};
     return check_spelling(film, line, again, image_y4m_print(again, film));
 }
@@ -76,9 +74,8 @@ uint32_t image_part_begin_sum(const struct image_film *film, uint32_t frame)
 {
     const uint32_t place[] = {frame, film->first_row, film->rows, film->crc};
     tia_rgb565 halves[8];
-    for (unsigned i = 0; i < 8; i++) {
+    for (unsigned i = 0; i < 8; i++)
         halves[i] = (tia_rgb565)(place[i / 2] >> 16 * (i & 1) & 0xffffu);
-    }
     return tia_crc32(0, halves, 8);
 }
 
@@ -95,9 +92,8 @@ bool image_part_add(struct image *image, const tia_rgb565 *pixels)
 
 void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum)
 {
-    for (unsigned i = 0; i < IMAGE_PART_SUM; i++) {
+    for (unsigned i = 0; i < IMAGE_PART_SUM; i++)
         bytes[i] = (unsigned char)(sum >> 8 * i & 255u);
-    }
 }
 
 void image_y4m_put_frame(unsigned char bytes[IMAGE_Y4M_FRAME], uint32_t sum)

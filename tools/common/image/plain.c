@@ -69,9 +69,8 @@ enum { BMP_BITFIELDS = 3, BMP_DOTS_PER_METRE = 2835 }; /* 72 dpi, the customary 
 
 static void put32(unsigned char *at, uint32_t value)
 {
-    for (unsigned i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < 4; i++)
         at[i] = (unsigned char)(value >> 8 * i & 255u);
-    }
 }
 
 static size_t bmp_pitch(unsigned width)
@@ -102,9 +101,8 @@ static int bmp_begin(struct image *image)
 static int bmp_row(struct image *image, const tia_rgb565 *pixels)
 {
     size_t bytes = image_put565(image->line, pixels, image->width);
-    while (bytes < bmp_pitch(image->width)) {
+    while (bytes < bmp_pitch(image->width))
         image->line[bytes++] = 0;
-    }
     return sink_write(&image->sink, image->line, bytes);
 }
 

@@ -18,9 +18,8 @@ struct png_state {
 static void png_failed(png_structp png, png_const_charp message)
 {
     struct image *image = png_get_error_ptr(png);
-    if (!image->sink.failed) {
+    if (!image->sink.failed)
         (void)snprintf(image->sink.why, PORT_WHY, "%.150s: libpng: %.60s", image->sink.name, message);
-    }
     png_longjmp(png, 1);
 }
 
@@ -33,9 +32,8 @@ static void png_warned(png_structp png, png_const_charp message)
 static void png_bytes(png_structp png, png_bytep bytes, size_t count)
 {
     struct image *image = png_get_io_ptr(png);
-    if (sink_write(&image->sink, bytes, count) != TIA_OK) {
+    if (sink_write(&image->sink, bytes, count))
         png_error(png, "write error");
-    }
 }
 
 static void png_flushed(png_structp png)
@@ -45,9 +43,8 @@ static void png_flushed(png_structp png)
 
 static int header(struct image *image, png_structp png, png_infop info)
 {
-    if (setjmp(png_jmpbuf(png)) != 0) {
+    if (setjmp(png_jmpbuf(png)) != 0)
         return TIA_ERR_DEVICE;
-    }
     png_color_8 bits = {.red = 5, .green = 6, .blue = 5};
     png_set_write_fn(png, image, png_bytes, png_flushed);
     png_set_IHDR(png, info, image->width, image->height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
@@ -61,11 +58,11 @@ static int begin(struct image *image)
 {
     struct png_state *state = calloc(1, sizeof *state);
     image->state = state;
-    if (state != NULL) {
+    if (state) {
         state->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, image, png_failed, png_warned);
-        state->info = state->png != NULL ? png_create_info_struct(state->png) : NULL;
+        state->info = state->png ? png_create_info_struct(state->png) : NULL;
     }
-    if (state == NULL || state->info == NULL) {
+    if (!state || !state->info) {
         (void)snprintf(image->sink.why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
@@ -76,9 +73,8 @@ static int row(struct image *image, const tia_rgb565 *pixels)
 {
     struct png_state *state = image->state;
     image_expand(image->line, pixels, image->width);
-    if (setjmp(png_jmpbuf(state->png)) != 0) {
+    if (setjmp(png_jmpbuf(state->png)) != 0)
         return TIA_ERR_DEVICE;
-    }
     png_write_row(state->png, image->line);
     return TIA_OK;
 }
@@ -86,9 +82,8 @@ static int row(struct image *image, const tia_rgb565 *pixels)
 static int end(struct image *image)
 {
     struct png_state *state = image->state;
-    if (setjmp(png_jmpbuf(state->png)) != 0) {
+    if (setjmp(png_jmpbuf(state->png)) != 0)
         return TIA_ERR_DEVICE;
-    }
     png_write_end(state->png, state->info);
     return TIA_OK;
 }
@@ -96,9 +91,8 @@ static int end(struct image *image)
 static void release(struct image *image)
 {
     struct png_state *state = image->state;
-    if (state != NULL && state->png != NULL) {
+    if (state && state->png)
         png_destroy_write_struct(&state->png, &state->info);
-    }
     free(state);
     image->state = NULL;
 }

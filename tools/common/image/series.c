@@ -11,7 +11,7 @@ enum { DIGITS_MOST = 9 };
 /* Finds the first %d or %0Nd; sets *length to its length, *digits to N. NULL if there is none. */
 static const char *find_pattern(const char *name, int *length, int *digits)
 {
-    for (const char *at = strchr(name, '%'); at != NULL; at = strchr(at + 1, '%')) {
+    for (const char *at = strchr(name, '%'); at; at = strchr(at + 1, '%')) {
         bool padded = at[1] == '0' && at[2] >= '1' && at[2] <= '0' + DIGITS_MOST;
         if (at[padded ? 3 : 1] == 'd') {
             *length = padded ? 4 : 2;
@@ -25,7 +25,7 @@ static const char *find_pattern(const char *name, int *length, int *digits)
 bool series_is_pattern(const char *name)
 {
     int length, digits;
-    return find_pattern(name, &length, &digits) != NULL;
+    return find_pattern(name, &length, &digits);
 }
 
 char *series_path(const char *name, uint32_t frame)
@@ -33,12 +33,10 @@ char *series_path(const char *name, uint32_t frame)
     int length, digits;
     const char *pattern = find_pattern(name, &length, &digits);
     char *path = NULL;
-    if (pattern == NULL) {
+    if (!pattern)
         return strdup(name);
-    }
-    if (asprintf(&path, "%.*s%0*u%s", (int)(pattern - name), name, digits, (unsigned)frame, pattern + length) < 0) {
+    if (asprintf(&path, "%.*s%0*u%s", (int)(pattern - name), name, digits, (unsigned)frame, pattern + length) < 0)
         return NULL;
-    }
     return path;
 }
 
@@ -46,30 +44,27 @@ static int begin_picture(struct series *series, uint32_t frame)
 {
     free(series->path);
     series->path = series_path(series->name, frame);
-    if (series->path == NULL) {
+    if (!series->path) {
         (void)snprintf(series->why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
     series->image = image_create(series->path, series->format, series->film.width, series->film.height, series->why);
-    return series->image != NULL ? TIA_OK : TIA_ERR_DEVICE;
+    return series->image ? TIA_OK : TIA_ERR_DEVICE;
 }
 
 int series_begin(struct series *series, uint32_t frame)
 {
-    if (!image_format_films(series->format)) {
+    if (!image_format_films(series->format))
         return begin_picture(series, frame);
-    }
-    if (series->image == NULL) {
+    if (!series->image)
         series->image = image_create_film(series->name, series->format, &series->film, series->why);
-    }
-    return series->image != NULL ? TIA_OK : TIA_ERR_DEVICE;
+    return series->image ? TIA_OK : TIA_ERR_DEVICE;
 }
 
 int series_end(struct series *series)
 {
-    if (image_format_films(series->format)) {
+    if (image_format_films(series->format))
         return TIA_OK;
-    }
     struct image *image = series->image;
     series->image = NULL;
     return image_finish(image);
@@ -78,7 +73,7 @@ int series_end(struct series *series)
 int series_finish(struct series *series)
 {
     int status = TIA_OK;
-    if (series->image != NULL) {
+    if (series->image) {
         status = image_finish(series->image);
         series->image = NULL;
     }
@@ -88,9 +83,8 @@ int series_finish(struct series *series)
 
 void series_discard(struct series *series)
 {
-    if (series->image != NULL) {
+    if (series->image)
         image_discard(series->image);
-    }
     free(series->path);
     series->image = NULL;
     series->path = NULL;

@@ -17,5 +17,5 @@ int image_room(struct image_texels *texels, uint64_t width, uint64_t height, uns
     texels->height = (unsigned)height;
     texels->rgb = malloc((size_t)(width * height * 3));
     *why = "memory: exhausted";
-    return texels->rgb != NULL ? TIA_OK : TIA_ERR_MEMORY;
+    return texels->rgb ? TIA_OK : TIA_ERR_MEMORY;
 }

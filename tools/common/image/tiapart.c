@@ -19,9 +19,8 @@ static int row(struct image *image, const tia_rgb565 *pixels)
     unsigned char sum[IMAGE_PART_SUM];
     size_t bytes = image_put565(image->line, pixels, image->width);
     int status = sink_write(&image->sink, image->line, bytes);
-    if (!image_part_add(image, pixels) || status != TIA_OK) {
+    if (!image_part_add(image, pixels) || status)
         return status;
-    }
     image_part_put_sum(sum, image->sum);
     return sink_write(&image->sink, sum, sizeof sum);
 }

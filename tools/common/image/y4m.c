@@ -17,7 +17,7 @@ static int begin(struct image *image)
 {
     char header[IMAGE_PART_HEADER];
     image->state = malloc((size_t)image->width * image->height * 3);
-    if (image->state == NULL) {
+    if (!image->state) {
         (void)snprintf(image->sink.why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
@@ -49,12 +49,11 @@ static int row(struct image *image, const tia_rgb565 *pixels)
         at[plane] = (unsigned char)(colour >> 8 & 255);
         at[2 * plane] = (unsigned char)(colour & 255);
     }
-    if (!image_part_add(image, pixels)) {
+    if (!image_part_add(image, pixels))
         return TIA_OK;
-    }
     image_y4m_put_frame(line, image->sum);
     int status = sink_write(&image->sink, line, sizeof line);
-    return status == TIA_OK ? sink_write(&image->sink, image->state, 3 * plane) : status;
+    return !status ? sink_write(&image->sink, image->state, 3 * plane) : status;
 }
 
 static int end(struct image *image)

@@ -22,7 +22,7 @@ struct scene_part {
 char *part_path(const struct scene_file *file, const char *name)
 {
     const char *slash = strrchr(file->path, '/');
-    int folder = slash != NULL && name[0] != '/' ? (int)(slash + 1 - file->path) : 0;
+    int folder = slash && name[0] != '/' ? (int)(slash + 1 - file->path) : 0;
     char *path;
     return asprintf(&path, "%.*s%s", folder, file->path, name) >= 0 ? path : NULL;
 }
@@ -30,9 +30,8 @@ char *part_path(const struct scene_file *file, const char *name)
 static struct scene_part *find(const struct scene_file *file, const char *name, enum part_kind kind)
 {
     struct scene_part *part = file->parts;
-    while (part != NULL && (part->kind != kind || strcmp(part->name, name) != 0)) {
+    while (part && (part->kind != kind || strcmp(part->name, name) != 0))
         part = part->next;
-    }
     return part;
 }
 
@@ -60,11 +59,10 @@ static int read_path(const struct scene_file *file, struct scene_part *part, siz
 {
     char *path = part_path(file, part->name);
     *why = "memory: exhausted";
-    int status = path != NULL ? whole_read(&part->text, path, most, why) : TIA_ERR_MEMORY;
-    if (status == TIA_ERR_DEVICE && strchr(path, '\\') != NULL) {
-        for (char *at = path; (at = strchr(at, '\\')) != NULL;) {
+    int status = path ? whole_read(&part->text, path, most, why) : TIA_ERR_MEMORY;
+    if (status == TIA_ERR_DEVICE && strchr(path, '\\')) {
+        for (char *at = path; (at = strchr(at, '\\')) != NULL;)
             *at = '/';
-        }
         status = whole_read(&part->text, path, most, why);
     }
     free(path);
@@ -75,12 +73,10 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
 {
     size_t left = SCENE_NAMED_MOST - file->named_bytes;
     int status = read_path(file, part, left, why);
-    if (status == TIA_OK) {
+    if (!status)
         file->crc = checksum_bytes(file->crc, part->text.bytes, part->text.length);
-    }
-    if (status == TIA_OK && part->kind != PART_LIBRARY) {
+    if (!status && part->kind != PART_LIBRARY)
         status = decode(part, left, why);
-    }
     file->named_bytes += part->text.length + (size_t)part->texels.width * part->texels.height * 3;
     return status;
 }
@@ -90,18 +86,17 @@ static int fetch(struct scene_file *file, const char *name, enum part_kind kind,
                  const char **why)
 {
     struct scene_part *part = *found = find(file, name, kind);
-    if (part != NULL) {
+    if (part)
         return TIA_OK;
-    }
     part = calloc(1, sizeof *part + strlen(name) + 1);
-    if (part == NULL) {
+    if (!part) {
         *why = "memory: exhausted";
         return TIA_ERR_MEMORY;
     }
     strcpy(part->name, name);
     part->kind = kind;
     int status = load(file, part, why);
-    if (status != TIA_OK) {
+    if (status) {
         release(part);
         return status;
     }
@@ -114,7 +109,7 @@ int part_library(void *ctx, const char *name, const char **text, size_t *length,
 {
     struct scene_part *part;
     int status = fetch(ctx, name, PART_LIBRARY, &part, why);
-    if (status == TIA_OK) {
+    if (!status) {
         *text = part->text.bytes;
         *length = part->text.length;
     }
@@ -125,7 +120,7 @@ int part_image(void *ctx, const char *name, struct tia_texture *texture, const c
 {
     struct scene_part *part;
     int status = fetch(ctx, name, PART_IMAGE, &part, why);
-    if (status == TIA_OK) {
+    if (!status) {
         texture->width = (uint16_t)part->texels.width;
         texture->height = (uint16_t)part->texels.height;
         texture->texels = part->texels.rgb;
@@ -137,15 +132,14 @@ int part_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
 {
     struct scene_part *part;
     int status = fetch(ctx, name, PART_OPACITY, &part, why);
-    if (status == TIA_OK) {
+    if (!status)
         *mean = part->opacity;
-    }
     return status;
 }
 
 void part_free_all(struct scene_file *file)
 {
-    while (file->parts != NULL) {
+    while (file->parts) {
         struct scene_part *part = file->parts;
         file->parts = part->next;
         release(part);

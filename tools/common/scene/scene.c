@@ -18,18 +18,16 @@ static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] =
 
 int scene_format_called(const char *name)
 {
-    for (int format = TIA_FORMAT_TIA; format <= TIA_FORMAT_OBJ; format++) {
-        if (strcasecmp(name, names[format]) == 0) {
+    for (int format = TIA_FORMAT_TIA; format <= TIA_FORMAT_OBJ; format++)
+        if (strcasecmp(name, names[format]) == 0)
             return format;
-        }
-    }
     return SCENE_UNKNOWN;
 }
 
 int scene_format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    return dot != NULL ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
+    return dot ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
 }
 
 static const char *shown(const struct scene_file *file)
@@ -48,14 +46,12 @@ static int read_text(struct scene_file *file, struct whole *text)
     const char *why;
     int status = strcmp(file->path, "-") == 0 ? whole_read_from(text, STDIN_FILENO, SCENE_TEXT_MOST, &why)
                                               : whole_read(text, file->path, SCENE_TEXT_MOST, &why);
-    if (status == TIA_ERR_MEMORY) {
+    if (status == TIA_ERR_MEMORY)
         return exhausted(file);
-    }
-    if (status == TIA_ERR_RANGE) {
+    if (status == TIA_ERR_RANGE)
         (void)snprintf(file->why, SCENE_WHY, "%.300s: larger than %zu MiB", shown(file), SCENE_TEXT_MOST >> 20);
-    } else if (status != TIA_OK) {
+    else if (status)
         (void)snprintf(file->why, SCENE_WHY, "%.300s: %s", shown(file), why);
-    }
     return status;
 }
 
@@ -64,13 +60,11 @@ static size_t format_place(const struct scene_file *file, const struct tia_read_
                            char line[SCENE_WHY])
 {
     char *named = error->file[0] != '\0' ? part_path(file, error->file) : NULL;
-    int used = snprintf(line, SCENE_WHY, "%.300s:", named != NULL ? named : shown(file));
-    if (error->line != 0) {
+    int used = snprintf(line, SCENE_WHY, "%.300s:", named ? named : shown(file));
+    if (error->line != 0)
         used += snprintf(line + used, SCENE_WHY - (size_t)used, "%u:", error->line);
-    }
-    if (error->line != 0 && column) {
+    if (error->line != 0 && column)
         used += snprintf(line + used, SCENE_WHY - (size_t)used, "%u:", error->column);
-    }
     free(named);
     return (size_t)used;
 }
@@ -86,9 +80,8 @@ static void format_warning(const struct scene_file *file, const struct tia_read_
 {
     size_t used = format_place(file, &warning->at, false, line);
     used += (size_t)snprintf(line + used, SCENE_WHY - used, " %s", warning->at.text);
-    if (warning->count > 1) {
+    if (warning->count > 1)
         (void)snprintf(line + used, SCENE_WHY - used, " (%u more)", warning->count - 1);
-    }
 }
 
 bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY])
@@ -101,9 +94,8 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
         }
     }
     /* A light may also be put by a key. */
-    if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0) {
+    if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0)
         return false;
-    }
     (void)snprintf(line, SCENE_WHY, "%.300s: no light: only what shines by itself is seen", shown(file));
     return true;
 }
@@ -125,23 +117,20 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
     for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
         free(file->memory);
         file->memory = malloc(size);
-        if (file->memory == NULL) {
+        if (!file->memory)
             return exhausted(file);
-        }
         status = tia_read(&reader, &file->scene, file->memory, size, &need);
         size = need > size ? need : size * 2;
     }
-    return status == TIA_ERR_MEMORY ? exhausted(file) : status != TIA_OK ? set_error(file, &reader.error) : TIA_OK;
+    return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
 static int build_boxes(struct scene_file *file)
 {
     size_t size = tia_bvh_size(&file->scene);
     file->boxes = size <= MEMORY_MOST ? malloc(size > 0 ? size : 1) : NULL;
-    if (file->boxes == NULL ||
-        tia_bvh_build(&file->scene.bvh, file->boxes, size, NULL, &file->scene) == TIA_ERR_MEMORY) {
+    if (!file->boxes || tia_bvh_build(&file->scene.bvh, file->boxes, size, NULL, &file->scene) == TIA_ERR_MEMORY)
         return exhausted(file);
-    }
     return TIA_OK;
 }
 
@@ -150,18 +139,15 @@ int scene_open(struct scene_file *file, const char *path, int format, bool stric
     struct whole text;
     *file = (struct scene_file){.path = path};
     int status = read_text(file, &text);
-    if (status != TIA_OK) {
+    if (status)
         return status;
-    }
     file->crc = checksum_bytes(0, text.bytes, text.length);
     status = read_scene(file, &text, format, strict);
     free(text.bytes);
-    if (status == TIA_OK) {
+    if (!status)
         status = build_boxes(file);
-    }
-    if (status != TIA_OK) {
+    if (status)
         scene_close(file);
-    }
     return status;
 }
 

@@ -16,16 +16,15 @@ static int failed(const char **why, int error)
 /* Makes room for at least one more byte. */
 static bool grow(struct whole *whole, size_t *room)
 {
-    if (whole->length < *room) {
+    if (whole->length < *room)
         return true;
-    }
     size_t more = *room * 2;
     char *bytes = realloc(whole->bytes, more);
-    if (bytes != NULL) {
+    if (bytes) {
         whole->bytes = bytes;
         *room = more;
     }
-    return bytes != NULL;
+    return bytes;
 }
 
 static int read_all(struct whole *whole, int fd, size_t room, size_t most, const char **why)
@@ -33,17 +32,15 @@ static int read_all(struct whole *whole, int fd, size_t room, size_t most, const
     whole->length = 0;
     whole->bytes = malloc(room);
     for (ssize_t got = 1; got > 0; whole->length += got > 0 ? (size_t)got : 0) {
-        if (whole->bytes == NULL || !grow(whole, &room)) {
+        if (!whole->bytes || !grow(whole, &room))
             return failed(why, ENOMEM);
-        }
         if (whole->length > most) {
             *why = "too large";
             return TIA_ERR_RANGE;
         }
         got = read(fd, whole->bytes + whole->length, room - whole->length);
-        if (got < 0) {
+        if (got < 0)
             return failed(why, errno);
-        }
     }
     return TIA_OK;
 }
@@ -52,7 +49,7 @@ static int read_sized(struct whole *whole, int fd, size_t size, size_t most, con
 {
     /* One byte more than the file's size, so that read can return 0 at its end without growing the buffer. */
     int status = read_all(whole, fd, size < most ? size + 1 : most + 1, most, why);
-    if (status != TIA_OK) {
+    if (status) {
         free(whole->bytes);
         *whole = (struct whole){NULL, 0};
     }
@@ -66,9 +63,8 @@ int whole_read_from(struct whole *whole, int fd, size_t most, const char **why)
 
 static int check(const struct stat *status, size_t most, const char **why)
 {
-    if (S_ISDIR(status->st_mode)) {
+    if (S_ISDIR(status->st_mode))
         return failed(why, EISDIR);
-    }
     if (!S_ISREG(status->st_mode)) {
         *why = "not a regular file";
         return TIA_ERR_DEVICE;
@@ -86,24 +82,19 @@ int whole_read(struct whole *whole, const char *path, size_t most, const char **
 {
     struct stat status;
     *whole = (struct whole){NULL, 0};
-    if (stat(path, &status) != 0) {
+    if (stat(path, &status) != 0)
         return failed(why, errno);
-    }
     int result = check(&status, most, why);
-    if (result != TIA_OK) {
+    if (result)
         return result;
-    }
     int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (fd < 0 || fstat(fd, &status) != 0) {
+    if (fd < 0 || fstat(fd, &status) != 0)
         result = failed(why, errno);
-    } else {
+    else
         result = check(&status, most, why);
-    }
-    if (result == TIA_OK) {
+    if (!result)
         result = read_sized(whole, fd, (size_t)status.st_size, most, why);
-    }
-    if (fd >= 0) {
+    if (fd >= 0)
         (void)close(fd);
-    }
     return result;
 }
