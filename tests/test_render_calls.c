@@ -63,7 +63,7 @@ TEST(sizes)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct tia_view *view = NULL;
         CHECK_EQ(init(&view, &tia_thesis_scene, 1, sizes[i].width, sizes[i].height), sizes[i].status);
-        CHECK_EQ(view, !sizes[i].status);
+        CHECK_EQ(view != NULL, !sizes[i].status);
     }
 }
 
