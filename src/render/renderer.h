@@ -4,8 +4,8 @@
  * the view's memory, behind view->prepared, and what it keeps of each pixel in the hit buffer, behind hits->buffer;
  * both are its own to lay out. Nothing outside a renderer asks which one it is.
  */
-#ifndef TIA_RENDERER_H
-#define TIA_RENDERER_H
+#ifndef TIA_RENDER_RENDERER_H
+#define TIA_RENDER_RENDERER_H
 
 #include "num/num.h"
 

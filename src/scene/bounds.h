@@ -1,6 +1,6 @@
 /* bounds.h - boxes around objects, as the check and the builder of hierarchies need them. */
-#ifndef TIA_SRC_BOUNDS_H
-#define TIA_SRC_BOUNDS_H
+#ifndef TIA_SCENE_BOUNDS_H
+#define TIA_SCENE_BOUNDS_H
 
 #include "hull.h"
 

@@ -1,6 +1,6 @@
 /* hull.h - boxes, and how they grow around what a shape is made of. */
-#ifndef TIA_SRC_HULL_H
-#define TIA_SRC_HULL_H
+#ifndef TIA_SCENE_HULL_H
+#define TIA_SCENE_HULL_H
 
 #include <tia/bvh.h>
 

@@ -1,6 +1,6 @@
 /* obj.h - what the reader of .obj knows between its statements; see obj.c. */
-#ifndef TIA_SRC_READ_OBJ_H
-#define TIA_SRC_READ_OBJ_H
+#ifndef TIA_READ_OBJ_OBJ_H
+#define TIA_READ_OBJ_OBJ_H
 
 #include "read/polygon.h"
 #include "read/readers.h"

@@ -1,6 +1,6 @@
 /* box.h - rays and boxes, for all that is made of boxes. */
-#ifndef TIA_SHAPE_BOX_H
-#define TIA_SHAPE_BOX_H
+#ifndef TIA_RENDER_GEOMETRY_BOX_H
+#define TIA_RENDER_GEOMETRY_BOX_H
 
 #include "shape.h"
 

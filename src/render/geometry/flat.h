@@ -1,6 +1,6 @@
 /* flat.h - what planes and discs share. */
-#ifndef TIA_SHAPE_FLAT_H
-#define TIA_SHAPE_FLAT_H
+#ifndef TIA_RENDER_GEOMETRY_FLAT_H
+#define TIA_RENDER_GEOMETRY_FLAT_H
 
 #include "shape.h"
 

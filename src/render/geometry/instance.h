@@ -7,8 +7,8 @@
  * A ray is first moved along itself to the box around the shape; then what is computed there is as large as the
  * shape at most, however small the scale, and a ray that misses the box misses the shape.
  */
-#ifndef TIA_SHAPE_PLACEMENT_H
-#define TIA_SHAPE_PLACEMENT_H
+#ifndef TIA_RENDER_GEOMETRY_INSTANCE_H
+#define TIA_RENDER_GEOMETRY_INSTANCE_H
 
 #include "scene/bounds.h"
 #include "shape.h"

@@ -1,6 +1,6 @@
 /* round.h - what cylinders and cones share: everything but their names. */
-#ifndef TIA_SHAPE_ROUND_H
-#define TIA_SHAPE_ROUND_H
+#ifndef TIA_RENDER_GEOMETRY_ROUND_H
+#define TIA_RENDER_GEOMETRY_ROUND_H
 
 #include "shape.h"
 

@@ -4,8 +4,8 @@
  * functions of its kind in a table. Those know nothing of transforms: a placed shape's ray is moved into
  * the shape's axes first (instance.h).
  */
-#ifndef TIA_SHAPE_SHAPE_H
-#define TIA_SHAPE_SHAPE_H
+#ifndef TIA_RENDER_GEOMETRY_SHAPE_H
+#define TIA_RENDER_GEOMETRY_SHAPE_H
 
 #include <tia/bvh.h>
 

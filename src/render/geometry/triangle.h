@@ -1,6 +1,6 @@
 /* triangle.h - triangles and faces of meshes, as one ray meets many of them. */
-#ifndef TIA_SHAPE_TRIANGLE_H
-#define TIA_SHAPE_TRIANGLE_H
+#ifndef TIA_RENDER_GEOMETRY_TRIANGLE_H
+#define TIA_RENDER_GEOMETRY_TRIANGLE_H
 
 #include "shape.h"
 

@@ -3,8 +3,8 @@
  * A box is left out only when the ray surely misses it: with boxes a unit of 2^-16 larger than what is in
  * them and t rounded to 2^-23, what a box holds is never lost.
  */
-#ifndef TIA_RAY_WALK_H
-#define TIA_RAY_WALK_H
+#ifndef TIA_RENDER_GEOMETRY_WALK_H
+#define TIA_RENDER_GEOMETRY_WALK_H
 
 #include "shape.h"
 #include "slab.h"

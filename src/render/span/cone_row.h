@@ -9,8 +9,8 @@
  * pixels on the line are one span, and both ends are found by exact comparisons: from a guess in
  * a few steps, or by bisection.
  */
-#ifndef TIA_SLICE_H
-#define TIA_SLICE_H
+#ifndef TIA_RENDER_SPAN_CONE_ROW_H
+#define TIA_RENDER_SPAN_CONE_ROW_H
 
 #include "num/num.h"
 

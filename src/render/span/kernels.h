@@ -3,8 +3,8 @@
  * Each takes its constants, prepared once a span, and arrays with one entry a pixel. They are
  * called through a table: a version for vector units is another table, which must give the same bits.
  */
-#ifndef TIA_KERNELS_H
-#define TIA_KERNELS_H
+#ifndef TIA_RENDER_SPAN_KERNELS_H
+#define TIA_RENDER_SPAN_KERNELS_H
 
 #include "primary.h"
 

@@ -1,6 +1,6 @@
 /* light.h - prepares what one light does to a span of pixels of one sphere. */
-#ifndef TIA_SPAN_LIGHT_H
-#define TIA_SPAN_LIGHT_H
+#ifndef TIA_RENDER_SPAN_LIGHT_H
+#define TIA_RENDER_SPAN_LIGHT_H
 
 #include "kernels.h"
 #include "sphere.h"

@@ -3,8 +3,8 @@
  * Pixel (x, y) looks along v = (2x+1-width, height-2y-1, -height/tan(fov/2)), not normalised: integers
  * but for the last, which all pixels share. The exponent is chosen so that |v| < 2^30.
  */
-#ifndef TIA_LATTICE_H
-#define TIA_LATTICE_H
+#ifndef TIA_RENDER_SPAN_PRIMARY_H
+#define TIA_RENDER_SPAN_PRIMARY_H
 
 #include "num/num.h"
 

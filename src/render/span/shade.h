@@ -1,6 +1,6 @@
 /* shade.h - a span of pixels that see one sphere, through the kernels: light by light, shadow by shadow. */
-#ifndef TIA_SPAN_SHADE_H
-#define TIA_SPAN_SHADE_H
+#ifndef TIA_RENDER_SPAN_SHADE_H
+#define TIA_RENDER_SPAN_SHADE_H
 
 #include "span.h"
 

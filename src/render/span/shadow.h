@@ -1,6 +1,6 @@
 /* shadow.h - prepares the test of one sphere between a light and a span of pixels. */
-#ifndef TIA_SPAN_SHADOW_H
-#define TIA_SPAN_SHADOW_H
+#ifndef TIA_RENDER_SPAN_SHADOW_H
+#define TIA_RENDER_SPAN_SHADOW_H
 
 #include "light.h"
 

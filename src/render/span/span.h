@@ -1,6 +1,6 @@
 /* span.h - spheres seen from one eye, a row at a time: what the parts of span_renderer share. */
-#ifndef TIA_SPAN_H
-#define TIA_SPAN_H
+#ifndef TIA_RENDER_SPAN_SPAN_H
+#define TIA_RENDER_SPAN_SPAN_H
 
 #include "kernels.h"
 #include "render/renderer.h"

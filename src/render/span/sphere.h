@@ -7,8 +7,8 @@
  * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from
  * inside it is the farther one, (b + sqrt(b^2 - c v.v)) / v.v.
  */
-#ifndef TIA_BODY_H
-#define TIA_BODY_H
+#ifndef TIA_RENDER_SPAN_SPHERE_H
+#define TIA_RENDER_SPAN_SPHERE_H
 
 #include "cone_row.h"
 #include "kernels.h"

@@ -1,6 +1,6 @@
 /* light.h - what a light does to a point, sample by sample, and where it is seen; see tia/light.h. */
-#ifndef TIA_RAY_LIGHT_H
-#define TIA_RAY_LIGHT_H
+#ifndef TIA_RENDER_TRACE_LIGHT_H
+#define TIA_RENDER_TRACE_LIGHT_H
 
 #include "render/geometry/shape.h"
 

@@ -1,6 +1,6 @@
 /* texture.h - a texture's colour at surface coordinates, see tia/material.h. */
-#ifndef TIA_RAY_TEXTURE_H
-#define TIA_RAY_TEXTURE_H
+#ifndef TIA_RENDER_TRACE_TEXTURE_H
+#define TIA_RENDER_TRACE_TEXTURE_H
 
 #include "num/num_ray.h"
 

@@ -1,6 +1,6 @@
 /* trace.h - a scene as general rays see it: what ray_prepare leaves behind view->prepared. */
-#ifndef TIA_RAY_SCENE_H
-#define TIA_RAY_SCENE_H
+#ifndef TIA_RENDER_TRACE_TRACE_H
+#define TIA_RENDER_TRACE_TRACE_H
 
 #include "camera.h"
 #include "light.h"

@@ -1,6 +1,6 @@
 /* media.h - which objects a ray has entered, see tia/material.h. */
-#ifndef TIA_RAY_MEDIA_H
-#define TIA_RAY_MEDIA_H
+#ifndef TIA_RENDER_WHITTED_MEDIA_H
+#define TIA_RENDER_WHITTED_MEDIA_H
 
 #include "render/trace/trace.h"
 

@@ -1,6 +1,6 @@
 /* path.h - what is kept of the rays of one pixel. */
-#ifndef TIA_RAY_PATH_H
-#define TIA_RAY_PATH_H
+#ifndef TIA_RENDER_WHITTED_PATH_H
+#define TIA_RENDER_WHITTED_PATH_H
 
 #include "render/trace/trace.h"
 

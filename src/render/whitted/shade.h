@@ -1,6 +1,6 @@
 /* shade.h - a point on a surface: the light that it sends back, and the rays that it asks for. */
-#ifndef TIA_RAY_SHADE_H
-#define TIA_RAY_SHADE_H
+#ifndef TIA_RENDER_WHITTED_SHADE_H
+#define TIA_RENDER_WHITTED_SHADE_H
 
 #include "media.h"
 #include "path.h"

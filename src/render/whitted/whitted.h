@@ -1,7 +1,7 @@
 /* whitted.h - the colour that comes along a ray, after Whitted, "An improved illumination model for shaded
  * display" (1980); the formulas are in tia/material.h. */
-#ifndef TIA_RAY_WHITTED_H
-#define TIA_RAY_WHITTED_H
+#ifndef TIA_RENDER_WHITTED_WHITTED_H
+#define TIA_RENDER_WHITTED_WHITTED_H
 
 #include "path.h"
 

@@ -1,6 +1,6 @@
 /* check.h - the parts of tia_scene_check: each gives TIA_OK, or fills in the fault. */
-#ifndef TIA_CHECK_CHECK_H
-#define TIA_CHECK_CHECK_H
+#ifndef TIA_SCENE_CHECK_CHECK_H
+#define TIA_SCENE_CHECK_CHECK_H
 
 #include "scene/hull.h"
 

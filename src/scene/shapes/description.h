@@ -2,8 +2,8 @@
  *
  * How rays meet it is in src/render/geometry.
  */
-#ifndef TIA_SHAPES_DESCRIPTION_H
-#define TIA_SHAPES_DESCRIPTION_H
+#ifndef TIA_SCENE_SHAPES_DESCRIPTION_H
+#define TIA_SCENE_SHAPES_DESCRIPTION_H
 
 #include "scene/check/check.h"
 #include "scene/hull.h"
