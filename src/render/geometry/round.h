@@ -15,7 +15,7 @@ struct round_ends {
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
 
-/* shape_kind's. */
+/* For shape_kind. */
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection);
 void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
