@@ -1,4 +1,4 @@
-/* rgb.h - colours as numbers of rays. */
+/* rgb.h - colours in the ray renderer's numbers. */
 #ifndef TIA_RENDER_TRACE_RGB_H
 #define TIA_RENDER_TRACE_RGB_H
 

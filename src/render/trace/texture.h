@@ -4,7 +4,8 @@
 
 #include "num/num_ray.h"
 
-/* Which of the colours it is: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend of texels. */
+/* Returns which of the texture's colours it is: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend of
+ * texels. */
 uint32_t ray_texture(const struct tia_texture *texture, const num_length uv[2], num_length rgb[3]);
 
 #endif

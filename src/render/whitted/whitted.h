@@ -5,7 +5,7 @@
 
 #include "path.h"
 
-/* The colour along `ray`, which meets `hit`, a light perhaps; not clamped. */
+/* The colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
 void path_colour(struct path *path, const struct ray *ray, const struct hit *hit, num_length colour[3]);
 
 #endif
