@@ -1,4 +1,4 @@
-/* box.h - where rays meet boxes, for boxes and the cells of grids. */
+/* box.h - where rays meet boxes, for boxes and grids. */
 #ifndef TIA_RENDER_GEOMETRY_BOX_H
 #define TIA_RENDER_GEOMETRY_BOX_H
 
