@@ -69,7 +69,7 @@ void tia_mtl_add_default(struct obj *o)
 
 /* ---- statements ---- */
 
-/* The name may be missing: some programs write it so, and use it so. */
+/* The name may be missing: some programs write such materials, and use them. */
 static int read_newmtl(struct mtl *m)
 {
     struct tia_name name = {.kind = OBJ_MATERIAL, .index = m->obj->materials.count};
