@@ -1,6 +1,6 @@
 /* atan2.h - the angle of a vector. */
-#ifndef TIA_SRC_ATAN2_H
-#define TIA_SRC_ATAN2_H
+#ifndef TIA_MATH_ATAN2_H
+#define TIA_MATH_ATAN2_H
 
 #include "integer.h"
 

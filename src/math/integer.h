@@ -7,8 +7,8 @@
  * The error bounds stated here are proved (tests/proofs, make prove), tried on every 32-bit argument (make
  * check-exhaustive), and sampled by every make check.
  */
-#ifndef TIA_SRC_MATH_H
-#define TIA_SRC_MATH_H
+#ifndef TIA_MATH_INTEGER_H
+#define TIA_MATH_INTEGER_H
 
 #include <stdint.h>
 #include <tia/vec.h>

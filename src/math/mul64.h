@@ -1,7 +1,7 @@
 /* mul64.h - products of 32 x 32 bits in 64 bits. A processor whose multiplier gives only 32 bits can have its own
  * version of this file: define TIA_MUL64 as its name. */
-#ifndef TIA_SRC_MUL64_H
-#define TIA_SRC_MUL64_H
+#ifndef TIA_MATH_MUL64_H
+#define TIA_MATH_MUL64_H
 
 #include <stdint.h>
 

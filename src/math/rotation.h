@@ -1,6 +1,6 @@
 /* rotation.h - rotations in integers, the same for every arithmetic. */
-#ifndef TIA_SRC_ROTATION_H
-#define TIA_SRC_ROTATION_H
+#ifndef TIA_MATH_ROTATION_H
+#define TIA_MATH_ROTATION_H
 
 #include <tia/vec.h>
 

@@ -1,6 +1,6 @@
 /* trig.h - sine, cosine and cotangent in integers. */
-#ifndef TIA_SRC_TRIG_H
-#define TIA_SRC_TRIG_H
+#ifndef TIA_MATH_TRIG_H
+#define TIA_MATH_TRIG_H
 
 #include <stdint.h>
 #include <tia/camera.h>

@@ -4,8 +4,8 @@
  * and a sum of products is rounded once. Compilers without 128-bit integers use two halves; the results are the
  * same to the bit.
  */
-#ifndef TIA_WIDE_H
-#define TIA_WIDE_H
+#ifndef TIA_MATH_WIDE_H
+#define TIA_MATH_WIDE_H
 
 #include "integer.h"
 

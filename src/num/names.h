@@ -3,8 +3,8 @@
  * Public functions keep their names in q16 and get the prefix tia_f64_ etc. in the other builds.
  * Internal functions get a prefix in every build: every extern function below src/render is listed here.
  */
-#ifndef TIA_NAMES_H
-#define TIA_NAMES_H
+#ifndef TIA_NUM_NAMES_H
+#define TIA_NUM_NAMES_H
 
 #define NAMES_JOIN2(prefix, name) prefix##name
 #define NAMES_JOIN(prefix, name) NAMES_JOIN2(prefix, name)

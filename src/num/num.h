@@ -25,8 +25,8 @@
  *   num_quotient(a, b, s)  a/b * 2^(63 - s), see there
  *   num_normal(x)          x normalised, and 1/sqrt(x)
  */
-#ifndef TIA_NUM_H
-#define TIA_NUM_H
+#ifndef TIA_NUM_NUM_H
+#define TIA_NUM_NUM_H
 
 #if defined TIA_NUM_F64
 #include "num_f64.h"

@@ -3,8 +3,8 @@
  *
  * The program that links this build defines tia_chk_report. Sums and differences use C's operators; for them
  * the Makefile turns on the compiler's own overflow checks. */
-#ifndef TIA_NUM_CHK_H
-#define TIA_NUM_CHK_H
+#ifndef TIA_NUM_NUM_CHK_H
+#define TIA_NUM_NUM_CHK_H
 
 #define NUM_NAME "chk"
 #define NUM_PREFIX tia_chk_

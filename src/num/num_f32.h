@@ -1,6 +1,6 @@
 /* num_f32.h - single precision, for comparing the integers' speed and error with the usual choice. */
-#ifndef TIA_NUM_F32_H
-#define TIA_NUM_F32_H
+#ifndef TIA_NUM_NUM_F32_H
+#define TIA_NUM_NUM_F32_H
 
 typedef float num_real;
 

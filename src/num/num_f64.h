@@ -1,6 +1,6 @@
 /* num_f64.h - double precision: the reference for the integers' error. */
-#ifndef TIA_NUM_F64_H
-#define TIA_NUM_F64_H
+#ifndef TIA_NUM_NUM_F64_H
+#define TIA_NUM_NUM_F64_H
 
 typedef double num_real;
 

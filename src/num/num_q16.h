@@ -1,6 +1,6 @@
 /* num_q16.h - integers: Q16.16 coordinates, 31-bit mantissas, 64-bit products. */
-#ifndef TIA_NUM_Q16_H
-#define TIA_NUM_Q16_H
+#ifndef TIA_NUM_NUM_Q16_H
+#define TIA_NUM_NUM_Q16_H
 
 #ifndef NUM_NAME
 #define NUM_NAME "q16"

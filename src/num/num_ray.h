@@ -31,8 +31,8 @@
  *                                num_unscaled multiply and divide by the length, clamped to NUM_LENGTH_MAX
  *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise
  */
-#ifndef TIA_NUM_RAY_H
-#define TIA_NUM_RAY_H
+#ifndef TIA_NUM_NUM_RAY_H
+#define TIA_NUM_NUM_RAY_H
 
 #include "num.h"
 

@@ -1,6 +1,6 @@
 /* num_ray_chk.h - notes file and line for the checks of num_ray_q16.h, see num_chk.h. */
-#ifndef TIA_NUM_RAY_CHK_H
-#define TIA_NUM_RAY_CHK_H
+#ifndef TIA_NUM_NUM_RAY_CHK_H
+#define TIA_NUM_NUM_RAY_CHK_H
 
 #define num_integer(n) (NUM_AT, num_integer(n))
 #define num_product(a, b) (NUM_AT, num_product(a, b))

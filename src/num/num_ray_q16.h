@@ -1,6 +1,6 @@
 /* num_ray_q16.h - num_ray.h's operations in 64-bit integers: Q18.45 and Q1.62. */
-#ifndef TIA_NUM_RAY_Q16_H
-#define TIA_NUM_RAY_Q16_H
+#ifndef TIA_NUM_NUM_RAY_Q16_H
+#define TIA_NUM_NUM_RAY_Q16_H
 
 #include "math/atan2.h"
 #include "math/wide.h"

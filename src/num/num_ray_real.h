@@ -1,6 +1,6 @@
 /* num_ray_real.h - num_ray.h's operations in floating point. */
-#ifndef TIA_NUM_RAY_REAL_H
-#define TIA_NUM_RAY_REAL_H
+#ifndef TIA_NUM_NUM_RAY_REAL_H
+#define TIA_NUM_NUM_RAY_REAL_H
 
 typedef num_real num_length;
 typedef num_real num_unit;

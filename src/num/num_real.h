@@ -1,7 +1,7 @@
 /* num_real.h - num.h's operations in the floating-point type `num_real`, for num_f64.h and num_f32.h. A mantissa
  * is the value itself here; exponents are ignored, and shifts do nothing. */
-#ifndef TIA_NUM_REAL_H
-#define TIA_NUM_REAL_H
+#ifndef TIA_NUM_NUM_REAL_H
+#define TIA_NUM_NUM_REAL_H
 
 #define NUM_RENAME
 

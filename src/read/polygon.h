@@ -1,6 +1,6 @@
 /* polygon.h - a polygon in space, convex or not, as triangles. */
-#ifndef TIA_SRC_READ_POLYGON_H
-#define TIA_SRC_READ_POLYGON_H
+#ifndef TIA_READ_POLYGON_H
+#define TIA_READ_POLYGON_H
 
 #include <tia/vec.h>
 

@@ -8,8 +8,8 @@
  * library that is named a thousand times must not be read a thousand times, and a .tia file is included 64 times at
  * most.
  */
-#ifndef TIA_SRC_READ_READERS_H
-#define TIA_SRC_READ_READERS_H
+#ifndef TIA_READ_READERS_H
+#define TIA_READ_READERS_H
 
 #include "read/text/arena.h"
 #include "read/text/text.h"

@@ -1,6 +1,6 @@
 /* surface.h - material values shared by the readers of NFF and OBJ. */
-#ifndef TIA_SRC_READ_SURFACE_H
-#define TIA_SRC_READ_SURFACE_H
+#ifndef TIA_READ_SURFACE_H
+#define TIA_READ_SURFACE_H
 
 #include "read/text/text.h"
 

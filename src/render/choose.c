@@ -1,4 +1,4 @@
-/* choose.c - the renderers, the fastest first. */
+/* choose.c - the fastest renderer that can draw a scene. */
 #include "renderer.h"
 
 const struct renderer *renderer_for(const struct tia_scene *scene)

@@ -1,6 +1,6 @@
 /* dither.h - quantising: rounding offsets, plain or dithered. */
-#ifndef TIA_RGB565_H
-#define TIA_RGB565_H
+#ifndef TIA_RENDER_DITHER_H
+#define TIA_RENDER_DITHER_H
 
 #include "num/num.h"
 

@@ -1,16 +1,16 @@
-/* renderer.h - a way from a scene to pixels, as a row of functions.
+/* renderer.h - a renderer, from scene to pixels, as a table of functions.
  *
- * A view takes the first renderer of choose.c that can draw its scene and keeps it. What a renderer prepares lies in
- * the view's memory, behind view->prepared, and what it keeps of each pixel in the hit buffer, behind hits->buffer;
- * both are its own to lay out. Nothing outside a renderer asks which one it is.
+ * A view takes the fastest renderer that can draw its scene, see choose.c, and keeps it. What a renderer prepares lies
+ * in the view's memory, behind view->prepared, and what it keeps of each pixel in the hit buffer, behind hits->buffer;
+ * it lays out both as it likes. Nothing outside a renderer asks which one it is.
  */
-#ifndef TIA_RENDERER_H
-#define TIA_RENDERER_H
+#ifndef TIA_RENDER_RENDERER_H
+#define TIA_RENDER_RENDERER_H
 
 #include "num/num.h"
 
 struct renderer {
-    /* Whether it can draw the scene; later lights are asked about alone, in a scene without anything else. */
+    /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Bytes behind view->prepared, SIZE_MAX when there are too many; then fills them in for the view's scene and
@@ -52,7 +52,7 @@ struct tia_hits {
     void *buffer;     /* the renderer's */
 };
 
-/* Where a tile ends; tia_trace has seen to it that it is inside the image. */
+/* Where a tile ends; tia_trace has checked that it is inside the image. */
 static inline int tile_right(struct tia_tile tile)
 {
     return (int)tile.x + (int)tile.width;
@@ -74,7 +74,7 @@ extern const struct renderer span_renderer;
 /* Rays, after Whitted: any scene. no_rays.c has one that prepares nothing, for boards without the room. */
 extern const struct renderer whitted_renderer;
 
-/* The renderer that draws the scene: the scene alone decides. */
+/* The renderer for a scene; it depends on nothing but the scene. */
 const struct renderer *renderer_for(const struct tia_scene *scene);
 
 #endif

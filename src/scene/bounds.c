@@ -61,7 +61,7 @@ void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shap
     }
 }
 
-/* x as Q16.16, if need be cut off. */
+/* x as Q16.16, clamped if it does not fit. */
 static tia_q16 cut(int64_t x, bool *fits)
 {
     if (x < INT32_MIN || x > INT32_MAX)

@@ -1,6 +1,6 @@
 /* colour.h - tests of colours. */
-#ifndef TIA_SRC_COLOUR_H
-#define TIA_SRC_COLOUR_H
+#ifndef TIA_SCENE_COLOUR_H
+#define TIA_SCENE_COLOUR_H
 
 #include <tia/vec.h>
 

@@ -1,4 +1,4 @@
-/* hull.c - boxes around shapes, as large as they must be.
+/* hull.c - tight boxes around shapes.
  *
  * A shape's point p lies in the world at position + R S p, S being the scale. Along the world's axis k the
  * part R S p is w.p with the row w of R S; so what a shape reaches along k is what it reaches along w in its
@@ -59,7 +59,7 @@ static uint64_t size_of(int64_t x)
     return (uint64_t)(x < 0 ? -x : x);
 }
 
-/* |v|, at most 2^-30 of it away: from above, or from below. v's components are below 2^62. */
+/* |v| with an error of at most 2^-30 of it, rounded up or down. v's components are below 2^62. */
 static struct length measure(const int64_t v[3], bool up)
 {
     uint64_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]), square = 0;
@@ -110,7 +110,7 @@ void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
     }
 }
 
-/* The corner that lies farthest either way. */
+/* Along each axis, the corners that lie farthest either way. */
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 {
     if (b->max.x < b->min.x)
@@ -143,7 +143,7 @@ void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius
     }
 }
 
-/* Discs at both ends of an axis, which is shifted up to 33 bits. */
+/* The axis is shifted up to 33 bits, to lose little in tia_hull_add_disc. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
                        tia_q16 top_radius)
 {

@@ -1,15 +1,15 @@
 /* hull.h - boxes, and how they grow around what a shape is made of. */
-#ifndef TIA_SRC_HULL_H
-#define TIA_SRC_HULL_H
+#ifndef TIA_SCENE_HULL_H
+#define TIA_SCENE_HULL_H
 
 #include <tia/bvh.h>
 
-/* In the world, Q47.16: where an object is may be beyond Q16.16. */
+/* In the world, Q47.16: a transform may move an object out of the range of Q16.16. */
 struct bounds_wide {
     int64_t min[3], max[3];
 };
 
-/* Around all that is in it: nothing. */
+/* An empty box, to which things are added. */
 #define BOUNDS_NOTHING                                                                                                 \
     (struct tia_bounds)                                                                                                \
     {                                                                                                                  \
@@ -42,8 +42,8 @@ void tia_frame_prepare(struct frame *frame, const struct tia_transform *transfor
 
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);
 void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius);
-void tia_hull_add_box(struct hull *hull, const struct tia_bounds *box); /* which may be nothing */
-/* The normal is of any length, its components at most 33 bits. */
+void tia_hull_add_box(struct hull *hull, const struct tia_bounds *box); /* which may be empty */
+/* The normal may have any length, its components up to 33 bits. */
 void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3]);
 /* Discs at both ends of an axis. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,

@@ -5,8 +5,8 @@
  * products are signed as well (at least -2^31) and are shifted down with their sign. That takes 17
  * instructions; the compiler instead calls a 64 x 64 bit product of some 40.
  */
-#ifndef TIA_SRC_MUL64_H
-#define TIA_SRC_MUL64_H
+#ifndef TIA_MATH_MUL64_H
+#define TIA_MATH_MUL64_H
 
 #include <stdint.h>
 

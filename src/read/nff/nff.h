@@ -1,6 +1,6 @@
 /* nff.h - the state of the .nff reader; see nff.c. */
-#ifndef TIA_SRC_READ_NFF_H
-#define TIA_SRC_READ_NFF_H
+#ifndef TIA_READ_NFF_NFF_H
+#define TIA_READ_NFF_NFF_H
 
 #include "read/polygon.h"
 #include "read/readers.h"

@@ -14,7 +14,7 @@ static int64_t take_index(const char **p, const char *end)
     return negative ? -index : index;
 }
 
-/* V, V/VT, V//VN or V/VT/VN; a part that is not there is 0. False: it is none of these. */
+/* V, V/VT, V//VN or V/VT/VN; a missing part is 0. False: none of these forms. */
 static bool split(const struct tia_word *word, int64_t index[PARTS])
 {
     const char *p = word->at, *end = word->at + word->length;
@@ -47,7 +47,7 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
         tia_say(o->text.error, "one before this line");
     }
     if (!o->vertices.count)
-        return TIA_ERR_RANGE; /* this is no model */
+        return TIA_ERR_RANGE; /* a face before any vertex: this is no model */
     return tia_obj_forgive(o, part == PART_VERTEX ? TIA_WARN_FACE : TIA_WARN_CORNER);
 }
 
@@ -81,7 +81,7 @@ static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *
     return TIA_OK;
 }
 
-/* Adds it to the face, which has the parts that all its corners have. */
+/* Adds a corner to the face, which keeps the parts that all its corners have. */
 static int add_corner(struct obj *o, struct obj_face *face, const struct tia_corner *corner,
                       const struct tia_word *word)
 {
@@ -146,7 +146,7 @@ static bool are_normals(const struct obj *o, uint32_t count)
     return true;
 }
 
-/* The corners of this line; those of a face are stored in the last pass. */
+/* Reads the corners of this line; only the last pass stores them. */
 static int read_corners(struct obj *o, struct obj_face *face)
 {
     struct tia_corner corner = {TIA_NO_INDEX, TIA_NO_INDEX, TIA_NO_INDEX};
@@ -167,7 +167,7 @@ static int read_corners(struct obj *o, struct obj_face *face)
     return tia_obj_forgive(o, TIA_WARN_FACE);
 }
 
-/* Takes from the corners what not all of them have. */
+/* Removes from the corners the parts that not all of them have. */
 static void strip_corners(struct obj *o, const struct obj_face *face)
 {
     bool normals = face->has[PART_NORMAL] && are_normals(o, face->count);
@@ -216,7 +216,7 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
-/* The mesh of a group: it sees only what lies between the first and the last vertex that it uses. */
+/* The mesh of a group: its arrays are cut down to what lies between the first and the last element it uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
     uint32_t first = g->next_face - g->face_count;
@@ -243,11 +243,11 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
     return mesh;
 }
 
-/* Where many materials are used all over the text, each mesh sees all its vertices, and whoever looks at
- * them all takes a time that grows with the square of the text. */
+/* The most normals of all meshes together. When many materials are used all over the file, every mesh spans nearly
+ * all of them, and whoever goes through all meshes takes a time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
-/* Those without a direction, which no face uses any more, get one: a mesh has no others. */
+/* No face uses the normals without a direction any more, but a mesh may not have any: give them one. */
 static void fix_normals(struct obj *o)
 {
     struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;

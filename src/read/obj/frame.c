@@ -3,7 +3,7 @@
  * A model's own coordinates are the scene's, as long as they are within 4096 and it is at least 1 long, high
  * or deep: then the camera below, at most 3.93 radii from any point, has all of it nearer than 32768, and a
  * coordinate's last bit is at most 2^-16 of it. Others are moved so that the middle of the model's
- * bounds is 0, and scaled by a power of two so that they reach from there 8 to 16 far: nothing in an
+ * bounds is 0, and scaled by a power of two so that they reach 8 to 16 from there: nothing in an
  * .obj has a size but the model, and the picture is the same. Only models of less than 2^-15 are refused, for
  * then not even 28 bits behind the point say what they look like.
  */
@@ -66,7 +66,7 @@ int tia_obj_v(struct obj *o)
     return status;
 }
 
-/* An error of no place. */
+/* An error of the whole file, without a line. */
 static int refuse(struct obj *o, const char *why)
 {
     tia_say(&o->reader->error, why);

@@ -1,8 +1,8 @@
-/* group.c - what o and g lines are for: the faces below one filter a shadow ray once, those below lines that say
- * the same too, wherever they stand. */
+/* group.c - o and g lines: all faces below lines with the same names, wherever they stand, filter a shadow ray
+ * only once. */
 #include "obj.h"
 
-/* The rest of the line, however long, perhaps nothing. */
+/* The rest of the line, of any length, even empty. */
 static void take_name(struct tia_text *t, struct tia_word *name)
 {
     struct tia_word word;

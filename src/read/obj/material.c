@@ -1,7 +1,7 @@
 /* material.c - usemtl and mtllib: which materials a model uses, and where they are. */
 #include "obj.h"
 
-/* The name that is left of the line; empty where there is none, as some programs name a material. */
+/* The rest of the line as a name; it may be empty, since some programs leave out the name of a material. */
 static int read_name(struct obj *o, struct tia_word *name)
 {
     if (!o->reader->strict && !tia_text_peek(&o->text, name))
@@ -51,7 +51,7 @@ static bool is_known(const struct obj *o, const struct tia_word *word)
     return false;
 }
 
-/* Makes it the last of the libraries, not read yet. */
+/* Loads a library as the last one; it is not parsed yet. */
 static int fetch(struct obj *o, const struct tia_word *word, const char **why)
 {
     struct obj_library *library = &o->libraries[o->library_count];
@@ -71,7 +71,7 @@ static int fetch(struct obj *o, const struct tia_word *word, const char **why)
     return TIA_OK;
 }
 
-/* A name with blanks in it, without quotes: what is left of the line, if there is such a file. */
+/* The rest of the line as one name with blanks, though not in quotes, if there is such a file. */
 static bool fetch_line(struct obj *o, struct tia_text line)
 {
     struct tia_word name;

@@ -69,7 +69,7 @@ void tia_mtl_add_default(struct obj *o)
 
 /* ---- statements ---- */
 
-/* Where there is no name, it is empty: some programs use it so. */
+/* The name may be missing: some programs write such materials, and use them. */
 static int read_newmtl(struct mtl *m)
 {
     struct tia_name name = {.kind = OBJ_MATERIAL, .index = m->obj->materials.count};
@@ -87,7 +87,7 @@ static int read_newmtl(struct mtl *m)
     return TIA_OK;
 }
 
-/* A number in 0..1; where it may be more, that is 1. */
+/* A number in 0..1; if it may be more, larger ones count as 1. */
 static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
 {
     struct tia_text before = m->text;
@@ -109,7 +109,7 @@ static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
     return tia_text_q30(&m->text, out);
 }
 
-/* One number is a grey. What has a mistake in it leaves the colour as it was. */
+/* A single number is a grey. After a mistake the colour stays as it was. */
 static int read_colour(struct mtl *m, struct tia_rgb *out, bool may_be_more)
 {
     struct tia_rgb colour;
@@ -246,7 +246,7 @@ static const char *const skipped[] = {
     "map_Ns", "map_Tr",  "map_opacity", "map_bump", "map_Bump", "map_refl", "map_Pr",    "map_Pm",  "map_Ps",
     "map_Ni", "map_aat", "Kt",          "Tm",       "map_Disp", "map_disp", "map_norm",  "map_Norm"};
 
-/* What is left of the line, after an error. */
+/* Skips the rest of the line, after an error. */
 static int skip_mistake(struct mtl *m)
 {
     tia_obj_skip(&m->text);

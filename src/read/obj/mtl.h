@@ -1,6 +1,6 @@
 /* mtl.h - a material while its statements are read; see mtl.c. */
-#ifndef TIA_SRC_READ_MTL_H
-#define TIA_SRC_READ_MTL_H
+#ifndef TIA_READ_OBJ_MTL_H
+#define TIA_READ_OBJ_MTL_H
 
 #include "obj.h"
 

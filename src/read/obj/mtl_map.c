@@ -1,7 +1,7 @@
 /* mtl_map.c - the images of a material. */
 #include "mtl.h"
 
-/* -s U [V [W]] gives the repeats; what else begins with - takes one to three words. */
+/* -s U [V [W]] gives the repeats; every other option takes one to three words. */
 static int read_option(struct tia_text *t, const struct tia_word *option, tia_q16 repeat[2])
 {
     struct tia_word word;
@@ -87,7 +87,7 @@ int tia_mtl_map_kd(struct mtl *m)
     return TIA_OK;
 }
 
-/* Rays cannot pass through some texels and not through others: the mean is what is seen from afar. */
+/* A ray cannot pass through some texels and not through others; the mean looks right from afar. */
 int tia_mtl_map_d(struct mtl *m)
 {
     struct tia_reader *reader = m->obj->reader;

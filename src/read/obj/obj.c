@@ -19,7 +19,7 @@
 
 /* ---- texture coordinates and normals ---- */
 
-/* One that is out of range is far beyond what shows a picture: it is cut off. */
+/* Out of range is far beyond any useful texture coordinate: such a one is clamped. */
 static int read_texture_coordinate(struct obj *o, tia_q16 *out)
 {
     struct tia_word word;
@@ -78,7 +78,7 @@ static const struct {
 static const char *const skipped[] = {"s",        "l",          "p",         "mg",     "lod",    "bevel", "c_interp",
                                       "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib", "vp"};
 
-/* What is left of the line, after an error. */
+/* Skips the rest of the line, after an error. */
 static int skip_mistake(struct obj *o)
 {
     tia_obj_skip(&o->text);
@@ -139,7 +139,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* What is placed besides the arrays. */
+/* What is allocated besides the arrays. */
 struct places {
     struct tia_mesh *meshes;
     struct tia_shape *shapes;

@@ -1,6 +1,6 @@
-/* obj.h - what the reader of .obj knows between its statements; see obj.c. */
-#ifndef TIA_SRC_READ_OBJ_H
-#define TIA_SRC_READ_OBJ_H
+/* obj.h - the state of the .obj reader, shared by its statements; see obj.c. */
+#ifndef TIA_READ_OBJ_OBJ_H
+#define TIA_READ_OBJ_OBJ_H
 
 #include "read/polygon.h"
 #include "read/readers.h"
@@ -8,7 +8,7 @@
 
 #define OBJ_LIBRARIES 16 /* of materials, in one scene */
 
-/* The text is read three times, the libraries with it: nothing is stored by the first pass. */
+/* The text is read three times, and the libraries with it. The first pass stores nothing. */
 enum obj_pass {
     OBJ_COUNT,
     OBJ_MEASURE, /* libraries: names; the text: how many faces each material has */
@@ -56,19 +56,18 @@ struct obj {
     bool moved;
 };
 
-/* What is left of the line as a name, blanks and all: many programs write them so. */
+/* The rest of the line as a name, with its blanks: many programs write such names. */
 int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
 
 /* warn.c */
-/* Puts up with the error that was just found: a warning of that kind and TIA_OK. With reader->strict it stays an
- * error. */
+/* Turns the error just found into a warning of that kind and returns TIA_OK; with reader->strict it stays an error. */
 int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind);
 
-/* The error that a callback's `status` and `why` tell of, forgiven unless memory is short. */
+/* Reports that a callback failed with `status` and `why`; forgiven unless memory is short. */
 int tia_obj_unreadable(struct obj *o, struct tia_text *t, const struct tia_word *word, int status, const char *why,
                        enum tia_read_warning_kind kind);
 
-/* Skips what is left of the line, and what a backslash joins to it. */
+/* Skips the rest of the line, and what a backslash joins to it. */
 void tia_obj_skip(struct tia_text *t);
 
 /* material.c */

@@ -1,4 +1,4 @@
-/* warn.c - mistakes that are put up with. */
+/* warn.c - mistakes that are tolerated. */
 #include "obj.h"
 
 /* What is done about each kind of mistake, and the pass that sees it: each is counted once. */

@@ -12,8 +12,8 @@
  * So the first passes give the exact need without storing anything, arrays never have to grow, and readers have
  * no limits of their own. An array that later passes use (names) is placed and filled earlier.
  */
-#ifndef TIA_SRC_READ_ARENA_H
-#define TIA_SRC_READ_ARENA_H
+#ifndef TIA_READ_TEXT_ARENA_H
+#define TIA_READ_TEXT_ARENA_H
 
 #include <tia/read.h>
 

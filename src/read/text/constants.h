@@ -4,8 +4,8 @@
  * A name begins with a capital letter, which no field does, so that a field after an optional number is no name. It
  * stands for numbers only, never for other names, so that expansion cannot grow exponentially.
  */
-#ifndef TIA_SRC_READ_CONSTANTS_H
-#define TIA_SRC_READ_CONSTANTS_H
+#ifndef TIA_READ_TEXT_CONSTANTS_H
+#define TIA_READ_TEXT_CONSTANTS_H
 
 #include "text.h"
 

@@ -2,8 +2,8 @@
  *
  *     radius 3 material glass at 0 1 0
  */
-#ifndef TIA_SRC_READ_FIELDS_H
-#define TIA_SRC_READ_FIELDS_H
+#ifndef TIA_READ_TEXT_FIELDS_H
+#define TIA_READ_TEXT_FIELDS_H
 
 #include "text.h"
 

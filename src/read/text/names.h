@@ -3,8 +3,8 @@
  * One pass collects the names in a tia_array of struct tia_name. They are then sorted, so that later passes can
  * find them; a definition sets the index of its name.
  */
-#ifndef TIA_SRC_READ_NAMES_H
-#define TIA_SRC_READ_NAMES_H
+#ifndef TIA_READ_TEXT_NAMES_H
+#define TIA_READ_TEXT_NAMES_H
 
 #include "arena.h"
 #include "text.h"

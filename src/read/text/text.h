@@ -16,8 +16,8 @@
  *             return status;
  *     }
  */
-#ifndef TIA_SRC_READ_TEXT_H
-#define TIA_SRC_READ_TEXT_H
+#ifndef TIA_READ_TEXT_TEXT_H
+#define TIA_READ_TEXT_TEXT_H
 
 #include <tia/read.h>
 

@@ -1,4 +1,4 @@
-/* fault.c - where a .tia file says what tia_scene_check refuses, and in which words.
+/* fault.c - finds the line and the word of a .tia file that tia_scene_check refuses.
  *
  * The text is read once more until the thing at fault has been made: its statement is the one that was read last.
  */
@@ -14,7 +14,7 @@ static struct tia_word word_of(const char *string)
     return word;
 }
 
-/* A thing of tia_fault as what the job looks for. */
+/* Tells the job which thing to look for. */
 static void seek(struct tia_job *job, const struct tia_fault *fault)
 {
     static const struct {
@@ -40,7 +40,7 @@ static void seek(struct tia_job *job, const struct tia_fault *fault)
         job->sought_statement = fault->field;
 }
 
-/* The fields of the scene that have another name in the file. "": no word of the line is at fault, but all of it. */
+/* The fields of the scene that have another name in the file. "": the line as a whole is at fault. */
 static const char *keyword(const struct tia_fault *fault)
 {
     static const struct {
@@ -81,7 +81,7 @@ static bool is_named(const char *statement)
     return false;
 }
 
-/* The scene is not needed any more: its memory is read into again. */
+/* Reuses the scene's memory to read again: the refused scene is not needed any more. */
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
     struct tia_scene scene;

@@ -4,8 +4,8 @@
  * and as a shape, since an animate statement, which makes it a shape, may follow later. The second pass collects
  * names, so that they can be used before the line that defines them. The last one fills the arrays.
  */
-#ifndef TIA_SRC_READ_TIA_JOB_H
-#define TIA_SRC_READ_TIA_JOB_H
+#ifndef TIA_READ_TIA_JOB_H
+#define TIA_READ_TIA_JOB_H
 
 #include "read/text/constants.h"
 #include "read/text/fields.h"

@@ -9,7 +9,7 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-/* What every shape that has a place begins with; the others have the material alone. */
+/* The fields of every shape with a place come first; infinite shapes have only the material. */
 enum { MATERIAL_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
@@ -46,7 +46,7 @@ static struct tia_field field_of(const struct tia_shape_field *f)
     return field;
 }
 
-/* All fields of a shape's line, and how many they are. */
+/* Collects all fields of a shape's statement; returns how many. */
 static unsigned fields_of(const struct shape_description *description,
                           struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX])
 {
@@ -66,7 +66,7 @@ static unsigned fields_of(const struct shape_description *description,
     return count;
 }
 
-/* The transform of a shape that has one. A shape with a name has one when it moves, and until that is
+/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as that is not
  * known. */
 static void add_transform(struct tia_job *job, struct shape_line *line, uint32_t given)
 {

@@ -17,15 +17,15 @@ static uint32_t entered(const struct box_axis *axes, int i)
     return 2 * (uint32_t)i + axes[i].backward;
 }
 
-/* The last slab entered, -1 when the ray starts within all of them. A slab along the ray is not entered. */
+/* The last slab entered, -1 when the ray starts within all of them. A slab parallel to the ray is not entered. */
 static int enter(const struct box_axis axes[3], num_length *t)
 {
     int last = -1;
 
     for (int i = 0; i < 3; i++) {
-        if (axes[i].enter < 0 || axes[i].pace == 0)
+        if (axes[i].enter < 0 || axes[i].speed == 0)
             continue;
-        num_length ti = num_div(axes[i].enter, axes[i].pace);
+        num_length ti = num_div(axes[i].enter, axes[i].speed);
         if (last < 0 || ti > *t) {
             *t = ti;
             last = i;
@@ -40,8 +40,8 @@ static int leave(const struct box_axis axes[3], num_length *t)
     int first = -1;
 
     for (int i = 0; i < 3; i++) {
-        num_length ti = num_div(axes[i].leave, axes[i].pace);
-        if (axes[i].pace != 0 && (first < 0 || ti < *t)) {
+        num_length ti = num_div(axes[i].leave, axes[i].speed);
+        if (axes[i].speed != 0 && (first < 0 || ti < *t)) {
             *t = ti;
             first = i;
         }
@@ -51,12 +51,12 @@ static int leave(const struct box_axis axes[3], num_length *t)
 
 static bool is_passed(const struct box_axis *axis)
 {
-    return axis->leave < 0 || (axis->pace == 0 && axis->enter > 0);
+    return axis->leave < 0 || (axis->speed == 0 && axis->enter > 0);
 }
 
 static bool is_left(const struct box_axis *axis, num_length t)
 {
-    return num_times(t, axis->pace) > axis->leave;
+    return num_times(t, axis->speed) > axis->leave;
 }
 
 bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,

@@ -1,20 +1,20 @@
-/* box.h - rays and boxes, for all that is made of boxes. */
-#ifndef TIA_SHAPE_BOX_H
-#define TIA_SHAPE_BOX_H
+/* box.h - where rays meet boxes, for boxes and grids. */
+#ifndef TIA_RENDER_GEOMETRY_BOX_H
+#define TIA_RENDER_GEOMETRY_BOX_H
 
 #include "shape.h"
 
-/* An axis as a ray goes along it. */
+/* A ray against the two planes of a box across one axis. */
 struct box_axis {
-    num_length enter, leave; /* how far the planes across it are ahead, along the axis */
-    num_unit pace;           /* |d|, how fast the ray comes nearer to them */
+    num_length enter, leave; /* how far ahead the planes are, along the axis */
+    num_unit speed;          /* |d|, how fast the ray approaches them */
     bool backward;
 };
 
 struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction);
 
 /* Where the ray meets the box, t <= limit: the element is the face, 2 axis + (0 at the minimum, 1 at the
- * maximum). `inside`: it leaves there, and has not entered at 0 or later. */
+ * maximum). `inside`: the ray starts inside, and leaves there. */
 bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
                    struct intersection *intersection, bool *inside);
 

@@ -1,6 +1,6 @@
 /* flat.h - what planes and discs share. */
-#ifndef TIA_SHAPE_FLAT_H
-#define TIA_SHAPE_FLAT_H
+#ifndef TIA_RENDER_GEOMETRY_FLAT_H
+#define TIA_RENDER_GEOMETRY_FLAT_H
 
 #include "shape.h"
 
@@ -9,7 +9,7 @@ void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct ti
 /* Where the ray meets the infinite plane. */
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
-/* shape_kind's: the normal is the plane's. */
+/* For shape_kind; the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
 /* The coordinates along the tangents. */

@@ -1,4 +1,4 @@
-/* grid.c - cubes in rows, walked cell by cell as by Amanatides and Woo, "A fast voxel traversal
+/* grid.c - cubes in rows, walked cell by cell after Amanatides and Woo, "A fast voxel traversal
  * algorithm" (1987).
  *
  * Cells are counted in integers, and the t of a plane between them comes from the plane's coordinate, not
@@ -41,8 +41,8 @@ static bool has_cell(const struct walker *w, int axis, int32_t at)
     return at >= 0 && at < w->grid->size[axis];
 }
 
-/* The cell of an axis where the ray is at t: it has been entered before t, and is left at t or later. What
- * rounding makes of the point itself is only a first guess. */
+/* Finds the ray's cell at t along one axis: the one entered before t and left at t or later. The rounded
+ * point itself only gives a first guess. */
 static void find_cell(struct walker *w, int axis, num_length t)
 {
     int step = step_of(w, axis);
@@ -75,7 +75,7 @@ static void start(struct walker *w, const struct prepared_grid *grid, const stru
         find_cell(w, axis, t);
 }
 
-/* From one cell to the next until what fills them changes. */
+/* Goes from cell to cell until one is filled with something else. */
 static bool go(struct walker *w, num_length limit, struct intersection *intersection)
 {
     uint32_t cell = cell_index(w);

@@ -35,7 +35,7 @@ struct num_point instance_point(const struct instance *p, struct num_point point
                               num_ratio(num_point_dot(v, p->axes[2]), p->scale[2])};
 }
 
-/* Where the ray, whose direction is d along the axes, comes to the box. */
+/* Where the ray, whose direction is d along the axes, reaches the box. */
 static num_length start_of(const struct instance *p, const struct ray *ray, struct num_dir d)
 {
     const num_unit along[3] = {d.x, d.y, d.z};

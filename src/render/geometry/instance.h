@@ -4,11 +4,11 @@
  * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i; of length k, so that a distance
  * t in the world is k t there.
  *
- * A ray is first moved along itself to the box around the shape; then what is computed there is as large as the
- * shape at most, however small the scale, and a ray that misses the box misses the shape.
+ * A ray is first moved forward to the box around the shape. So no number there is larger than the shape, however
+ * small the scale, and a ray that misses the box misses the shape.
  */
-#ifndef TIA_SHAPE_PLACEMENT_H
-#define TIA_SHAPE_PLACEMENT_H
+#ifndef TIA_RENDER_GEOMETRY_INSTANCE_H
+#define TIA_RENDER_GEOMETRY_INSTANCE_H
 
 #include "scene/bounds.h"
 #include "shape.h"
@@ -33,12 +33,12 @@ struct instance_ray {
 
 void instance_transform_ray(const struct instance *instance, const struct ray *ray, struct instance_ray *placed);
 
-/* Distances from the world's, below 0 when it lies before the local 0 or the ray misses; and back. */
+/* A distance in the world as one along the local ray, below 0 when it ends before the local 0 or the ray misses; and
+ * back. */
 num_length instance_distance(const struct instance_ray *placed, num_length t);
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
-/* What instance_distance gives for t, and a little more than it is off by: an intersection that is not beyond t in the
- * world is not beyond that. */
+/* instance_distance of t and a margin for its rounding: an intersection within t in the world is within this one. */
 num_length instance_limit(const struct instance_ray *placed, num_length t);
 
 /* A world point on the shape in the shape's axes, and a normal back in the world. */

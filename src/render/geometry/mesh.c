@@ -10,13 +10,13 @@ struct groups {
     bool more;
 };
 
-/* A search among faces: the nearest intersection so far is at nearest.t, or nothing nearer than that. */
+/* A search among faces: nearest.t is the limit at first, and then the nearest intersection so far. */
 struct search {
     const struct tia_mesh *mesh;
     struct triangle_ray ray;
     struct intersection nearest;
-    bool any, found;       /* any intersection ends the search */
-    struct groups *groups; /* NULL, or those of all intersections are looked for */
+    bool any, found;       /* any: the first intersection ends the search */
+    struct groups *groups; /* NULL, or receives those of all intersections */
 };
 
 static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t face)
@@ -63,7 +63,7 @@ static void try_face(struct search *s, uint32_t face)
     s->found = true;
 }
 
-/* Faces items[i], or i, for i from `first` on. */
+/* Tries faces items[i], or i where there are no items, for i from `first` on. */
 static void try_faces(struct search *s, const uint32_t *items, uint32_t first, uint32_t count)
 {
     for (uint32_t i = first; i - first < count && !(s->any && s->found); i++)
@@ -124,7 +124,7 @@ uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_l
     return met;
 }
 
-/* A number for the edge from a to b, which the one from b to a has not. */
+/* A hash of the edge from a to b; the edge from b to a has another. */
 static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
 {
     const tia_q16 words[6] = {a->x, a->y, a->z, b->x, b->y, b->z};
@@ -137,7 +137,7 @@ static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
     return n;
 }
 
-/* Where each edge has one that runs back, the sum is 0; elsewhere that is one chance in 2^64. */
+/* If each edge has one that runs back, the sum is 0; otherwise that has one chance in 2^64. */
 bool mesh_is_closed(const struct tia_mesh *mesh)
 {
     uint64_t sum = 0;
@@ -152,7 +152,7 @@ bool mesh_is_closed(const struct tia_mesh *mesh)
     return sum == 0;
 }
 
-/* The vertices' normals, each weighted with its part; the face's own where they cancel. */
+/* The vertices' normals, weighted by the barycentric coordinates; the face's own where they cancel. */
 static struct num_dir smooth_normal(const struct tia_mesh *mesh, const struct tia_corner corner[3],
                                     const num_unit parts[3], struct num_dir flat)
 {

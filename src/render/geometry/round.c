@@ -42,16 +42,16 @@ struct span {
 
 static const struct span everywhere = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX}, nowhere = {NUM_LENGTH_MAX, -NUM_LENGTH_MAX};
 
-/* The ray as the axis sees it. */
+/* The ray relative to the axis. */
 struct beam {
     num_length start;            /* how far its origin was moved */
-    num_length height;           /* of that origin above the anchor */
-    num_unit rise;               /* of the direction */
-    num_unit pace;               /* q */
+    num_length height;           /* of the moved origin above the anchor */
+    num_unit rise;               /* d */
+    num_unit run;                /* q */
     num_length nearest, passing; /* m, w */
 };
 
-/* False when the ray is never near. */
+/* False when the ray never comes near enough. */
 static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_length limit, struct beam *b)
 {
     const struct num_dir *a = cone->across;
@@ -65,12 +65,12 @@ static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num
     o = num_point_at(o, ray->direction, b->start);
     if (!num_within(cone->reach, o))
         return false;
-    if (q.x == 0 && q.y == 0) /* along the axis: across it any direction will do */
+    if (q.x == 0 && q.y == 0) /* parallel to the axis: any direction across it will do */
         q.x = NUM_UNIT_ONE;
     num_length p[2] = {num_point_dot(o, a[0]), num_point_dot(o, a[1])};
     b->height = num_point_dot(o, cone->axis);
     b->rise = num_dir_dot(ray->direction, cone->axis);
-    b->pace = num_times(d[0], q.x) + num_times(d[1], q.y);
+    b->run = num_times(d[0], q.x) + num_times(d[1], q.y);
     b->nearest = -(num_times(p[0], q.x) + num_times(p[1], q.y));
     b->passing = num_times(p[0], q.y) - num_times(p[1], q.x);
     return true;
@@ -100,20 +100,20 @@ static struct span solve(const struct quadratic *u)
     return u->gamma > 0 ? (struct span){roots.far, NUM_LENGTH_MAX} : (struct span){-NUM_LENGTH_MAX, roots.near};
 }
 
-/* Where the ray is inside the side, that going on for ever in both directions. */
+/* Where the ray is inside the side, which is extended without end both ways. */
 static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_unit c = cone->slope_cosine, s = cone->slope_sine;
-    struct num_dir flat = {num_times(b->pace, c), num_times(b->rise, s), 0}, n = num_dir_normalised(flat);
-    num_unit pace = num_dir_dot(flat, n);
+    struct num_dir flat = {num_times(b->run, c), num_times(b->rise, s), 0}, n = num_dir_normalised(flat);
+    num_unit scale = num_dir_dot(flat, n);
     num_length radius = cone->anchored > 0 ? cone->top_radius : cone->base_radius;
     struct quadratic u = {num_times(radius, c) + num_times(b->height, s), num_times(b->nearest, c),
                           num_times(b->passing, c), n.x, n.y};
 
-    if (pace == 0) /* the distance from the side stays the same */
+    if (scale == 0) /* the distance from the side stays the same */
         return num_within(u.g, (struct num_point){u.m, u.p, 0}) ? everywhere : nowhere;
     struct span span = solve(&u);
-    return (struct span){num_div(span.near, pace), num_div(span.far, pace)};
+    return (struct span){num_div(span.near, scale), num_div(span.far, scale)};
 }
 
 /* Where it is between the base and the top. An apex bounds nothing that the side does not. */

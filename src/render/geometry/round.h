@@ -1,6 +1,6 @@
 /* round.h - what cylinders and cones share: everything but their names. */
-#ifndef TIA_SHAPE_ROUND_H
-#define TIA_SHAPE_ROUND_H
+#ifndef TIA_RENDER_GEOMETRY_ROUND_H
+#define TIA_RENDER_GEOMETRY_ROUND_H
 
 #include "shape.h"
 
@@ -15,7 +15,7 @@ struct round_ends {
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
 
-/* shape_kind's. */
+/* For shape_kind. */
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection);
 void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);

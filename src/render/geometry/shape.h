@@ -4,8 +4,8 @@
  * functions of its kind in a table. Those know nothing of transforms: a placed shape's ray is moved into
  * the shape's axes first (instance.h).
  */
-#ifndef TIA_SHAPE_SHAPE_H
-#define TIA_SHAPE_SHAPE_H
+#ifndef TIA_RENDER_GEOMETRY_SHAPE_H
+#define TIA_RENDER_GEOMETRY_SHAPE_H
 
 #include <tia/bvh.h>
 
@@ -24,21 +24,21 @@ struct intersection {
 
 /* What shading asks of an intersection. */
 struct surface {
-    struct num_dir normal; /* of the surface, length 1, outwards as tia/shape.h has it */
-    struct num_dir smooth; /* the one that shading takes: a smooth mesh's is interpolated, others' the same */
+    struct num_dir normal; /* the geometric one, length 1, outwards as in tia/shape.h */
+    struct num_dir smooth; /* the shading normal: interpolated on a smooth mesh, otherwise the same */
 };
 
 struct shape;
 
 /* The functions of a kind. `prepare` sets the shape's constants; `given` is one that tia_scene_check accepts. `ray` and
- * `point` are in the shape's axes. Of intersections that a ray has with a shape only those with 0 <= t <= limit count;
- * `limit` is at most NUM_LENGTH_MAX. */
+ * `point` are in the shape's axes. Only intersections with 0 <= t <= limit count; `limit` is at most
+ * NUM_LENGTH_MAX. */
 struct shape_kind {
     void (*prepare)(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
     /* The nearest intersection, the lowest element of several at the same t; false: there is none. */
     bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection);
-    /* Whether there is any: never costs more than intersect, which may stand here too as shape_occludes. */
+    /* Whether there is any; never slower than intersect. shape_occludes will do, which calls that. */
     bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
     /* Surface coordinates, see tia/shape.h. */
@@ -57,9 +57,9 @@ struct prepared_cone {
     struct num_point base;
     struct num_dir axis, across[2]; /* of length 1, at right angles; across are the tangents U and -V of `axis` */
     num_length length, base_radius, top_radius;
-    struct num_point anchor;           /* that end of the axis where it is thinner, */
+    struct num_point anchor;           /* the thinner end of the axis, */
     num_length anchored;               /* its height above the base, */
-    num_length reach;                  /* and how far its points are from there at most */
+    num_length reach;                  /* and no point of the shape is farther from that end */
     num_unit slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
     bool capped;
 };
@@ -84,7 +84,7 @@ struct prepared_grid {
     num_length cell;
 };
 
-/* What a ray that is refracted may enter: nothing, the shape, or one of its cells. */
+/* What a refracted ray may enter: nothing, the shape, or one of its cells. */
 enum inside { INSIDE_NONE, INSIDE_WHOLE, INSIDE_CELLS };
 
 struct shape {
@@ -112,16 +112,16 @@ TIA_SHAPES(DECLARE)
 /* Sets shape->kind and the constants. */
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
-/* Whether a mesh's faces enclose something, as tia/material.h has it. */
+/* Whether a mesh's faces enclose a volume, see tia/material.h. */
 bool mesh_is_closed(const struct tia_mesh *mesh);
 
-/* How many groups of faces a ray meets at 0 <= t <= limit, of a mesh that has them. */
+/* How many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
 uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);
 
-/* `occluded` for shapes that have no shorter way. */
+/* `occluded` for shapes without a faster test: calls intersect. */
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);
 
-/* What the material of an element is: a grid's cells have their own. */
+/* The material of an element: a grid's cells have their own. */
 uint32_t shape_material(const struct shape *shape, uint32_t element);
 
 /* The axes A, B of tia/light.h for a normal. */
@@ -134,7 +134,7 @@ static inline bool shape_is_upright(struct num_dir normal)
     return normal.x == 0 && normal.z == 0;
 }
 
-/* The spheres of a scene are not prepared: they are met as they are. */
+/* The scene's spheres are not prepared: these take them as they are. */
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
                       num_length *t);
 void sphere_surface(struct num_point centre, struct num_point point, struct surface *surface);

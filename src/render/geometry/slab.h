@@ -1,6 +1,6 @@
 /* slab.h - the slab test: where a ray is between two planes across an axis. Distances are num_slab's. */
-#ifndef TIA_SHAPE_SLAB_H
-#define TIA_SHAPE_SLAB_H
+#ifndef TIA_RENDER_GEOMETRY_SLAB_H
+#define TIA_RENDER_GEOMETRY_SLAB_H
 
 #include "num/num_ray.h"
 

@@ -19,7 +19,7 @@
  * rounding keeps their order, so the sign is right or 0, and 0 excludes nothing. Both see the edge from its
  * other end as exactly the negative.
  *
- * How near t is: x' is within 2^-46 and the error of a slope, 2^-59 |z|. A corner that is aside by e puts the
+ * How exact t is: x' is within 2^-46 and the error of a slope, 2^-59 |z|. A corner that is aside by e puts the
  * intersection off the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas:
  * corners are nearer to each other than 2^16 in each coordinate, so x' by 2^17, and the sum of the areas stays
  * below 2^34, 2^124 as num_area has it. */
@@ -62,16 +62,16 @@ void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
     start->main = largest(ray->direction);
     from(start->main, ray->direction.x, ray->direction.y, ray->direction.z, d);
     start->along = d[0];
-    start->slant[0] = num_fraction(d[1], d[0]);
-    start->slant[1] = num_fraction(d[2], d[0]);
+    start->slope[0] = num_fraction(d[1], d[0]);
+    start->slope[1] = num_fraction(d[2], d[0]);
 }
 
-/* Where a corner is seen: v[0] along the main axis, v[1] and v[2] aside of the ray. */
+/* Where a corner is seen: v[0] along the main axis, v[1] and v[2] beside the ray. */
 static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_length v[3])
 {
     relative(ray->origin, ray->main, corner, v);
-    v[1] -= num_times(v[0], ray->slant[0]);
-    v[2] -= num_times(v[0], ray->slant[1]);
+    v[1] -= num_times(v[0], ray->slope[0]);
+    v[2] -= num_times(v[0], ray->slope[1]);
 }
 
 /* The areas that the origin makes with the edges: each belongs to the corner that it does not touch. */
@@ -105,7 +105,7 @@ bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_co
         return false;
     num_barycentric(areas, parts);
     *t = num_div(num_dot3(v[0][0], v[1][0], v[2][0], parts[0], parts[1], parts[2]), ray->along);
-    /* What is rounded may give corners on one line an area. */
+    /* Rounding may give corners on one line an area. */
     return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && triangle_normal(corners, &normal);
 }
 
@@ -133,7 +133,7 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     return any;
 }
 
-/* Seen along the axis that the normal is nearest to; a point that rounding has put outside is on the edge. */
+/* Projected along the normal's main axis; a point that rounding has put outside counts as on the edge. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {

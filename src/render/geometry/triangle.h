@@ -1,6 +1,6 @@
-/* triangle.h - triangles and faces of meshes, as one ray meets many of them. */
-#ifndef TIA_SHAPE_TRIANGLE_H
-#define TIA_SHAPE_TRIANGLE_H
+/* triangle.h - one ray against many triangles, such as the faces of a mesh. */
+#ifndef TIA_RENDER_GEOMETRY_TRIANGLE_H
+#define TIA_RENDER_GEOMETRY_TRIANGLE_H
 
 #include "shape.h"
 
@@ -9,7 +9,7 @@ struct triangle_ray {
     struct num_point origin;
     int main;
     num_unit along;    /* the direction's component there */
-    num_unit slant[2]; /* those of the two axes that follow, over it */
+    num_unit slope[2]; /* those along the two axes that follow, divided by it */
 };
 
 /* The corners of a triangle, wherever they are kept. */
@@ -19,15 +19,15 @@ struct triangle_corners {
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray);
 
-/* The t of the intersection, 0 <= t <= limit. Of triangles that share corners a ray through the corner or the edge
- * between two meets at least one, and those with their corners on one line are not met. */
+/* The t of the intersection, 0 <= t <= limit. A ray through an edge or corner that triangles share meets at least one
+ * of them. A degenerate triangle, with its corners on one line, is never met. */
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t);
 
 /* (B - A) x (C - A) normalised; false, and 0, when the corners are on one line. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal);
 
-/* The barycentric coordinates of a point on a triangle with that normal, none below 0 but for a unit. */
+/* The barycentric coordinates of a point on a triangle with that normal, none below 0 by more than a unit. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3]);
 

@@ -1,10 +1,10 @@
-/* walk.h - the leaves of a hierarchy that a ray may meet, nearer ones first, without recursion.
+/* walk.h - traverses a bounding volume hierarchy without recursion: the leaves that a ray may meet, nearer ones first.
  *
- * A box is left out only when the ray surely misses it: with boxes a unit of 2^-16 larger than what is in
+ * A box is skipped only when the ray certainly misses it: with boxes a unit of 2^-16 larger than what is in
  * them and t rounded to 2^-23, what a box holds is never lost.
  */
-#ifndef TIA_RAY_WALK_H
-#define TIA_RAY_WALK_H
+#ifndef TIA_RENDER_GEOMETRY_WALK_H
+#define TIA_RENDER_GEOMETRY_WALK_H
 
 #include "shape.h"
 #include "slab.h"
@@ -22,7 +22,7 @@ void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct
 /* The next leaf that the ray enters at 0 <= t <= limit, or NULL. */
 const struct tia_bvh_node *walk_leaf(struct walk *walk, num_length limit);
 
-/* The objects of a scene that a ray may meet: what has no bounds, then leaf by leaf; without a hierarchy all. */
+/* The objects of a scene that a ray may meet: those without bounds, then leaf by leaf; all, without a hierarchy. */
 struct candidates {
     const struct tia_scene *scene;
     const struct ray *ray;
@@ -34,7 +34,7 @@ struct candidates {
 
 void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
 
-/* The next one, by the hierarchy of those at 0 <= t <= limit, or TIA_NO_OBJECT. */
+/* The next one, or TIA_NO_OBJECT. The hierarchy leaves out those that cannot be met at 0 <= t <= limit. */
 uint32_t candidates_next(struct candidates *candidates, num_length limit);
 
 #endif

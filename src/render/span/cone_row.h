@@ -6,11 +6,11 @@
  *
  * Along a line of pixels v = (X, ...), X = 2i + 1 - n for pixel i of n, the product is linear and
  * the square quadratic: L.v = slope X + base and v.v = X^2 + square. A cone is convex, so its
- * pixels on the line are one span, and both ends are found by exact comparisons: from a guess in
- * a few steps, or by bisection.
+ * pixels on the line form one span. Exact comparisons find both ends: in a few steps from a good
+ * guess, otherwise by bisection.
  */
-#ifndef TIA_SLICE_H
-#define TIA_SLICE_H
+#ifndef TIA_RENDER_SPAN_CONE_ROW_H
+#define TIA_RENDER_SPAN_CONE_ROW_H
 
 #include "num/num.h"
 
@@ -33,8 +33,8 @@ static inline struct span span_within(struct span span, int first, int end)
     return r;
 }
 
-/* The span of pixels inside the cone. `guess` is where it may be, for speed only: the answer does
- * not depend on it. */
+/* The span of pixels inside the cone. `guess`, say the span of the row above, only saves time: the
+ * answer does not depend on it. */
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
 
 #endif

@@ -117,7 +117,7 @@ static void pack(const num_u *red, const num_u *green, const num_u *blue, const 
     for (int i = 0; i < count; i++) {
         num_u half = threshold[(x + i) & 7];
         unsigned r = num_quantise(red[i], 31, half), g = num_quantise(green[i], 63, half),
-                 b = blue == red ? r : num_quantise(blue[i], 31, half); /* grey, often */
+                 b = blue == red ? r : num_quantise(blue[i], 31, half); /* often grey */
         out[i] = (tia_rgb565)(r << 11 | g << 5 | b);
     }
 }

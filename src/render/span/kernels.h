@@ -1,16 +1,16 @@
 /* kernels.h - the hot loops: passes over a span of pixels in one row, at most CHUNK of them.
  *
- * Each takes its constants, prepared once a span, and arrays with one entry a pixel. They are
- * called through a table: a version for vector units is another table, which must give the same bits.
+ * Each takes constants, prepared once per span, and arrays with one entry per pixel. They are called
+ * through a table, so that a version for vector units can be another table; it must give the same bits.
  */
-#ifndef TIA_KERNELS_H
-#define TIA_KERNELS_H
+#ifndef TIA_RENDER_SPAN_KERNELS_H
+#define TIA_RENDER_SPAN_KERNELS_H
 
 #include "primary.h"
 
-#define CHUNK 64 /* pixels that a kernel works on at once */
+#define CHUNK 64 /* the most pixels that a kernel works on at once */
 
-/* What span_sphere_distances knows of a span. */
+/* A span of pixels that see one sphere, for the kernels that compute t. */
 struct sphere_line {
     num_wide b, b_step;       /* accumulator of L.v */
     struct row_square square; /* accumulator of v.v */
@@ -23,8 +23,8 @@ struct sphere_line {
  *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c
  *     |Q - P|^2   = Q.Q - 2 t Q.v + t^2 v.v
  *
- * The square is not taken from the sphere's equation as well: on a large sphere t's last bit
- * would move it, while here it only moves P along the ray. */
+ * |Q - P|^2 does not use the sphere's equation: on a large sphere t's last bit would change it,
+ * while here that bit only moves P along the ray. */
 struct light_line {
     num_wide g, g_step;       /* accumulator of G.v */
     num_wide q, q_step;       /* accumulator of Q.v */
@@ -37,7 +37,7 @@ struct light_line {
     int count;
 };
 
-/* What one light does to each pixel of a span. Where facing is 0, the rest is not defined. */
+/* What one light does to each pixel of a span. Where facing is 0, the rest is undefined. */
 struct lit {
     num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
     num_wide reach[CHUNK];  /* |P|^2 */
@@ -59,8 +59,8 @@ struct lit {
  *     |A'|^2 - R^2 = (|A|^2 - R^2)(1 + bias/r) - (|L - C|^2 - r^2 - R^2) bias/r + bias^2,
  *
  * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0,
- * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. From
- * inside it meets it unless the light is inside too. */
+ * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. A ray
+ * that starts inside the sphere meets it unless the light is inside too. */
 struct shadow_line {
     num_wide a, a_step;            /* accumulator of (C + Q).v */
     num_wide c, c_step;            /* accumulator of C.v */

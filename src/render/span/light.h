@@ -1,18 +1,18 @@
-/* light.h - prepares what one light does to a span of pixels of one sphere. */
-#ifndef TIA_SPAN_LIGHT_H
-#define TIA_SPAN_LIGHT_H
+/* light.h - the kernels' constants for one light on a span of pixels that see one sphere. */
+#ifndef TIA_RENDER_SPAN_LIGHT_H
+#define TIA_RENDER_SPAN_LIGHT_H
 
 #include "kernels.h"
 #include "sphere.h"
 
-/* A light as a span of pixels sees it. */
+/* A light on the sphere that a span of pixels sees. */
 struct light_source {
     const struct span_sphere *sphere; /* the span's sphere */
     struct num_vec light;             /* Q */
     int exponent, reach_exponent;     /* e_d of |Q - P|^2 and e_p of |P|^2, found by light_line_prepare */
 };
 
-/* Prepares `line`, but for count, from pixel (x, y) on. */
+/* Prepares all of `line` except count, for the pixels from (x, y) on. */
 void light_line_prepare(const struct primary_rays *primary, struct light_source *source, int x, int y,
                         struct light_line *line);
 

@@ -1,17 +1,17 @@
 /* primary.h - the directions of an image's pixels, and what is linear in them.
  *
  * Pixel (x, y) looks along v = (2x+1-width, height-2y-1, -height/tan(fov/2)), not normalised: integers
- * but for the last, which all pixels share. The exponent is chosen so that |v| < 2^30.
+ * except for the last, which all pixels share. The exponent is chosen so that |v| < 2^30.
  */
-#ifndef TIA_LATTICE_H
-#define TIA_LATTICE_H
+#ifndef TIA_RENDER_SPAN_PRIMARY_H
+#define TIA_RENDER_SPAN_PRIMARY_H
 
 #include "num/num.h"
 
 struct primary_rays {
     int width, height;
     int exponent;              /* f, of pixel coordinates */
-    num_wide x_reach, y_reach; /* beyond every |X| and |Y| of the image */
+    num_wide x_reach, y_reach; /* above every |X| and |Y| of the image */
     num_wide depth;            /* height/tan(fov/2) */
     int square_shift;          /* v.v * 2^square_shift fills an accumulator */
 };
@@ -28,7 +28,7 @@ struct row_square {
     num_wide start, step, twice;
 };
 
-/* The largest |a.v| that a pixel of the image can have: it is met in a corner. */
+/* The largest |a.v| of all pixels of the image: that of a corner. */
 num_wide primary_reach(const struct primary_rays *primary, struct num_vec a);
 
 /* a.v * 2^shift from pixel (x, y) on, as num_top takes it. */

@@ -10,11 +10,11 @@ struct chunk {
     int x, y, count;
     const num_u *t;
     const uint32_t *object;
-    uint32_t *path_hash; /* NULL, or the sets of lights */
+    uint32_t *path_hash; /* NULL, or the row's */
     tia_rgb565 *pixels;  /* side by side */
 };
 
-/* A span that sees the background or a light: one colour, but for the dithering, which repeats after 8 pixels. */
+/* A span that sees the background or a light: one colour, except for dithering, which repeats after 8 pixels. */
 static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
     bool dithered = threshold[0] != threshold[1];
@@ -53,7 +53,7 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
  * copy of the objects, with the lights among them. */
 #if defined(__GNUC__)
-__attribute__((noinline)) /* its arrays are off the stack again when the chunk is shaded */
+__attribute__((noinline)) /* so that its arrays are off the stack when the chunk is shaded */
 #endif
 static void
 see_lights(struct chunk *chunk, uint32_t object[CHUNK])
@@ -122,7 +122,7 @@ static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_
         *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
 }
 
-/* The chunk at column x of the tile: in the surface itself where its pixels are side by side. */
+/* Draws the chunk at column x of the tile: into the surface itself if pixels are side by side there. */
 static void light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
                           const struct tia_surface *surface, const num_u threshold[8])
 {

@@ -19,8 +19,8 @@ struct tint {
     uint16_t passed[CHUNK]; /* the sum of index + 1 of the spheres on the way */
 };
 
-/* Where `lit` is dark and was not before, the light passes `sphere`, which lets `through` pass:
- * tints it, and gives it back unless nothing is left. */
+/* Where `sphere` has just darkened `lit`: multiplies the tint by `through`, which the sphere transmits, and
+ * restores the light unless nothing is left of it. */
 static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
                        struct tint *tint)
 {
@@ -36,7 +36,7 @@ static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num
     }
 }
 
-/* The pixels' light states, as tia_options has them. */
+/* Notes in the path hash that the light arrives, see tia/render.h. */
 static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *path_hash)
 {
     for (int i = 0; i < count; i++)
@@ -84,7 +84,7 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
     }
 }
 
-/* The light that arrives, the same with `tint` for what half-transparent spheres take from it. */
+/* Adds what arrives of one light, tinted by half-transparent spheres unless `tint` is NULL. */
 static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
@@ -93,7 +93,7 @@ static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
-    num_u *lambert = lit.facing; /* takes its place: stack is scarce */
+    num_u *lambert = lit.facing; /* in the same memory: stack is scarce */
 
     light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
@@ -134,7 +134,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         s.sum[2][i] = num_colour(s.material->emission.b);
     }
     for (uint32_t l = 0; l < view->light_count; l++) {
-        if ((l & 63) == 63 && view_stops(view)) /* so many lights in one row may take long */
+        if ((l & 63) == 63 && view_stops(view)) /* many lights in one row may take long */
             break;
         if (s.spans->tinted)
             shade_from_tinted_light(&s, l);

@@ -1,6 +1,6 @@
 #include "shadow.h"
 
-/* The smallest of `e` and what keeps a number of `bits` bits, exponent 32, below 2^60. */
+/* The smaller of `e` and the exponent that keeps a number of `bits` bits, exponent 32, below 2^60. */
 static int limit(int e, int bits)
 {
     return e < 92 - bits ? e : 92 - bits;

@@ -1,11 +1,11 @@
-/* shadow.h - prepares the test of one sphere between a light and a span of pixels. */
-#ifndef TIA_SPAN_SHADOW_H
-#define TIA_SPAN_SHADOW_H
+/* shadow.h - the kernels' constants for one sphere that may stand between a light and a span of pixels. */
+#ifndef TIA_RENDER_SPAN_SHADOW_H
+#define TIA_RENDER_SPAN_SHADOW_H
 
 #include "light.h"
 
-/* Prepares `line`, but for count, for the sphere `caster` from pixel (x, y) on.
- * False when it shades none of them. */
+/* Prepares all of `line` except count, for the sphere `caster` and the pixels from (x, y) on. False when it
+ * cannot shade any of them. */
 bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
                          const struct span_sphere *caster, int x, int y, struct shadow_line *line);
 

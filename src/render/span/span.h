@@ -1,6 +1,6 @@
 /* span.h - spheres seen from one eye, a row at a time: what the parts of span_renderer share. */
-#ifndef TIA_SPAN_H
-#define TIA_SPAN_H
+#ifndef TIA_RENDER_SPAN_SPAN_H
+#define TIA_RENDER_SPAN_SPAN_H
 
 #include "kernels.h"
 #include "render/renderer.h"
@@ -21,8 +21,8 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
     return view->prepared;
 }
 
-/* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; of pixels that see no
- * object it is not defined. */
+/* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined where
+ * a pixel sees no object. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;
@@ -31,7 +31,7 @@ static inline num_u *span_distances_of(const struct tia_hits *hits)
 /* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
-/* Keeps those of `count` distances to sphere `n` that are nearer than the best so far; a tie stays. */
+/* Of `count` distances to sphere `n`, keeps those that are nearer than the best so far; in a tie that one stays. */
 void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 

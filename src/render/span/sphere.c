@@ -37,7 +37,7 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
     }
 }
 
-/* A line of pixels as the cone meets it: a row, or the rows themselves (then X is -Y). */
+/* The rows that may see the sphere, as a line of pixels, one for each row (X is -Y). */
 static struct span rows_that_see(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     struct span none = {0, 0}, all = {0, primary->height};

@@ -7,8 +7,8 @@
  * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from
  * inside it is the farther one, (b + sqrt(b^2 - c v.v)) / v.v.
  */
-#ifndef TIA_BODY_H
-#define TIA_BODY_H
+#ifndef TIA_RENDER_SPAN_SPHERE_H
+#define TIA_RENDER_SPAN_SPHERE_H
 
 #include "cone_row.h"
 #include "kernels.h"
@@ -30,7 +30,7 @@ struct span_sphere {
     struct span rows;    /* the rows that may see it; empty: no pixel does */
 };
 
-/* Prepares a sphere whose radius is not 0; else a sphere that no pixel sees. */
+/* Prepares a sphere; one of radius 0 is seen by no pixel. */
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius);
 
@@ -38,7 +38,7 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
                             struct span guess);
 
-/* The constants of the kernel that computes t, but for count, from pixel (x, y) on. */
+/* The constants of the kernel that computes t, all except count, for the pixels from (x, y) on. */
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
                       struct sphere_line *line);
 

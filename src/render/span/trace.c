@@ -1,4 +1,4 @@
-/* trace.c - what the pixels of a tile see: each sphere's pixels are one span a row, found exactly;
+/* trace.c - what the pixels of a tile see: each sphere's pixels are one span per row, found exactly;
  * where spans overlap, the nearer wins, and a tie goes to the lower index. */
 #include "span.h"
 

@@ -18,7 +18,7 @@ static void look(struct ray_camera *c, const struct tia_camera *given)
     c->v = num_dir_cross(c->n, c->u);
 }
 
-/* The window at the distance `depth`. In perspective its units are those of the lattice of pixels, over
+/* The window at the distance `depth`. In perspective its units are pixel coordinates, see span/primary.h, over
  * 128: height/a = height cot(fov/2) is below 2^20, and what tia_cotangent returns is Q8.56. */
 static void open_window(struct ray_camera *c, const struct tia_camera *given)
 {
@@ -55,7 +55,7 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_camera *given, in
     open_window(c, given);
 }
 
-/* The sample's place in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
+/* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
 void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct ray *ray)
 {
     int32_t n = c->side, i = sample % n, j = sample / n;

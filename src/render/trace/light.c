@@ -57,7 +57,7 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
     prepare_shape(l, given);
 }
 
-/* The bits of i < 16 the other way round. */
+/* The four bits of i in reverse order. */
 static unsigned mirrored(unsigned i)
 {
     static const uint8_t mirror[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
@@ -81,7 +81,7 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* u = frac((i + 1/2)/n + b/16), of which the integers know when it is 0; and v in units of 1/256. */
+/* u = frac((i + 1/2)/n + b/16), in integers so that a whole number is surely 0; and v in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;
@@ -146,7 +146,7 @@ static num_length attenuation(const struct ray_light *l, num_length d)
     return sum < NUM_LENGTH_MAX ? num_ratio(NUM_LENGTH_ONE, sum) : 0;
 }
 
-/* How much of a spot light goes along a direction from the point to it. */
+/* How much of a spot light reaches a point from which it is seen in the direction `to`. */
 static num_length spot(const struct ray_light *l, struct num_dir to)
 {
     num_unit c = -num_dir_dot(to, l->direction);

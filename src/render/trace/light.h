@@ -1,6 +1,6 @@
 /* light.h - what a light does to a point, sample by sample, and where it is seen; see tia/light.h. */
-#ifndef TIA_RAY_LIGHT_H
-#define TIA_RAY_LIGHT_H
+#ifndef TIA_RENDER_TRACE_LIGHT_H
+#define TIA_RENDER_TRACE_LIGHT_H
 
 #include "render/geometry/shape.h"
 
@@ -11,7 +11,7 @@ struct ray_light {
     num_length emission[3];
     struct num_point centre;
     struct num_dir direction; /* of length 1 */
-    num_length radius;        /* 0: not seen */
+    num_length radius;        /* 0: invisible */
     num_unit inner, outer;    /* cosines */
     struct num_dir axes[2];   /* of a disc */
     struct num_point side[2]; /* of a rectangle */
@@ -22,9 +22,9 @@ struct ray_light {
 
 /* What one sample of a light does to a point. */
 struct ray_sample {
-    struct num_point source; /* of a directional light nowhere */
+    struct num_point source; /* not set for a directional light */
     struct num_dir to;       /* L */
-    num_length factor;       /* of the attenuation and the spot; 0: it does not shine here */
+    num_length factor;       /* attenuation times the spot's falloff; 0: it does not shine here */
 };
 
 void ray_light_prepare(struct ray_light *light, const struct tia_light *given);
@@ -42,7 +42,7 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct nu
 /* Sample i < light->samples. Not for ambient lights. False when the light gives nothing. */
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
-/* The ray from a point to the sample, and how far it is; false: the sample is in the point. */
+/* The shadow ray from a point to the sample, and its length; false: they coincide. */
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
 

@@ -1,5 +1,5 @@
-/* nearest.c - what a ray meets first. Whether by a hierarchy or by trying all, it is the same: of several
- * objects at the same distance the lowest index. */
+/* nearest.c - what a ray meets first. With a hierarchy it is the same as by trying all objects: of several at
+ * the same distance, the one with the lowest index. */
 #include "render/geometry/walk.h"
 #include "trace.h"
 

@@ -35,7 +35,7 @@ static enum inside inside_of(const struct tia_scene *scene, const struct tia_sha
     }
 }
 
-/* False: the shape is where it is. */
+/* False: the shape has no transform. */
 static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
 {
     struct bounds_wide box;

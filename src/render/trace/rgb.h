@@ -1,6 +1,6 @@
-/* rgb.h - colours as numbers of rays. */
-#ifndef TIA_RAY_RGB_H
-#define TIA_RAY_RGB_H
+/* rgb.h - colours in the ray renderer's numbers. */
+#ifndef TIA_RENDER_TRACE_RGB_H
+#define TIA_RENDER_TRACE_RGB_H
 
 #include "num/num_ray.h"
 

@@ -18,7 +18,7 @@ static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
     return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* The four texels around the place, each weighted by its nearness. */
+/* The four texels around the place, interpolated bilinearly. */
 static void blend(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
 {
     int32_t x = num_floor(u), y = num_floor(v);

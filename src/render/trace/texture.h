@@ -1,10 +1,11 @@
 /* texture.h - a texture's colour at surface coordinates, see tia/material.h. */
-#ifndef TIA_RAY_TEXTURE_H
-#define TIA_RAY_TEXTURE_H
+#ifndef TIA_RENDER_TRACE_TEXTURE_H
+#define TIA_RENDER_TRACE_TEXTURE_H
 
 #include "num/num_ray.h"
 
-/* Which of the colours it is: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend of texels. */
+/* Returns which of the texture's colours it is: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend of
+ * texels. */
 uint32_t ray_texture(const struct tia_texture *texture, const num_length uv[2], num_length rgb[3]);
 
 #endif

@@ -1,6 +1,6 @@
 /* trace.h - a scene as general rays see it: what ray_prepare leaves behind view->prepared. */
-#ifndef TIA_RAY_SCENE_H
-#define TIA_RAY_SCENE_H
+#ifndef TIA_RENDER_TRACE_TRACE_H
+#define TIA_RENDER_TRACE_TRACE_H
 
 #include "camera.h"
 #include "light.h"
@@ -9,7 +9,7 @@
 #include "rgb.h"
 
 struct ray_view {
-    const struct tia_view *view; /* whose it is */
+    const struct tia_view *view; /* the one this belongs to */
     const struct tia_scene *scene;
     struct ray_camera camera;
     struct shape *shapes;       /* the scene's, prepared */
@@ -40,13 +40,13 @@ void ray_intersect_object(const struct ray_view *view, const struct ray *ray, ui
 /* A light with a surface that is nearer than the object takes its place. */
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* What objects between the ray's origin and t = limit let through: false when it is nothing. *blocker is an
- * object to try first, or TIA_NO_OBJECT, and then the one that lets nothing through: a neighbour's ray
- * often ends there too. */
+/* How much light the objects between the ray's origin and t = limit let through; false: none. *blocker is the
+ * object to try first, or TIA_NO_OBJECT; it becomes the one that lets nothing through, where the next shadow
+ * ray to this light often ends too. */
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
 
-/* Whether the ray meets object `object` at 0 <= t <= limit; with `element` not NULL the nearest of it. */
+/* Whether the ray meets object `object` at 0 <= t <= limit; `element`, unless NULL, receives the nearest element. */
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                      uint32_t *element);
 

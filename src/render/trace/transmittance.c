@@ -1,8 +1,8 @@
 /* transmittance.c - what stands between a point and a light.
  *
- * An object that lets nothing through ends the search. The others multiply what is left, and since products
- * are rounded, always in the order of their indices, in whatever order they are found: the lowest few are
- * kept, and where there are more, the search is made again for those above. */
+ * An object that lets nothing through ends the search. The others multiply what is left. Products are rounded,
+ * so this is always done in the order of the indices, whatever order they are found in: one search keeps the
+ * lowest few, and if there are more, another one looks for those above. */
 #include "render/geometry/walk.h"
 #include "scene/colour.h"
 #include "trace.h"

@@ -1,6 +1,6 @@
-/* path.h - what is kept of the rays of one pixel. */
-#ifndef TIA_RAY_PATH_H
-#define TIA_RAY_PATH_H
+/* path.h - what the rays of one pixel share. */
+#ifndef TIA_RENDER_WHITTED_PATH_H
+#define TIA_RENDER_WHITTED_PATH_H
 
 #include "render/trace/trace.h"
 
@@ -12,14 +12,14 @@ struct path {
     unsigned class; /* of the pixel, see light.h */
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */
-    uint32_t blocker[PATH_BLOCKERS]; /* what stood before each of the first lights last */
+    uint32_t blocker[PATH_BLOCKERS]; /* what last stood before each of the first lights */
     unsigned rays;                   /* since the caller was asked whether to stop */
     bool stopped;
 };
 
 #define PATH_PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
 
-/* Counts a ray. Once the caller wants no more, true: the colour does not matter any longer. */
+/* Counts a ray; true once the caller wants to stop: the colour does not matter any longer. */
 static inline bool path_stops(struct path *path)
 {
     if (!path->stopped && ++path->rays >= PATH_PATIENCE) {

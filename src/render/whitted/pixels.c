@@ -43,7 +43,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
     }
 }
 
-/* Straight from 45 bits behind the point: what falls between two levels is not rounded twice. */
+/* Quantises all 45 fraction bits at once: rounded twice, a value between two levels could go to the wrong one. */
 static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 {
     unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),

@@ -56,7 +56,7 @@ static num_length highlight(const struct shading *s, struct num_dir to, num_unit
     return num_length_of_unit(num_power(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent));
 }
 
-/* What the material sends back of light from `to`. */
+/* What the material reflects of light from `to` towards the viewer. */
 static void reflectance(const struct shading *s, struct num_dir to, num_unit lambert, num_length rgb[3])
 {
     const struct tia_rgb *specular = &s->material->specular;
@@ -72,7 +72,7 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* What is left of a sample's light on its way, false: nothing. */
+/* How much of a sample's light gets to the point; false: none. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
                     const struct ray_sample *sample, uint32_t *blocker, num_length through[3])
 {
@@ -85,8 +85,8 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
     return true;
 }
 
-/* Sample i of a light: adds what arrives, without the light's emission, to the mean of the samples. Whether it
- * arrives. */
+/* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:
+ * nothing arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i,
                        uint32_t *blocker, num_length mean[3])
 {

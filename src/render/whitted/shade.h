@@ -1,6 +1,6 @@
-/* shade.h - a point on a surface: the light that it sends back, and the rays that it asks for. */
-#ifndef TIA_RAY_SHADE_H
-#define TIA_RAY_SHADE_H
+/* shade.h - shading of a point on a surface: the light that it sends back, and the rays that it spawns. */
+#ifndef TIA_RENDER_WHITTED_SHADE_H
+#define TIA_RENDER_WHITTED_SHADE_H
 
 #include "media.h"
 #include "path.h"
@@ -28,10 +28,10 @@ struct bounces {
     struct ray reflected, refracted;
     num_length reflects[3], refracts[3];
     struct media media; /* of the refracted ray */
-    bool straight;      /* it goes on as it came */
+    bool straight;      /* the refracted ray goes on undeflected */
 };
 
-/* `media` are those of the ray that came here. */
+/* `media` are those of the incoming ray. */
 void shade_bounce(const struct ray_view *view, const struct shading *s, const struct media *media,
                   struct bounces *bounces);
 

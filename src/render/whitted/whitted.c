@@ -2,8 +2,8 @@
 
 #include "shade.h"
 
-/* A ray on its way: what its colour will be multiplied by, how often it was bent and how often it passed straight,
- * and what it is in. */
+/* A ray yet to be traced: its throughput, how many bounces and how many straight layers are behind it, and the media
+ * that it is in. */
 struct bounce {
     struct ray ray;
     num_length throughput[3];
@@ -11,8 +11,8 @@ struct bounce {
     struct media media;
 };
 
-/* Depth-first, the reflected ray before the refracted one, which waits for it. So on the way to any ray there waits
- * at most one for each time it was reflected: straight layers make the stack no deeper. */
+/* Depth-first: the refracted ray waits while the reflected one is followed. So at most one ray waits for each
+ * reflection on the way to the current one, and straight layers make the stack no deeper. */
 struct stack {
     struct bounce bounces[TIA_DEPTH_MAX + 2];
     int count;
@@ -20,7 +20,7 @@ struct stack {
 
 #define THROUGHPUT_MIN (NUM_LENGTH_ONE / 65536)
 
-/* A ray that comes of b, unless it is too faint. */
+/* Pushes a ray that b gives rise to, unless it is too faint. */
 static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
                  const struct media *media, bool straight)
 {

@@ -1,6 +1,6 @@
 /* split.h - where to split a node's items, by the binned surface area heuristic. */
-#ifndef TIA_BVH_SPLIT_H
-#define TIA_BVH_SPLIT_H
+#ifndef TIA_SCENE_BVH_SPLIT_H
+#define TIA_SCENE_BVH_SPLIT_H
 
 #include <tia/bvh.h>
 

@@ -1,6 +1,6 @@
 /* tree.h - builds one hierarchy, top down. */
-#ifndef TIA_BVH_TREE_H
-#define TIA_BVH_TREE_H
+#ifndef TIA_SCENE_BVH_TREE_H
+#define TIA_SCENE_BVH_TREE_H
 
 #include <tia/bvh.h>
 

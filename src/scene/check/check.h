@@ -1,6 +1,6 @@
-/* check.h - the parts of tia_scene_check: each gives TIA_OK, or fills in the fault. */
-#ifndef TIA_CHECK_CHECK_H
-#define TIA_CHECK_CHECK_H
+/* check.h - the parts of tia_scene_check: each returns TIA_OK, or fills in the fault. */
+#ifndef TIA_SCENE_CHECK_CHECK_H
+#define TIA_SCENE_CHECK_CHECK_H
 
 #include "scene/hull.h"
 
@@ -8,7 +8,7 @@ struct check {
     const struct tia_scene *scene;
     struct tia_fault *fault; /* may be NULL */
     struct tia_bounds eyes;  /* around every place that the eye may take */
-    const char *thing;       /* what is looked at */
+    const char *thing;       /* what is being checked */
     uint32_t index;
 };
 
@@ -17,7 +17,7 @@ struct check {
 #define CHECK_RADIUS "must be at least 2^-10"
 #define CHECK_LENGTH "its length must be in 0.5..1.5"
 
-/* What every rule ends with that is not kept. */
+/* Refuses the scene when a rule is broken. */
 #define REQUIRE(condition, field, rule)                                                                                \
     do {                                                                                                               \
         if (!(condition))                                                                                              \
@@ -37,13 +37,13 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 /* Whether two points are at least 2^-10 apart. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b);
 
-/* Distances to the farthest place of the eye, from all of a box or ball. */
+/* Whether all of a ball or box is near the eye, wherever that may be. */
 bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
 int tia_check_camera(const struct check *check);
 
-/* Number check->index of each. */
+/* Each checks number check->index of its kind. */
 int tia_check_material(const struct check *check);
 int tia_check_texture(const struct check *check);
 int tia_check_sphere(const struct check *check);
@@ -54,13 +54,13 @@ int tia_check_shape(const struct check *check);
 int tia_check_track(const struct check *check);
 
 int tia_check_light(const struct check *check, const struct tia_light *light);
-/* Where its points are. */
+/* Whether all its points are near the eye. */
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
-/* A placed object's box: near, and not too flat. */
+/* Whether a placed object's box is near, and not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* What the shapes that are meshes and grids make of them. */
+/* How the shapes use the meshes and grids. */
 int tia_check_uses(struct check *check);
 
 #endif

@@ -1,8 +1,8 @@
-/* mesh.c - meshes and grids, once each, and then what the shapes make of them. */
+/* mesh.c - each mesh and grid once, and then how the shapes use them. */
 #include "check.h"
 #include "scene/bounds.h"
 
-/* An index of each corner, or of none. */
+/* Either every corner has an index, or none has. */
 static bool are_indices(uint32_t a, uint32_t b, uint32_t c, uint32_t count)
 {
     bool none = a == TIA_NO_INDEX && b == TIA_NO_INDEX && c == TIA_NO_INDEX;
@@ -57,14 +57,13 @@ int tia_check_grid(const struct check *check)
     return TIA_OK;
 }
 
-/* What a mesh or grid is to all shapes that are it. */
+/* What the shapes that use a mesh or grid need to know of it: found once for all of them. */
 struct part {
     struct tia_bounds box; /* of a mesh */
-    uint32_t materials;    /* that it takes, from the shape's own on */
+    uint32_t materials;    /* how many it needs, from the shape's own on */
 };
 
-/* How many are kept at a time, while all shapes are looked through for theirs: few for the stack, and enough for
- * one pass where there are not many. */
+/* How many are kept for one pass over the shapes: few enough for the stack, and usually all there are. */
 #define PARTS 16
 
 static struct part mesh_part(const struct tia_scene *scene, uint32_t i)
@@ -96,7 +95,7 @@ static int check_use(const struct check *check, const struct part *part)
     return tia_check_placed(check, s, &box);
 }
 
-/* The shapes that are one of `count` parts from `first` on. */
+/* Checks the shapes that use one of the `count` parts from `first` on. */
 static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t first, uint32_t count,
                         const struct part *parts)
 {

@@ -83,7 +83,7 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 rad
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);
 }
 
-/* Only what is near in each coordinate may not be. */
+/* The squares are needed, and fit, only where every coordinate is near. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
 {
     int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;

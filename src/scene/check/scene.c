@@ -17,7 +17,7 @@ static bool are_arrays(const struct tia_scene *s)
            is_array(s->grids, s->grid_count) && is_array(s->tracks, s->track_count);
 }
 
-/* A hierarchy of another scene would leave things out. */
+/* A hierarchy built for another scene would leave objects out. */
 static bool is_bvh(const struct tia_scene *scene)
 {
     const struct tia_bvh *b = scene->bvh;
@@ -103,7 +103,7 @@ static int check_parts(struct check *check)
     return status;
 }
 
-/* The camera's eye, and where tracks move it; of a track that is not acceptable, what can be seen. */
+/* The camera's eye, and where tracks move it. Tracks are not checked yet: a bad one may have no keys. */
 static struct tia_bounds find_eyes(const struct tia_scene *scene)
 {
     struct tia_bounds eyes = {scene->camera.eye, scene->camera.eye};

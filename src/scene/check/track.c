@@ -4,7 +4,7 @@
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
-/* Where the eye goes, the whole check has in check->eyes. */
+/* Places of the eye need no check here: everything else is checked against check->eyes. */
 static int check_value(const struct check *check, const struct tia_track *track, struct tia_vec3 value)
 {
     struct tia_light moved;

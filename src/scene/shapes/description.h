@@ -2,8 +2,8 @@
  *
  * How rays meet it is in src/render/geometry.
  */
-#ifndef TIA_SHAPES_DESCRIPTION_H
-#define TIA_SHAPES_DESCRIPTION_H
+#ifndef TIA_SCENE_SHAPES_DESCRIPTION_H
+#define TIA_SCENE_SHAPES_DESCRIPTION_H
 
 #include "scene/check/check.h"
 #include "scene/hull.h"
@@ -11,10 +11,10 @@
 #define SHAPE_FIELDS_MAX 8
 
 struct shape_description {
-    const char *word;                                    /* of its statement in scene files; NULL: it is an instance */
+    const char *word;                                    /* of its statement in scene files; NULL: that is `instance` */
     const char *what;                                    /* the same for errors: "a box" */
-    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* of the statement; the last one remains empty */
-    /* Its own rules; that the whole of it is near, and not too flat, is asked of all alike. */
+    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* of the statement; the last one stays empty */
+    /* The rules of this kind; that all of a shape is near, and not too flat, is checked for every kind alike. */
     int (*check)(const struct check *check, const struct tia_shape *shape);
     /* NULL: it is infinite, and has no place. */
     void (*add_bounds)(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape);
