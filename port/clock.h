@@ -4,7 +4,7 @@
 
 #include <tia/port.h>
 
-extern const struct tia_clock clock_monotonic; /* the context is not used */
+extern const struct tia_clock clock_monotonic; /* ignores its context */
 
 uint64_t clock_now_us(void);
 

@@ -1,7 +1,7 @@
-/* device.h - what a display or an input of this program is, besides its functions (tia/port.h).
+/* device.h - a display or an input of this program: its functions (tia/port.h), and what the command line needs.
  *
- * The reason for a failure is one line without a full stop, in the form "WHAT: WHY" or
- * "WHAT: WHY (FIX)", written to the `why` that the context was made with.
+ * The reason for a failure is one line without a full stop, in the form "WHAT: WHY" or "WHAT: WHY (FIX)", written to
+ * the `why` that was passed to create.
  */
 #ifndef PORT_DEVICE_H
 #define PORT_DEVICE_H
@@ -10,7 +10,7 @@
 
 #define PORT_WHY 256
 
-/* What the user asked of a display or an input; zero means the device's own choice. */
+/* What the user asked for; zero means the device's own choice. */
 struct port_wish {
     const char *device; /* a node, or NULL: the first that works */
     uint16_t width, height;

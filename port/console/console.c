@@ -22,7 +22,7 @@ static struct console {
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* A terminal may be the input, which has a handler of its own for SIGCONT. */
+/* A terminal as the input has its own handler for SIGCONT, which is called, too. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -92,7 +92,7 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* If somebody else sent the signal there is nothing to answer, and the screen stays ours. */
+/* If the signal did not come from the kernel, it expects no answer, and the screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -112,8 +112,8 @@ static void answer_enter(void)
     enter();
 }
 
-/* The guardian has answered whatever the kernel asked before. If it let go of the console, somebody
- * else had the keyboards and the screen, even if the console is in front again. */
+/* The guardian has answered what the kernel asked during the stop. If it released the console, somebody else had the
+ * keyboards and the screen, even if the console is in front again. */
 static void answer_resume(void)
 {
     bool left = false;
@@ -141,7 +141,7 @@ static void answer(void)
             answer_leave();
 }
 
-/* Turns pending signals into flags: a wait delivers none when a descriptor is ready. */
+/* Turns pending signals into flags, since ppoll delivers none when a descriptor is ready. */
 static void collect_signals(void)
 {
     const struct timespec now = {0};
@@ -223,7 +223,7 @@ void console_close(void)
 {
     if (console.state == CONSOLE_FREE)
         return;
-    /* Somebody may have asked for another console a moment ago. */
+    /* Another console may have been asked for a moment ago. */
     collect_signals();
     answer();
     leave(CONSOLE_FREE);

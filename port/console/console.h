@@ -1,5 +1,5 @@
-/* console.h - the virtual console (VT) under a display that takes the whole screen, the signals
- * by which the kernel switches it, and the one place where signals are let in.
+/* console.h - the virtual console (VT) under a display that takes the whole screen, the signals by which the kernel
+ * switches it, and the one place where signals are let in.
  *
  * A display takes the console; inputs only listen and wait:
  *
@@ -8,8 +8,8 @@
  *     poll:   on Ctrl-Alt-Fn, console_switch(n);
  *     close:  console_ignore(&listener);
  *
- * There is one console in a process, as there is one screen. All functions are called by the same
- * thread; other threads must have every signal blocked, or they swallow the console's.
+ * A process has one console, as it has one screen. Call all functions from the same thread; other threads must block
+ * every signal, or they swallow the console's.
  */
 #ifndef PORT_COMMON_CONSOLE_H
 #define PORT_COMMON_CONSOLE_H
@@ -26,22 +26,22 @@ enum console_state {
 
 enum console_state console_state(void);
 
-/* Whoever wants to know when the screen comes and goes; part of a port's context. */
+/* Called when the screen comes and goes; part of a port's context. */
 struct console_listener {
     void (*enter)(void *arg); /* it has become CONSOLE_OURS */
     void (*leave)(void *arg); /* it stops being ours when this returns: let go of everything */
     void *arg;
-    struct console_listener *next; /* console.c's */
+    struct console_listener *next; /* private to console.c */
 };
 
-/* Neither calls the listener: look at console_state(). Listeners enter in the order in which they
- * were added and leave in reverse. console_ignore is safe when it was not added. */
+/* Neither calls the listener: check console_state(). enter is called in the order in which listeners were added, leave
+ * in reverse. console_ignore is safe when it was not added. */
 void console_listen(struct console_listener *listener);
 void console_ignore(struct console_listener *listener);
 
-/* poll(2) with every signal let in while it waits, then does what the kernel's switching signals
- * asked for. Every tia_input.wait is made of it, with or without a console. Returns how many
- * descriptors are ready, 0 when none is (time is up or a signal came), or TIA_ERR_DEVICE. */
+/* poll(2) with every signal unblocked while it waits; then does what the kernel's switching signals asked for. Every
+ * tia_input.wait uses it, with or without a console. Returns how many descriptors are ready, 0 when none is (time is up
+ * or a signal came), or TIA_ERR_DEVICE. */
 int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms);
 
 /* Asks for console number `vt` (1..63) to come in front, as Ctrl-Alt-Fn does; it happens in a later
@@ -50,12 +50,11 @@ void console_switch(unsigned vt);
 
 /* ---- for displays ---- */
 
-/* Takes the console: the controlling terminal when it is a VT, else the VT in front, else none
- * (no VT in this kernel, or no right to open it: then the screen is ours and is never switched).
- * Brings it in front and takes part in switching; `graphics` stops its text, which on some displays
- * would be drawn over the picture. The guardian (guardian.h) puts it back if this process dies, and
- * lets it be switched while this process is stopped. TIA_ERR_DEVICE and a line in `why` when another
- * program has it. */
+/* Takes the console: the controlling terminal when it is a VT, else the VT in front, else none (no VT in this kernel,
+ * or no right to open it: then the screen is ours and is never switched). Switches to it, and from then on answers the
+ * kernel when consoles are switched; `graphics` stops its text, which some displays would show over the picture. The
+ * guardian (guardian.h) puts it back if this process dies, and lets it be switched while this process is stopped.
+ * TIA_ERR_DEVICE and a line in `why` when another program has it. */
 int console_open(bool graphics, char why[PORT_WHY]);
 
 /* Puts back what console_open changed. Safe when it is not open. */

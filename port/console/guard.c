@@ -1,4 +1,4 @@
-/* Nothing here may need a lock that another thread of the guarded process held at the fork. */
+/* Nothing here may take a lock, as malloc does: another thread may have held it at the fork. */
 #include "guard.h"
 
 #include <errno.h>
@@ -22,16 +22,16 @@
 #include "kept.h"
 #include "stand_in.h"
 
-#define LINE 0          /* the descriptor of the line in this process */
-#define PATIENCE_MS 200 /* how long the shell waits for a terminal that takes nothing */
+#define LINE 0          /* the socket's descriptor in this process */
+#define PATIENCE_MS 200 /* how long a terminal that accepts nothing delays the shell */
 
 static pid_t watcher; /* the thread that is traced, or 0 */
 
 /* ---- consoles and framebuffers ---- */
 
-/* When the process that died was its session's leader, the session has no terminal any more, and
- * its user no right to the VT until it is somebody's terminal again. A child can have it: it leads
- * no group, and so may lead a session. The child goes on as the guardian. */
+/* When a session's leader dies, the session loses its terminal, and the user may not change the VT until it is
+ * somebody's controlling terminal again. Only a process that leads no group can start a session to claim it, so a child
+ * does, and goes on as the guardian. */
 static bool claim_terminal(int fd)
 {
     pid_t child = fork();
@@ -41,23 +41,23 @@ static bool claim_terminal(int fd)
     return child == 0 && setsid() > 0 && ioctl(fd, TIOCSCTTY, 0L) == 0;
 }
 
-static void restore_vt(const struct thing *t, int fd)
+static void restore_vt(const struct saved *saved, int fd)
 {
-    struct vt_mode mode = t->was.vt.mode;
+    struct vt_mode mode = saved->was.vt.mode;
 
-    /* Text before the switch: a console in graphics mode whose owner is dead is not redrawn by it.
-     * The kernel draws the text when the mode changes, so it has to change. */
+    /* Text mode comes before the switch, which does not redraw a console in graphics mode. The kernel draws the text
+     * only when the mode changes, so it is set to graphics first. */
     if (ioctl(fd, KDSETMODE, (long)KD_GRAPHICS) != 0 && errno == EPERM && claim_terminal(fd))
         (void)ioctl(fd, KDSETMODE, (long)KD_GRAPHICS);
-    (void)ioctl(fd, KDSETMODE, (long)t->was.vt.kd_mode);
+    (void)ioctl(fd, KDSETMODE, (long)saved->was.vt.kd_mode);
     (void)ioctl(fd, VT_SETMODE, &mode);
-    if (t->was.vt.back_to != 0)
-        (void)ioctl(fd, VT_ACTIVATE, (long)t->was.vt.back_to);
+    if (saved->was.vt.back_to != 0)
+        (void)ioctl(fd, VT_ACTIVATE, (long)saved->was.vt.back_to);
 }
 
-static void restore_fb(const struct thing *t, int fd)
+static void restore_fb(const struct saved *saved, int fd)
 {
-    struct fb_var_screeninfo var = t->was.fb;
+    struct fb_var_screeninfo var = saved->was.fb;
 
     var.activate = FB_ACTIVATE_NOW;
     (void)ioctl(fd, FBIOPUT_VSCREENINFO, &var);
@@ -71,7 +71,7 @@ static int open_node(const char *path)
 
 static void restore_screens(void)
 {
-    for (int i = THINGS - 1; i >= 0; i--) {
+    for (int i = KEPT_MOST - 1; i >= 0; i--) {
         int fd = kept[i].kind == VT || kept[i].kind == FB ? open_node(kept[i].path) : -1;
         if (fd < 0)
             continue;
@@ -85,15 +85,15 @@ static void restore_screens(void)
 
 /* ---- terminals ---- */
 
-/* Names of pseudo-terminals are given again: is this one still the one that was kept? */
-static bool is_same_node(const struct thing *t, int fd)
+/* Names of pseudo-terminals are reused: is this still the terminal that was kept? */
+static bool is_same_node(const struct saved *saved, int fd)
 {
     struct stat s;
 
-    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == t->made.tv_sec && s.st_ctim.tv_nsec == t->made.tv_nsec;
+    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == saved->made.tv_sec && s.st_ctim.tv_nsec == saved->made.tv_nsec;
 }
 
-/* Has nobody set other modes than those of the program that died? */
+/* Are the modes still those of the program that died? */
 static bool is_untouched(int fd, const struct termios *raw)
 {
     struct termios now;
@@ -102,26 +102,26 @@ static bool is_untouched(int fd, const struct termios *raw)
            now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
 }
 
-/* A shell that has its terminal back, because tia was stopped or because nothing is traced, may
- * have set the modes that it wants. */
-static void restore_modes(const struct thing *t, int fd, pid_t group)
+/* A shell that has its terminal back, because tia was stopped or could not be traced, may have set its own modes: they
+ * stay. */
+static void restore_modes(const struct saved *saved, int fd, pid_t group)
 {
     pid_t front = tcgetpgrp(fd);
 
-    if (front > 0 && front != group && !is_untouched(fd, &t->was.terminal.raw))
+    if (front > 0 && front != group && !is_untouched(fd, &saved->was.terminal.raw))
         return;
-    (void)tcsetattr(fd, TCSANOW, &t->was.terminal.before);
+    (void)tcsetattr(fd, TCSANOW, &saved->was.terminal.before);
     (void)tcflush(fd, TCIFLUSH);
 }
 
-/* Writes what the terminal takes of the text within the time; what it took is cut off. */
-static bool write_text(struct thing *t, int timeout_ms)
+/* Writes the text, and removes from it what the terminal accepted. False: some is left after timeout_ms. */
+static bool write_text(struct saved *saved, int timeout_ms)
 {
-    struct pollfd ready = {.fd = t->fd, .events = POLLOUT};
-    char *text = t->was.text;
+    struct pollfd ready = {.fd = saved->fd, .events = POLLOUT};
+    char *text = saved->was.text;
 
     while (*text != '\0') {
-        ssize_t n = write(t->fd, text, strlen(text));
+        ssize_t n = write(saved->fd, text, strlen(text));
         if (n > 0)
             (void)memmove(text, text + n, strlen(text + n) + 1);
         else if (n < 0 && errno != EAGAIN)
@@ -132,33 +132,33 @@ static bool write_text(struct thing *t, int timeout_ms)
     return true;
 }
 
-static void restore_terminal(struct thing *t, pid_t group)
+static void restore_terminal(struct saved *saved, pid_t group)
 {
-    int fd = open_node(t->path);
+    int fd = open_node(saved->path);
 
-    if (fd < 0 || !is_same_node(t, fd)) {
+    if (fd < 0 || !is_same_node(saved, fd)) {
         (void)close(fd);
         return;
     }
-    t->fd = fd;
-    if (t->kind == TERMINAL)
-        restore_modes(t, fd, group);
-    if (t->kind == TEXT && !write_text(t, PATIENCE_MS))
+    saved->fd = fd;
+    if (saved->kind == TERMINAL)
+        restore_modes(saved, fd, group);
+    if (saved->kind == TEXT && !write_text(saved, PATIENCE_MS))
         return; /* finish() waits for this terminal */
-    t->fd = -1;
+    saved->fd = -1;
     (void)close(fd);
 }
 
 static void restore_terminals(pid_t group)
 {
-    for (int i = THINGS - 1; i >= 0; i--)
+    for (int i = KEPT_MOST - 1; i >= 0; i--)
         if (kept[i].kind == TERMINAL || kept[i].kind == TEXT)
             restore_terminal(&kept[i], group);
 }
 
-/* ---- what takes its time ---- */
+/* ---- what may take long ---- */
 
-/* Mice and joysticks have the codes above. */
+/* Codes from BTN_MISC on are buttons of mice and joysticks. */
 static bool is_any_key_down(int fd)
 {
     unsigned char down[KEY_CNT / 8] = {0};
@@ -171,7 +171,7 @@ static bool is_any_key_down(int fd)
     return false;
 }
 
-/* Asking for the keys also takes those events from the queue that had woken us, but not the others. */
+/* Reads all events: asking for the keys removes only key events from the queue, and the rest would wake us again. */
 static bool is_released(int fd)
 {
     struct input_event events[64];
@@ -182,29 +182,29 @@ static bool is_released(int fd)
 }
 
 /* Does what can be done now; true when nothing is left to do. */
-static bool finish_one(struct thing *t)
+static bool finish_one(struct saved *saved)
 {
-    bool done = t->fd < 0 || (t->kind != TEXT && t->kind != KEYBOARD);
+    bool done = saved->fd < 0 || (saved->kind != TEXT && saved->kind != KEYBOARD);
 
     if (!done)
-        done = t->kind == TEXT ? write_text(t, 0) : is_released(t->fd);
-    if (done && t->fd >= 0) {
-        (void)close(t->fd);
-        t->fd = -1;
+        done = saved->kind == TEXT ? write_text(saved, 0) : is_released(saved->fd);
+    if (done && saved->fd >= 0) {
+        (void)close(saved->fd);
+        saved->fd = -1;
     }
     return done;
 }
 
-/* A key that is down when its grab ends would repeat on the console below, so a grab, which lasts
- * as long as its descriptor, ends with the key. */
+/* A key that is down when its grab ends would repeat on the console, so a keyboard's descriptor, and with it the grab,
+ * is kept until its keys are up. */
 static void finish(void)
 {
-    struct pollfd fds[THINGS];
+    struct pollfd fds[KEPT_MOST];
     nfds_t waiting;
 
     do {
         waiting = 0;
-        for (int i = 0; i < THINGS; i++)
+        for (int i = 0; i < KEPT_MOST; i++)
             if (!finish_one(&kept[i]))
                 fds[waiting++] = (struct pollfd){.fd = kept[i].fd, .events = kept[i].kind == TEXT ? POLLOUT : POLLIN};
     } while (waiting > 0 && poll(fds, waiting, -1) >= 0);
@@ -212,7 +212,7 @@ static void finish(void)
 
 /* ---- signals ---- */
 
-/* The watcher stops and goes on with its process. A death is not taken here: see guard(). */
+/* The watcher stops and continues with its process. Its death is not reaped here: see guard(). */
 static void follow_watcher(void)
 {
     siginfo_t what = {0};
@@ -244,7 +244,7 @@ static void take_signals(int signals)
 
 /* ---- messages ---- */
 
-/* Its descriptor, when it brings one. */
+/* The descriptor that came with the message, or -1. */
 static int descriptor_of(struct msghdr *message)
 {
     struct cmsghdr *part = CMSG_FIRSTHDR(message);
@@ -255,41 +255,41 @@ static int descriptor_of(struct msghdr *message)
     return fd;
 }
 
-static void follow(struct thing *t)
+static void follow(struct saved *saved)
 {
-    const struct thing *old = kept_find(t);
+    const struct saved *old = kept_find(saved);
     const char ready = GUARD_READY;
 
-    if (t->kind == WATCHER) {
-        watcher = ptrace(PTRACE_SEIZE, t->was.watcher, NULL, NULL) == 0 ? t->was.watcher : 0;
+    if (saved->kind == WATCHER) {
+        watcher = ptrace(PTRACE_SEIZE, saved->was.watcher, NULL, NULL) == 0 ? saved->was.watcher : 0;
         (void)send(LINE, &ready, 1, MSG_NOSIGNAL);
         return;
     }
     if (old && old->fd >= 0)
         (void)close(old->fd);
-    (void)kept_note(t);
+    (void)kept_note(saved);
 }
 
-/* False when the other end is gone. */
+/* False when the other end is closed. */
 static bool take_message(void)
 {
-    struct thing t;
+    struct saved saved;
     _Alignas(struct cmsghdr) char control[CMSG_SPACE(sizeof(int))];
-    struct iovec bytes = {&t, sizeof t};
+    struct iovec bytes = {&saved, sizeof saved};
     struct msghdr message = {
         .msg_iov = &bytes, .msg_iovlen = 1, .msg_control = control, .msg_controllen = sizeof control};
 
-    if (recvmsg(LINE, &message, MSG_CMSG_CLOEXEC) != (ssize_t)sizeof t)
+    if (recvmsg(LINE, &message, MSG_CMSG_CLOEXEC) != (ssize_t)sizeof saved)
         return false;
-    t.fd = descriptor_of(&message);
-    follow(&t);
+    saved.fd = descriptor_of(&message);
+    follow(&saved);
     return true;
 }
 
 /* ---- the process ---- */
 
-/* Root's guardian is never chosen by the kernel when memory is short, and not killed with its group
- * of processes; another user's is as unlikely a choice as its user may make it. */
+/* When memory is short, the kernel never kills root's guardian, not even with its whole cgroup; another user's gets the
+ * lowest score that its user may give. */
 static void stay_alive(void)
 {
     int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -299,8 +299,9 @@ static void stay_alive(void)
     (void)close(fd);
 }
 
-/* Not to be found by the command's name, and nobody's reader or writer. It stays in its session: a user who is not root
- * may set the mode of a VT only while that is the controlling terminal. */
+/* Takes a name of its own, so that killing tia by name spares it, and closes all files, so that nobody waits for it at
+ * a pipe. It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
+ * terminal. */
 static void go_away(int line)
 {
     long limit = sysconf(_SC_OPEN_MAX);
@@ -312,8 +313,8 @@ static void go_away(int line)
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < (limit > 0 && limit < 65536 ? limit : 65536); fd++)
             (void)close(fd);
-    /* Theirs were the other process's numbers. Our own come with messages. */
-    for (int i = 0; i < THINGS; i++)
+    /* These were descriptors of the other process; ours come with messages. */
+    for (int i = 0; i < KEPT_MOST; i++)
         kept[i].fd = -1;
 }
 
@@ -346,10 +347,10 @@ static void listen_until_the_end(void)
     }
 }
 
-/* Then the kernel takes them from the dead process. */
+/* The kernel puts a DRM device back when its last descriptor is closed, so ours must not outlive the dead process's. */
 static void close_cards(void)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == CARD) {
             (void)close(kept[i].fd);
             kept[i].fd = -1;
@@ -365,11 +366,11 @@ void guard(int line, pid_t parent, pid_t group)
         _exit(0);
     close_cards();
     restore_terminals(group);
-    /* From here on the parent of the dead process knows that it is dead. */
+    /* Now the parent of the dead process may see its death. */
     if (watcher != 0)
         (void)waitpid(watcher, NULL, __WALL);
-    /* The kernel puts a DRM device back when the last of its files is closed. The process is
-     * gone when that is done; 2 s for one that hangs in its driver, 0.2 s for kernels < 5.3. */
+    /* The process is gone when the kernel has closed its files, and with them put DRM devices back. At most 2 s, in
+     * case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
     if (kept_any(VT) || kept_any(FB))
         (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
     restore_screens();

@@ -22,14 +22,13 @@
 #include "console/kept.h"
 
 #define RETRY_MS 100               /* after a fork that failed */
-#define WATCHER_STACK (256 * 1024) /* of a thread that waits, and forks */
+#define WATCHER_STACK (256 * 1024) /* for a thread that only waits and forks */
 
-/* The lock holds this and the table: the watcher (guard.h), which starts a new guardian when the
- * one that there was has died, uses both. */
+/* The lock protects this and the table: the watcher (guard.h), which replaces a guardian that died, uses both, too. */
 static struct {
     pthread_mutex_t lock;
     pthread_t watcher;
-    sem_t traced; /* the watcher's guardian has answered */
+    sem_t traced; /* the guardian has answered the watcher */
     int line;     /* to the guardian; -1: there is none */
     pid_t process;
     bool watched; /* there is a watcher */
@@ -38,34 +37,34 @@ static struct {
 
 /* ---- messages ---- */
 
-static int send_message(const struct thing *t)
+static int send_message(const struct saved *saved)
 {
     _Alignas(struct cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {0};
-    struct iovec bytes = {(void *)(uintptr_t)t, sizeof *t};
+    struct iovec bytes = {(void *)(uintptr_t)saved, sizeof *saved};
     struct msghdr message = {.msg_iov = &bytes, .msg_iovlen = 1};
 
-    if (!t->forget && t->fd >= 0) {
+    if (!saved->forget && saved->fd >= 0) {
         message.msg_control = control;
         message.msg_controllen = sizeof control;
         struct cmsghdr *part = CMSG_FIRSTHDR(&message);
         *part = (struct cmsghdr){.cmsg_level = SOL_SOCKET, .cmsg_type = SCM_RIGHTS, .cmsg_len = CMSG_LEN(sizeof(int))};
-        (void)memcpy(CMSG_DATA(part), &t->fd, sizeof t->fd);
+        (void)memcpy(CMSG_DATA(part), &saved->fd, sizeof saved->fd);
     }
-    return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *t ? 0 : -1;
+    return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *saved ? 0 : -1;
 }
 
-/* The guardian has the table from the fork, but not the descriptors. */
+/* A new guardian has the table from the fork, but has closed the descriptors in it. */
 static void send_descriptors(void)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind != NOTHING && kept[i].fd >= 0)
             (void)send_message(&kept[i]);
 }
 
 /* ---- the process ---- */
 
-/* No signal to the group or the session ends it: it has all of them blocked from its first moment,
- * and is in a group of its own, where SIGKILL does not find it, before this returns. */
+/* No signal to our process group or session ends it: it blocks all of them from the start and, before this returns, is
+ * in a group of its own, since SIGKILL cannot be blocked. */
 static int start_process(void)
 {
     int ends[2];
@@ -92,7 +91,7 @@ static int start_process(void)
     return 0;
 }
 
-/* It has ended, or will now that it has nothing to listen to: even one that somebody has stopped. */
+/* It has ended, or does when its socket is closed; SIGCONT is for one that somebody has stopped. */
 static void reap_process(void)
 {
     if (guardian.line < 0)
@@ -106,18 +105,18 @@ static void reap_process(void)
 
 /* ---- the watcher ---- */
 
-/* Asks the guardian to trace this thread. Yama, where it is there, wants to know whom we allow. */
+/* Asks the guardian to trace this thread. Where the kernel has Yama, we have to allow it. */
 static void be_traced(void)
 {
-    const struct thing t = {.kind = WATCHER, .fd = -1, .was.watcher = (pid_t)syscall(SYS_gettid)};
+    const struct saved saved = {.kind = WATCHER, .fd = -1, .was.watcher = (pid_t)syscall(SYS_gettid)};
     char answer;
 
     (void)prctl(PR_SET_PTRACER, (unsigned long)guardian.process, 0, 0, 0);
-    if (send_message(&t) == 0)
+    if (send_message(&saved) == 0)
         (void)!recv(guardian.line, &answer, 1, 0);
 }
 
-/* Returns when the guardian has died, or is meant to end. */
+/* Returns when the guardian has died, or end() has shut the socket down. */
 static void await_death(int line)
 {
     struct pollfd end = {.fd = line, .events = POLLIN};
@@ -146,7 +145,7 @@ static void *watch(void *arg)
     return NULL;
 }
 
-/* With every signal blocked: they are for the other threads, and a traced thread would stop at each. */
+/* All signals are blocked in it: they are for the other threads, and a traced thread would stop at each. */
 static void start_watcher(void)
 {
     pthread_attr_t small;
@@ -173,7 +172,7 @@ static int start(void)
     return 0;
 }
 
-/* The guardian first: a thread that it traces does not end before it. */
+/* Ends the guardian before the watcher, since a traced thread cannot end before its tracer. */
 static void end(void)
 {
     guardian.ending = true;
@@ -189,165 +188,165 @@ static void end(void)
     reap_process();
 }
 
-/* ---- things ---- */
+/* ---- the table ---- */
 
-static int keep(const struct thing *t)
+static int keep(const struct saved *saved)
 {
     int status = -1;
 
     (void)pthread_mutex_lock(&guardian.lock);
-    if (kept_note(t) == 0)
+    if (kept_note(saved) == 0)
         status = guardian.line < 0 ? start() : 0;
-    /* A guardian that has just died is followed by one that has the table. */
+    /* If this fails, the guardian has just died; the next one gets the table. */
     if (status == 0)
-        (void)send_message(t);
+        (void)send_message(saved);
     (void)pthread_mutex_unlock(&guardian.lock);
     return status;
 }
 
-static void forget(struct thing *t)
+static void forget(struct saved *saved)
 {
-    t->forget = true;
-    t->fd = -1;
+    saved->forget = true;
+    saved->fd = -1;
     (void)pthread_mutex_lock(&guardian.lock);
-    if (kept_note(t) == 0 && guardian.line >= 0) {
-        (void)send_message(t);
+    if (kept_note(saved) == 0 && guardian.line >= 0) {
+        (void)send_message(saved);
         if (kept_nothing())
             end();
     }
     (void)pthread_mutex_unlock(&guardian.lock);
 }
 
-static struct thing named(enum kind kind, const char *path)
+static struct saved named(enum kind kind, const char *path)
 {
-    struct thing t = {.kind = kind, .fd = -1};
+    struct saved saved = {.kind = kind, .fd = -1};
 
-    (void)snprintf(t.path, sizeof t.path, "%s", path);
-    return t;
+    (void)snprintf(saved.path, sizeof saved.path, "%s", path);
+    return saved;
 }
 
 /* ---- consoles, framebuffers, keyboards ---- */
 
 int guardian_keep_vt(int fd, const char *path, unsigned back_to)
 {
-    struct thing t = named(VT, path);
+    struct saved saved = named(VT, path);
 
-    t.fd = fd;
-    t.was.vt.back_to = back_to;
-    if (ioctl(fd, KDGETMODE, &t.was.vt.kd_mode) != 0 || ioctl(fd, VT_GETMODE, &t.was.vt.mode) != 0)
+    saved.fd = fd;
+    saved.was.vt.back_to = back_to;
+    if (ioctl(fd, KDGETMODE, &saved.was.vt.kd_mode) != 0 || ioctl(fd, VT_GETMODE, &saved.was.vt.mode) != 0)
         return -1;
-    return keep(&t);
+    return keep(&saved);
 }
 
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
 {
-    struct thing t = named(FB, path);
+    struct saved saved = named(FB, path);
 
-    t.was.fb = *var;
-    return keep(&t);
+    saved.was.fb = *var;
+    return keep(&saved);
 }
 
-/* One process has many keyboards, whose names may be long: their descriptors tell them apart. */
-static struct thing numbered(enum kind kind, int fd)
+/* A process may have several keyboards, with long names: they are known by descriptor instead. */
+static struct saved numbered(enum kind kind, int fd)
 {
-    struct thing t = {.kind = kind, .fd = fd};
+    struct saved saved = {.kind = kind, .fd = fd};
 
-    (void)snprintf(t.path, sizeof t.path, "descriptor %d", fd);
-    return t;
+    (void)snprintf(saved.path, sizeof saved.path, "descriptor %d", fd);
+    return saved;
 }
 
 int guardian_keep_keyboard(int fd)
 {
-    const struct thing t = numbered(KEYBOARD, fd);
+    const struct saved saved = numbered(KEYBOARD, fd);
 
-    return keep(&t);
+    return keep(&saved);
 }
 
 int guardian_keep_card(int fd)
 {
-    const struct thing t = numbered(CARD, fd);
+    const struct saved saved = numbered(CARD, fd);
 
-    return keep(&t);
+    return keep(&saved);
 }
 
 void guardian_forget_vt(const char *path)
 {
-    struct thing t = named(VT, path);
+    struct saved saved = named(VT, path);
 
-    forget(&t);
+    forget(&saved);
 }
 
 void guardian_forget_fb(const char *path)
 {
-    struct thing t = named(FB, path);
+    struct saved saved = named(FB, path);
 
-    forget(&t);
+    forget(&saved);
 }
 
 void guardian_forget_keyboard(int fd)
 {
-    struct thing t = numbered(KEYBOARD, fd);
+    struct saved saved = numbered(KEYBOARD, fd);
 
-    forget(&t);
+    forget(&saved);
 }
 
 void guardian_forget_card(int fd)
 {
-    struct thing t = numbered(CARD, fd);
+    struct saved saved = numbered(CARD, fd);
 
-    forget(&t);
+    forget(&saved);
 }
 
 /* ---- terminals ---- */
 
-static bool describe_terminal(enum kind kind, int fd, struct thing *t)
+static bool describe_terminal(enum kind kind, int fd, struct saved *saved)
 {
     struct stat s;
 
-    *t = (struct thing){.kind = kind, .fd = -1};
-    if (ttyname_r(fd, t->path, sizeof t->path) != 0 || fstat(fd, &s) != 0)
+    *saved = (struct saved){.kind = kind, .fd = -1};
+    if (ttyname_r(fd, saved->path, sizeof saved->path) != 0 || fstat(fd, &s) != 0)
         return false;
-    t->made = s.st_ctim;
+    saved->made = s.st_ctim;
     return true;
 }
 
-static bool describe_text(int fd, const char *text, struct thing *t)
+static bool describe_text(int fd, const char *text, struct saved *saved)
 {
-    if (!describe_terminal(TEXT, fd, t) || strlen(text) >= sizeof t->was.text)
+    if (!describe_terminal(TEXT, fd, saved) || strlen(text) >= sizeof saved->was.text)
         return false;
-    (void)snprintf(t->was.text, sizeof t->was.text, "%s", text);
+    (void)snprintf(saved->was.text, sizeof saved->was.text, "%s", text);
     return true;
 }
 
 int guardian_keep_terminal(int fd, const struct termios *raw)
 {
-    struct thing t;
+    struct saved saved;
 
-    if (!describe_terminal(TERMINAL, fd, &t) || tcgetattr(fd, &t.was.terminal.before) != 0)
+    if (!describe_terminal(TERMINAL, fd, &saved) || tcgetattr(fd, &saved.was.terminal.before) != 0)
         return -1;
-    t.was.terminal.raw = *raw;
-    return keep(&t);
+    saved.was.terminal.raw = *raw;
+    return keep(&saved);
 }
 
 int guardian_keep_text(int fd, const char *text)
 {
-    struct thing t;
+    struct saved saved;
 
-    return describe_text(fd, text, &t) ? keep(&t) : -1;
+    return describe_text(fd, text, &saved) ? keep(&saved) : -1;
 }
 
 void guardian_forget_terminal(int fd)
 {
-    struct thing t;
+    struct saved saved;
 
-    if (describe_terminal(TERMINAL, fd, &t))
-        forget(&t);
+    if (describe_terminal(TERMINAL, fd, &saved))
+        forget(&saved);
 }
 
 void guardian_forget_text(int fd, const char *text)
 {
-    struct thing t;
+    struct saved saved;
 
-    if (describe_text(fd, text, &t))
-        forget(&t);
+    if (describe_text(fd, text, &saved))
+        forget(&saved);
 }

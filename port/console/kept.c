@@ -2,18 +2,18 @@
 
 #include <string.h>
 
-struct thing kept[THINGS];
+struct saved kept[KEPT_MOST];
 
-static bool is_same(const struct thing *a, const struct thing *b)
+static bool is_same(const struct saved *a, const struct saved *b)
 {
     if (a->kind != b->kind || strcmp(a->path, b->path) != 0)
         return false;
     return a->kind != TEXT || strcmp(a->was.text, b->was.text) == 0;
 }
 
-struct thing *kept_find(const struct thing *like)
+struct saved *kept_find(const struct saved *like)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind != NOTHING && is_same(&kept[i], like))
             return &kept[i];
     return NULL;
@@ -21,7 +21,7 @@ struct thing *kept_find(const struct thing *like)
 
 bool kept_any(enum kind kind)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == kind)
             return true;
     return false;
@@ -29,23 +29,23 @@ bool kept_any(enum kind kind)
 
 bool kept_nothing(void)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind != NOTHING)
             return false;
     return true;
 }
 
-static struct thing *free_place(void)
+static struct saved *free_place(void)
 {
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == NOTHING)
             return &kept[i];
     return NULL;
 }
 
-int kept_note(const struct thing *message)
+int kept_note(const struct saved *message)
 {
-    struct thing *place = kept_find(message);
+    struct saved *place = kept_find(message);
 
     if (!place && !message->forget)
         place = free_place();

@@ -1,5 +1,5 @@
-/* kept.h - what the guardian keeps: a table that both processes have, and the messages that keep
- * the two alike. guardian.c's and guard.c's own. */
+/* kept.h - the table of what the guardian has to put back. Both processes have a copy; messages keep the two the same.
+ * Private to the guardian's files. */
 #ifndef PORT_CONSOLE_KEPT_H
 #define PORT_CONSOLE_KEPT_H
 
@@ -14,13 +14,13 @@ enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, WATCHER };
 
 #define KEPT_TEXT 96
 
-/* A thing that is kept: how to find it, and how it was. */
-struct thing {
+/* A console, terminal or device: how to find it, and the state to put back. */
+struct saved {
     enum kind kind;
-    bool forget; /* of a message: it is kept no longer */
+    bool forget; /* in a message: remove it from the table */
     char path[64];
-    struct timespec made; /* TERMINAL, TEXT: the node's change time, which differs for another terminal */
-    int fd;               /* VT, KEYBOARD, CARD: this process's descriptor of it, else -1 */
+    struct timespec made; /* TERMINAL, TEXT: the node's ctime; a later terminal of the same name has another */
+    int fd;               /* VT, KEYBOARD, CARD: this process's descriptor for it, else -1 */
     union {
         struct {
             int kd_mode;
@@ -32,21 +32,21 @@ struct thing {
         } terminal;
         char text[KEPT_TEXT];
         struct fb_var_screeninfo fb;
-        pid_t watcher; /* a message only: see guard.h */
+        pid_t watcher; /* in messages only: see guard.h */
     } was;
 };
 
-/* A display, its console and its input, with all the keyboards that evdev.c takes. */
-#define THINGS 40
-extern struct thing kept[THINGS];
+/* Enough for a display, its console, and as many keyboards as evdev.c takes. */
+#define KEPT_MOST 40
+extern struct saved kept[KEPT_MOST];
 
-/* The place of the same thing in the table, or NULL. */
-struct thing *kept_find(const struct thing *like);
-/* Is there anything of this kind? */
+/* The table's entry for the same console, terminal or device, or NULL. */
+struct saved *kept_find(const struct saved *like);
+/* Does the table have an entry of this kind? */
 bool kept_any(enum kind kind);
 bool kept_nothing(void);
 
-/* Follows a message. -1: there is no room. */
-int kept_note(const struct thing *message);
+/* Does what a message says. 0, or -1: the table is full, or has nothing to remove. */
+int kept_note(const struct saved *message);
 
 #endif

@@ -18,7 +18,7 @@ const char *node_error(int error, char text[PORT_WHY])
     return text;
 }
 
-/* How to get the right to open the node: by its group, if the group may read it. */
+/* How to get the right to open the node: join its group, if the group may read it. */
 static void fix(const char *path, char text[64])
 {
     char buffer[1024];

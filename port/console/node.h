@@ -1,4 +1,4 @@
-/* node.h - device nodes: opening them with a reason that helps, and who else has them open. */
+/* node.h - opens device nodes, with a helpful reason on failure, and finds who else has them open. */
 #ifndef PORT_COMMON_NODE_H
 #define PORT_COMMON_NODE_H
 
@@ -11,7 +11,7 @@ int node_open(const char *path, int flags, char why[PORT_WHY]);
  * Returns how many were visited. */
 int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg);
 
-/* strerror with a small first letter, as our error messages have it: "no such device". */
+/* strerror with a lower-case first letter, as in our error messages: "no such device". */
 const char *node_error(int error, char text[PORT_WHY]);
 
 /* Another process that has the node open: "Xorg (pid 812)", or "another program" when it belongs to

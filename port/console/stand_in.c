@@ -11,7 +11,7 @@
 #include "kept.h"
 #include "vt_mark.h"
 
-/* Without the need for libdrm's headers. */
+/* As in drm.h, without libdrm's headers. */
 #define DRM_SET_MASTER _IO('d', 0x1e)
 #define DRM_DROP_MASTER _IO('d', 0x1f)
 
@@ -23,40 +23,40 @@ static void own_consoles(char mark)
 {
     struct vt_mode mode = {.mode = VT_PROCESS, .waitv = mark, .relsig = SIGUSR1, .acqsig = SIGUSR2};
 
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == VT && kept[i].fd >= 0)
             (void)ioctl(kept[i].fd, VT_SETMODE, &mode);
 }
 
-/* Whether one of these did it. */
-static bool tell_all(enum kind kind, unsigned long request, long value)
+/* Makes the request to all of this kind; true if one of them accepted it. */
+static bool ioctl_all(enum kind kind, unsigned long request, long value)
 {
     bool done = false;
 
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == kind && kept[i].fd >= 0 && ioctl(kept[i].fd, request, value) == 0)
             done = true;
     return done;
 }
 
-/* The console below shall have the screen and the keyboards while it is in front; the screen first,
- * as the kernel draws the text when the console is let go. */
+/* The other console gets the screen and the keyboards; the screen first, as the kernel draws that console's text when
+ * this one is released. */
 void stand_in_leave(void)
 {
-    bool was_master = tell_all(CARD, DRM_DROP_MASTER, 0);
+    bool was_master = ioctl_all(CARD, DRM_DROP_MASTER, 0);
 
-    if (!tell_all(VT, VT_RELDISP, 1)) { /* nobody had asked */
+    if (!ioctl_all(VT, VT_RELDISP, 1)) { /* nobody had asked */
         if (was_master)
-            (void)tell_all(CARD, DRM_SET_MASTER, 0);
+            (void)ioctl_all(CARD, DRM_SET_MASTER, 0);
         return;
     }
     own_consoles(VT_MARK_LEFT);
-    (void)tell_all(KEYBOARD, EVIOCGRAB, 0);
+    (void)ioctl_all(KEYBOARD, EVIOCGRAB, 0);
 }
 
 void stand_in_enter(void)
 {
-    (void)tell_all(VT, VT_RELDISP, VT_ACKACQ);
+    (void)ioctl_all(VT, VT_RELDISP, VT_ACKACQ);
 }
 
 /* ---- keys ---- */
@@ -66,8 +66,8 @@ static bool is_down(const unsigned char *down, unsigned code)
     return (down[code / 8] >> code % 8 & 1) != 0;
 }
 
-/* Adds the keys that are down on a keyboard. Not by the descriptor that we share with the stopped
- * process: asking there takes events away. */
+/* Adds the keys that are down on a keyboard. Opens it anew: asking through the descriptor shared with the stopped
+ * process would remove events from its queue. */
 static void add_down(int fd, unsigned char down[KEY_CNT / 8])
 {
     unsigned char here[KEY_CNT / 8] = {0};
@@ -89,14 +89,14 @@ void stand_in_look(void)
 
     while (epoll_wait(keys, &event, 1, 0) > 0)
         ;
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == KEYBOARD && kept[i].fd >= 0)
             add_down(kept[i].fd, down);
     if (!(is_down(down, KEY_LEFTCTRL) || is_down(down, KEY_RIGHTCTRL)) || !is_down(down, KEY_LEFTALT))
         return;
     for (unsigned n = 1; n <= 12; n++)
         if (is_down(down, n <= 10 ? KEY_F1 + n - 1 : KEY_F11 + n - 11))
-            (void)tell_all(VT, VT_ACTIVATE, (long)n);
+            (void)ioctl_all(VT, VT_ACTIVATE, (long)n);
 }
 
 int stand_in_keys(void)
@@ -104,20 +104,20 @@ int stand_in_keys(void)
     return keys;
 }
 
-/* Edges only: nobody reads the events before the process goes on. */
+/* Edge-triggered, as nobody reads the events before the process continues. */
 static void watch_keys(void)
 {
     struct epoll_event event = {.events = EPOLLIN | EPOLLET};
 
     keys = epoll_create1(EPOLL_CLOEXEC);
-    for (int i = 0; i < THINGS; i++)
+    for (int i = 0; i < KEPT_MOST; i++)
         if (kept[i].kind == KEYBOARD && kept[i].fd >= 0)
             (void)epoll_ctl(keys, EPOLL_CTL_ADD, kept[i].fd, &event);
 }
 
 /* ---- the process ---- */
 
-/* The kernel may have asked for the console just before. */
+/* stand_in_leave, as the kernel may have asked for the console just before the stop. */
 void stand_in_begin(void)
 {
     stand_in_end();

@@ -1,22 +1,21 @@
-/* stand_in.h - answers the kernel for a process that is stopped, so that it keeps nobody from another
- * console. guard.c's own.
+/* stand_in.h - answers the kernel for a stopped process, so that consoles can still be switched. Private to guard.c.
  *
- * Its keyboards stay grabbed as long as it has the console, and what is typed waits for it.
+ * While the process has the console its keyboards stay grabbed, and what is typed waits for it.
  */
 #ifndef PORT_CONSOLE_STAND_IN_H
 #define PORT_CONSOLE_STAND_IN_H
 
-/* The guarded process stops, and goes on. */
+/* The guarded process has stopped, or continues. */
 void stand_in_begin(void);
 void stand_in_end(void);
 
-/* The kernel's signals: may another console come in front? The VT is in front again. */
+/* The kernel's signals: it asks for the console, or the VT is in front again. */
 void stand_in_leave(void);
 void stand_in_enter(void);
 
-/* Readable when a key has moved meanwhile; -1 while nothing is stopped. */
+/* A descriptor, readable when a key was pressed or released; -1 unless the process is stopped. */
 int stand_in_keys(void);
-/* Is Ctrl-Alt-Fn down? */
+/* Switches consoles if Ctrl-Alt-Fn is down. */
 void stand_in_look(void);
 
 #endif

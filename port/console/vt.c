@@ -86,7 +86,7 @@ void vt_close(struct vt *vt)
     vt->fd = -1;
 }
 
-/* Waits for the console to come in front; a program that holds the one in front may not let go. */
+/* Switches and waits, but not for ever: the program that has the console in front may refuse. */
 static int bring_in_front(struct vt *vt, int enter)
 {
     const struct timespec limit = {.tv_sec = 3};
@@ -131,8 +131,8 @@ static int read_modes(struct vt *vt)
     return ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0 ? -1 : 0;
 }
 
-/* While we or our guardian have the console its node is locked. The mark without the lock is that
- * of a process that was killed at the same moment as its guardian: what it left is put back here. */
+/* We and our guardian lock the node while we have the console. A mark without a lock is left by a process that was
+ * killed together with its guardian: then the console is put back here. */
 static int lock(struct vt *vt)
 {
     struct vt_mode plain = {.mode = VT_AUTO};
@@ -146,9 +146,9 @@ static int lock(struct vt *vt)
     return read_modes(vt);
 }
 
-/* A display whose pictures text cannot reach, as the kernel's text is drawn elsewhere, leaves the
- * text mode on: then the console needs nobody to put it back. Through the graphics mode and back,
- * since that lets the kernel draw text again where a process died with its guardian. */
+/* A display that the kernel's text is not drawn over keeps text mode, so that the console need not be put back. It
+ * still goes through graphics mode and back, so that the kernel draws text again where a process died with its
+ * guardian. */
 static int set_graphics(const struct vt *vt, bool graphics)
 {
     if (ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) != 0)

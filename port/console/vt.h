@@ -1,4 +1,4 @@
-/* vt.h - one virtual console: found, taken, given back. console.c's own. */
+/* vt.h - finds, takes and gives back one virtual console. Private to console.c. */
 #ifndef PORT_COMMON_VT_H
 #define PORT_COMMON_VT_H
 
@@ -9,10 +9,10 @@
 struct vt {
     int fd;           /* -1: there is none */
     unsigned number;  /* /dev/ttyN */
-    unsigned back_to; /* the one that was in front, when it was not this one; 0: it was */
+    unsigned back_to; /* the one that was in front; 0: this one was */
     char path[16];
     char name[PORT_WHY]; /* for people; without a VT, why there is none */
-    int kd_mode;         /* what vt_take changes */
+    int kd_mode;         /* this and mode: as vt_take found them */
     struct vt_mode mode;
 };
 
@@ -20,14 +20,14 @@ struct vt {
 void vt_find(struct vt *vt);
 void vt_close(struct vt *vt);
 
-/* Brings it in front, in graphics mode where the display needs it, switched from now on by the
- * signals `leave` (may we?) and `enter` (it is yours), which must be blocked. TIA_ERR_DEVICE and
- * `why` when another program has it; where there is no right to change its mode, fd becomes -1. */
+/* Switches to it, in graphics mode if the display needs that. From now on the kernel sends `leave` to ask for it and
+ * `enter` when it is ours again; both must be blocked. TIA_ERR_DEVICE and `why` when another program has it; without
+ * the right to change its mode, fd becomes -1. */
 int vt_take(struct vt *vt, bool graphics, int leave, int enter, char why[PORT_WHY]);
-/* After a stop: true when the guardian answered the kernel meanwhile, and no longer does; then `left`
- * says whether it let go of the console. */
+/* After a stop: true if the guardian answered the kernel meanwhile. Then we answer again, and `left` says whether it
+ * released the console. */
 bool vt_resume(const struct vt *vt, int leave, int enter, bool *left);
-/* Puts back the mode, and the console in front. */
+/* Puts the mode back, and switches back to the console that was in front. */
 void vt_give(struct vt *vt);
 
 /* Answers `leave`; false when there was nothing to answer. */

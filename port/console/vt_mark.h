@@ -1,10 +1,9 @@
-/* vt_mark.h - who has a virtual terminal, in a place where another process finds it. */
+/* vt_mark.h - marks a virtual terminal with who has it, for other processes to read. */
 #ifndef PORT_CONSOLE_VT_MARK_H
 #define PORT_CONSOLE_VT_MARK_H
 
-/* What the member of a VT's mode that the kernel keeps and does not use, waitv, says while one of
- * ours has the VT: all is well; the guardian answers for a stopped process; it has let go of the
- * console for that process. */
+/* Values of vt_mode.waitv, which the kernel keeps but does not use, while tia has the VT: tia answers the kernel; the
+ * guardian does, for a stopped tia; the guardian has released the VT for it. */
 #define VT_MARK_TAKEN 't'
 #define VT_MARK_ANSWERS 'a'
 #define VT_MARK_LEFT 'l'

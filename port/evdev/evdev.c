@@ -16,8 +16,8 @@
 #define DIRECTORY "/dev/input"
 #define KEYBOARDS 32
 
-/* How long the end waits for the release of a held key, usually the one that quits: a keyboard that
- * repeats by itself (PS/2) would type it into the shell. Nobody holds a key so long by mistake. */
+/* How long close waits for a held key, usually the one that quits, to be released: a keyboard that repeats by itself
+ * (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
 #define RELEASE_MS 1000
 
 struct evdev {
@@ -28,7 +28,7 @@ struct evdev {
     struct console_listener listener;
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
-    char failure[PORT_WHY]; /* why the first node failed that should have worked */
+    char failure[PORT_WHY]; /* of the first node that should have worked and did not */
 };
 
 /* ---- keyboards that come and go ---- */
@@ -41,7 +41,7 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* udev creates a node before it gives us the right to open it, so changes of mode are watched too. */
+/* udev creates a node before it gives us the right to open it, so changes of mode are watched, too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -189,17 +189,18 @@ static int evdev_open(void *ctx)
 }
 
 /* A key held on two keyboards is released when it is up on both. */
-static bool is_told(const struct evdev *evdev, unsigned code)
+static bool is_reported(const struct evdev *evdev, unsigned code)
 {
     for (unsigned i = 0; i < evdev->count; i++)
-        if (key_set_has(&evdev->keyboards[i].state.told, code))
+        if (key_set_has(&evdev->keyboards[i].state.reported, code))
             return true;
     return false;
 }
 
-static bool tell(const struct evdev *evdev, const struct key_change *change, uint64_t time_us, struct tia_event *event)
+static bool report(const struct evdev *evdev, const struct key_change *change, uint64_t time_us,
+                   struct tia_event *event)
 {
-    if (!change->press && is_told(evdev, change->code))
+    if (!change->press && is_reported(evdev, change->code))
         return false;
     event->kind = change->press ? TIA_EVENT_PRESS : TIA_EVENT_RELEASE;
     event->key = change->key;
@@ -223,7 +224,7 @@ static bool settle(struct evdev *evdev, struct tia_event *event)
 
     for (unsigned i = evdev->count; i-- > 0;) {
         while (key_state_settle(&evdev->keyboards[i].state, modifiers(evdev), &change))
-            if (tell(evdev, &change, clock_now_us(), event))
+            if (report(evdev, &change, clock_now_us(), event))
                 return true;
         if (evdev->keyboards[i].unplugged)
             drop_keyboard(evdev, i);
@@ -244,7 +245,7 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Ctrl-Alt-Fn switches the console: the kernel does not hear a grabbed keyboard. */
+/* Ctrl-Alt-Fn switches the console: the kernel's console does not see a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -254,12 +255,12 @@ static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_even
     if (!keyboard_take(keyboard, held, &change))
         return false;
     if (held.ctrl && held.alt && key_console(change.code)) {
-        key_set_remove(&keyboard->state.told, change.code);
+        key_set_remove(&keyboard->state.reported, change.code);
         if (change.press)
             console_switch(key_console(change.code));
         return false;
     }
-    return tell(evdev, &change, time_us, event);
+    return report(evdev, &change, time_us, event);
 }
 
 static int evdev_poll(void *ctx, struct tia_event *event)
@@ -267,7 +268,7 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
-    /* Keys that were typed elsewhere while this process was stopped are not ours. */
+    /* First let the console switch: keys typed elsewhere while this process was stopped are not ours. */
     if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);

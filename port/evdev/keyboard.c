@@ -27,7 +27,7 @@ static int failed(const char *path, int error, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Is it a keyboard that nobody else has grabbed? Its times are to be CLOCK_MONOTONIC's. */
+/* Checks that it is a keyboard which nobody else has grabbed, and sets its clock to CLOCK_MONOTONIC. */
 static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
 {
     int fd = keyboard->fd, clock = CLOCK_MONOTONIC;
@@ -42,9 +42,8 @@ static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* The kernel keeps 64 events for a program that is busy drawing. Scan codes (EV_MSC) are a third
- * of them, and the movements of a keyboard's touchpad far more: only keys are wanted. Kernels
- * before 4.4 have no masks. */
+/* The kernel queues 64 events while the program is busy drawing. Scan codes (EV_MSC) would take a third of that, a
+ * keyboard's touchpad far more, so only keys are let through. Kernels before 4.4 have no masks. */
 static void want_keys_only(const struct keyboard *keyboard)
 {
     const unsigned long types = 1ul << EV_KEY;
@@ -88,9 +87,8 @@ static bool is_meant(enum which which, unsigned code)
     return which == ALL || key_is_modifier(code) == (which == MODIFIERS);
 }
 
-/* Writes events of a set's keys, one for each value from `first` to `last` (0 release, 1 press), in a
- * single call, so that a key is unlikely to move meanwhile. A device that refuses has gone, which
- * the next read finds out. */
+/* Writes events of a set's keys, one for each value from `first` to `last` (0 release, 1 press), in a single call, so
+ * that a key is unlikely to move meanwhile. A device that refuses is unplugged, which the next read notices. */
 static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
                        int last)
 {
@@ -114,7 +112,7 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* EVIOCGKEY also empties the queue of key events, including those that we wrote. */
+/* EVIOCGKEY also removes all key events from the queue, including those that we wrote. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -151,8 +149,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* The console learns which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt
- * held. Of other keys that are down, such as F2, it learns nothing, or it would take them for typed. */
+/* The console is told which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held, but not
+ * which other keys are, such as F2: it would take them for typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;

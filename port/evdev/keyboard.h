@@ -1,9 +1,9 @@
 /* keyboard.h - one keyboard: an event device of the kernel.
  *
- * Grabbing a keyboard (EVIOCGRAB) hides it from the console below. The console never sees the
- * releases of keys that are down at that moment: Alt would stay down for it, or Enter repeat. So
- * all keys are released first, while the console still hears them, and those that are really down
- * are pressed again afterwards. Events written to the device count as its own, so that is how.
+ * Grabbing a keyboard (EVIOCGRAB) hides it from the console, which never sees the releases of keys that are down at
+ * that moment: Alt would stay down for it, or Enter repeat. So all keys are released first, while the console still
+ * sees it, and those that are really down are pressed again afterwards. Both are done by writing events to the device,
+ * which the kernel treats like its own.
  */
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
@@ -29,8 +29,8 @@ struct keyboard {
 int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY]);
 void keyboard_close(struct keyboard *keyboard);
 
-/* Grabs the keyboard, and gives it back. Either way whoever had it before sees all keys released,
- * and who has it next no key pressed (key_state_begin). */
+/* Grabs the keyboard, and releases it. Either way whoever had it before sees all keys released, and whoever has it next
+ * sees none pressed (key_state_begin). */
 void keyboard_grab(struct keyboard *keyboard);
 void keyboard_release(struct keyboard *keyboard);
 
@@ -43,7 +43,7 @@ void keyboard_read(struct keyboard *keyboard);
 /* When the next event happened, in microseconds; UINT64_MAX: there is none. */
 uint64_t keyboard_next_us(const struct keyboard *keyboard);
 
-/* Takes the next event: true and what it means, or false. */
+/* Takes the next event. True: it is a change to report; false: it is not, or there is no event. */
 bool keyboard_take(struct keyboard *keyboard, struct key_modifiers modifiers, struct key_change *change);
 
 /* Throws away what was typed for somebody else. */

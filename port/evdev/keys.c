@@ -1,4 +1,4 @@
-/* keys.c - key codes by position, and what a keyboard's events mean. */
+/* keys.c - key codes by position, and the state of a keyboard. */
 #include "keys.h"
 
 #include <string.h>
@@ -63,8 +63,8 @@ bool key_is_modifier(unsigned code)
     return false;
 }
 
-/* The other keys of PC keyboards, Asian ones too. What lies between these ranges are locks, media
- * keys, buttons and keys that only announce something (power, lid, rfkill). */
+/* The other keys of PC keyboards, Asian ones too. Between these ranges are locks, media keys, buttons, and keys that
+ * only announce something (power, lid, rfkill). */
 static bool is_typing_key(unsigned code)
 {
     static const unsigned ranges[][2] = {
@@ -114,7 +114,7 @@ void key_state_modifiers(const struct key_state *state, struct key_modifiers *mo
 static bool pressed(struct key_state *state, unsigned code, struct key_modifiers modifiers, struct key_change *change)
 {
     uint16_t key = key_at(code);
-    bool again = key_set_has(&state->told, code);
+    bool again = key_set_has(&state->reported, code);
 
     key_set_add(&state->held, code);
     if (key == 0 || again)
@@ -124,20 +124,20 @@ static bool pressed(struct key_state *state, unsigned code, struct key_modifiers
         if (modifiers.ctrl)
             key = TIA_KEY_INTERRUPT;
     }
-    key_set_add(&state->told, code);
+    key_set_add(&state->reported, code);
     *change = (struct key_change){.press = true, .code = (uint16_t)code, .key = key};
     return true;
 }
 
 static bool released(struct key_state *state, unsigned code, struct key_change *change)
 {
-    bool told = key_set_has(&state->told, code);
+    bool reported = key_set_has(&state->reported, code);
     uint16_t key = code == KEY_C && state->interrupt ? (uint16_t)TIA_KEY_INTERRUPT : key_at(code);
 
     key_set_remove(&state->held, code);
-    key_set_remove(&state->told, code);
+    key_set_remove(&state->reported, code);
     *change = (struct key_change){.press = false, .code = (uint16_t)code, .key = key};
-    return told;
+    return reported;
 }
 
 /* Value 2 is the kernel's repeat. */
@@ -152,20 +152,20 @@ bool key_state_take(struct key_state *state, unsigned code, int value, struct ke
 void key_state_begin(struct key_state *state, const struct key_set *down)
 {
     state->held = *down;
-    state->ending = state->told;
+    state->ending = state->reported;
     state->missing = (struct key_set){{0}};
 }
 
 void key_state_lost(struct key_state *state, const struct key_set *down)
 {
     for (size_t i = 0; i < KEY_WORDS; i++) {
-        state->ending.words[i] |= state->told.words[i] & ~down->words[i];
+        state->ending.words[i] |= state->reported.words[i] & ~down->words[i];
         state->missing.words[i] = down->words[i] & ~state->held.words[i];
     }
     state->held = *down;
 }
 
-/* Takes a code out of the set: KEY_CNT when it is empty. */
+/* Removes a code from the set; KEY_CNT: it is empty. */
 static unsigned take_one(struct key_set *set)
 {
     for (unsigned code = 0; code < KEY_CNT; code++)
@@ -181,10 +181,10 @@ bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, s
     unsigned code;
 
     while ((code = take_one(&state->ending)) < KEY_CNT) {
-        bool down = key_set_has(&state->held, code), told = released(state, code, change);
+        bool down = key_set_has(&state->held, code), reported = released(state, code, change);
         if (down)
             key_set_add(&state->held, code);
-        if (told)
+        if (reported)
             return true;
     }
     while ((code = take_one(&state->missing)) < KEY_CNT)

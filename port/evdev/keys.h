@@ -1,7 +1,7 @@
-/* keys.h - from the kernel's key events to tia's. Pure: no device, no clock.
+/* keys.h - turns the kernel's key events into tia's. Uses no device and no clock.
  *
- * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard.
- * Modifiers and locks are not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console.
+ * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard. Modifiers and locks are
+ * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console.
  */
 #ifndef PORT_EVDEV_KEYS_H
 #define PORT_EVDEV_KEYS_H
@@ -29,19 +29,19 @@ uint16_t key_at(unsigned code);
 /* Ctrl, Shift, Alt and Meta, left and right. */
 bool key_is_modifier(unsigned code);
 
-/* The number of the console that Ctrl-Alt and this key bring in front: 1..12, or 0. */
+/* The number of the console that Ctrl-Alt and this key switch to, 1..12, or 0. */
 unsigned key_console(unsigned code);
 
 /* Does a device with these codes type? It has a letter or the space bar. */
 bool key_set_types(const struct key_set *set);
 
-/* What one keyboard's keys do. All zero at first. */
+/* The keys of one keyboard. All zero at first. */
 struct key_state {
-    struct key_set held;    /* down, as far as the keyboard has said */
-    struct key_set told;    /* of them, those whose press was reported */
-    bool interrupt;         /* KEY_C was reported as Ctrl-C */
-    struct key_set ending;  /* of `told`, those whose release is still to be reported */
-    struct key_set missing; /* down, and a press is still to be reported */
+    struct key_set held;     /* down, as far as the keyboard has said */
+    struct key_set reported; /* those of them whose press was reported */
+    bool interrupt;          /* KEY_C was reported as Ctrl-C */
+    struct key_set ending;   /* those of `reported` whose release is still to be reported */
+    struct key_set missing;  /* down, and a press is still to be reported */
 };
 
 struct key_change {
@@ -57,19 +57,19 @@ struct key_modifiers {
 /* Adds those of this keyboard. */
 void key_state_modifiers(const struct key_state *state, struct key_modifiers *modifiers);
 
-/* Takes an EV_KEY event: true and the change that it means, or false. */
+/* Takes an EV_KEY event. True: it is a change to report; false: it is none. */
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* From now on these keys are down, and neither their presses nor their releases are meant for us.
- * Every key reported as pressed is to be reported as released. */
+/* These keys are down now, and neither their presses nor their releases are meant for us. Releases follow of all keys
+ * that were reported as pressed. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
 /* Events were lost, and these keys are down now. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
-/* After those two, and before taking more events: call it until it is false. It reports what is
- * missing, releases first. */
+/* Call it after those two until it returns false, before taking more events. It reports what is missing, releases
+ * first. */
 bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
 
 #endif

@@ -20,7 +20,7 @@ struct fbdev {
     struct fb_screen screen;
     struct expander expander;
     struct console_listener listener;
-    struct canvas frame; /* what is drawn now */
+    struct canvas frame; /* being drawn */
     unsigned page;       /* the one that is shown */
     char format[PIXEL_NAME];
 };
@@ -64,7 +64,7 @@ static void fbdev_close(void *ctx)
     canvas_free(&f->frame);
 }
 
-/* The reason that is kept is that of the first device that does not work. */
+/* Keeps the reason of the first device that fails. */
 static bool probe(void *arg, const char *path)
 {
     struct fbdev *f = arg;
@@ -139,7 +139,7 @@ static int fbdev_mode(void *ctx, struct tia_mode *mode)
     struct fbdev *f = ctx;
     struct fb_var_screeninfo now;
 
-    /* With no input to wait for, this is where a switch of consoles is seen. */
+    /* Without an input that waits, consoles are switched here. */
     if (f->screen.fd < 0 || console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     describe(f, mode);

@@ -1,5 +1,5 @@
-/* fbdev.h - Linux framebuffer devices, /dev/fbN: frames are drawn in memory and copied to the
- * screen once, into the page that is not shown where the driver can pan. */
+/* fbdev.h - Linux framebuffer devices, /dev/fbN: a frame is drawn in memory, then copied to the screen; where the
+ * driver can pan, to the page that is not shown. */
 #ifndef PORT_FBDEV_FBDEV_H
 #define PORT_FBDEV_FBDEV_H
 

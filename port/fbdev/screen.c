@@ -40,7 +40,7 @@ static int read_format(struct fb_screen *s, char why[PORT_WHY])
     return status;
 }
 
-/* The kernel lets any number of programs draw on one device. The lock keeps a second tia off. */
+/* The kernel lets any number of programs draw on one device. The lock keeps out a second tia. */
 static int lock(struct fb_screen *s, char why[PORT_WHY])
 {
     char holder[NODE_HOLDER];
@@ -119,7 +119,7 @@ static int map(struct fb_screen *s, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* Direct colour sends each channel through a table, of which a text console sets 16 entries. */
+/* Direct colour maps each channel through a table, of which a text console sets only 16 entries. */
 static void palette(struct fb_screen *s, uint16_t *colours, unsigned long request)
 {
     struct fb_cmap map = {.red = colours, .green = colours + 256, .blue = colours + 512};

@@ -1,4 +1,4 @@
-/* screen.h - one framebuffer device: what it is, its memory, its pages. The port's own. */
+/* screen.h - one framebuffer device: its format, memory and pages. Private to fbdev. */
 #ifndef PORT_FBDEV_SCREEN_H
 #define PORT_FBDEV_SCREEN_H
 
@@ -22,19 +22,19 @@ struct fb_screen {
     uint8_t *saved;    /* what was on the screen */
 };
 
-/* What the device says its pixels are. TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
+/* The format that the device says its pixels have. TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
 int fb_format(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix, struct pixel_format *format,
               char reason[PORT_WHY]);
-/* May its memory hold two pages, one above the other? */
+/* Can it pan, and has it memory for two pages, one above the other? */
 bool fb_can_pan(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix);
 /* A colour map that changes nothing: 2^length entries from 0 to 65535. */
 void fb_ramp(uint16_t *out, unsigned length);
 
-/* Opens `path`, reads its mode and locks it against a second program of ours; changes nothing. */
+/* Opens `path`, reads its mode and locks it against a second tia; changes nothing. */
 int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY]);
-/* After fb_probe: saves the screen, takes a second page where there may be one, maps the memory. */
+/* After fb_probe: saves the screen, sets up a second page if possible, maps the memory. */
 int fb_take(struct fb_screen *screen, char why[PORT_WHY]);
-/* Shows page number `page`, or again what was shown (fb_show_again, after another console). */
+/* Shows page number `page`; fb_show_again shows the last one again, after another console. */
 int fb_show(struct fb_screen *screen, unsigned page);
 void fb_show_again(struct fb_screen *screen);
 /* The first byte of a page. */

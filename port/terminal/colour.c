@@ -1,4 +1,4 @@
-/* colour.c - 24-bit colours, and 256 of them for terminals that have no more. */
+/* colour.c - 24-bit colours, and the 256 of terminals that have no more. */
 #include "colour.h"
 
 #include <string.h>
@@ -64,7 +64,7 @@ static bool ends_with(const char *text, const char *end)
     return n >= m && strcmp(text + n - m, end) == 0;
 }
 
-/* COLORTERM is how most terminals say it; ssh and sudo lose it, and then the name has to do. */
+/* Most terminals say so in COLORTERM; ssh and sudo drop it, and then the name has to do. */
 bool colour_is_direct(const char *term, const char *colorterm)
 {
     static const char *const known[] = {"alacritty", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"};

@@ -94,7 +94,7 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
 {
     switch (byte) {
     case ESC:
-        return TIA_KEY_ESCAPE; /* and the second one begins anew */
+        return TIA_KEY_ESCAPE; /* the second one begins a new sequence */
     case '[':
         begin_sequence(d, CSI);
         return 0;
@@ -210,7 +210,7 @@ uint16_t decode_silence(struct decoder *d)
     switch (state) {
     case ESCAPE:
         return TIA_KEY_ESCAPE;
-    case SS3: /* Alt-O and Alt-[ without what makes them a sequence */
+    case SS3: /* Alt-O: SS3 without its letter */
         return 'o';
     case CSI:
         return lone ? TIA_KEY_OTHER : 0;

@@ -1,7 +1,7 @@
-/* decode.h - from the bytes that a terminal sends to keys. Pure: no clock, no device.
+/* decode.h - turns the bytes that a terminal sends into keys. Uses no clock and no device.
  *
- * Keys stand for positions, as with evdev: 'A', Ctrl-A and Alt-A are the key 'a'. What a terminal
- * sends by itself (reports, focus changes, a bracketed paste) is not a key.
+ * Keys are positions, as with evdev: 'A', Ctrl-A and Alt-A are the key 'a'. What a terminal sends by itself (reports,
+ * focus changes, a bracketed paste) is not a key.
  */
 #ifndef PORT_TERMINAL_DECODE_H
 #define PORT_TERMINAL_DECODE_H
@@ -18,13 +18,13 @@ struct decoder {
     bool in_paste;
 };
 
-/* Takes one byte: the key that it completes (tia/port.h), or 0. */
+/* Takes one byte; returns the key that it completes (tia/port.h), or 0. */
 uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
 
 /* Has a sequence begun that may still turn out to be a lone Escape? */
 bool decode_pending(const struct decoder *decoder);
 
-/* No more bytes came for a while: the key that this means, or 0. */
+/* Call it when no more bytes came for a while; returns the key that this means, or 0. */
 uint16_t decode_silence(struct decoder *decoder);
 
 #endif

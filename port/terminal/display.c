@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
- * Frames are drawn into memory; present encodes what changed and sends it in one write. What the
- * terminal does not take at once is sent when it is ready. A signal may end that wait; then the rest
- * is sent before the next frame, because the grid counts it as shown.
+ * Frames are drawn into memory; present encodes what changed and sends it in one write. What the terminal does not
+ * accept at once is sent when it is ready. A signal may end that wait; then the rest is sent before the next frame,
+ * since the grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -25,9 +25,9 @@
 #include "signals.h"
 #include "terminal.h"
 
-#define DEFAULT_COLUMNS 80 /* of a terminal that does not know its size, like a serial line */
+#define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
-#define LAST_WRITE_MS 100 /* how long close waits for a terminal that takes nothing */
+#define LAST_WRITE_MS 100 /* how long close waits for a terminal that accepts nothing */
 #define LAST_WRITES 5     /* and how often, as signals end waits too */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a frame. A
@@ -64,7 +64,7 @@ static int failed_with(const struct terminal *t, int error)
     return failed(t, node_error(error, text));
 }
 
-/* Sends what the terminal takes within timeout_ms (-1: no limit) and before a signal. */
+/* Sends what the terminal accepts within timeout_ms (-1: no limit) and before a signal. */
 static int send_text(struct terminal *t, int timeout_ms)
 {
     while (t->sent < t->text.count) {
@@ -113,7 +113,7 @@ static unsigned pixels_down(const struct terminal *t, unsigned rows)
     return t->grid.spaces ? rows : 2 * rows;
 }
 
-/* Takes the window's size now. */
+/* Adapts to the window's current size. */
 static int fit_window(struct terminal *t)
 {
     unsigned columns, rows;
@@ -144,8 +144,7 @@ static int open_window(struct terminal *t)
     return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
-/* The locale's own answer, or the name of one that is not installed here: it may come from the machine at
- * which the terminal stands. */
+/* Asks the locale or, if it is not installed here, goes by its name: ssh passes on that of the terminal's machine. */
 static bool locale_is_utf8(void)
 {
     static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
@@ -188,7 +187,7 @@ static void leave(struct terminal *t)
     for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
         (void)send_text(t, LAST_WRITE_MS);
     terminal_signals_end();
-    /* Else the guardian sends it when the terminal takes it. */
+    /* Otherwise the guardian sends it when the terminal accepts it. */
     if (t->sent == t->text.count)
         guardian_forget_text(t->fd, leave_text);
     t->entered = false;
@@ -236,7 +235,7 @@ static int draw_again(struct terminal *t)
     return draw(t);
 }
 
-static void tell_mode(const struct terminal *t, struct tia_mode *mode)
+static void describe(const struct terminal *t, struct tia_mode *mode)
 {
     *mode = (struct tia_mode){
         .width = t->canvas.width,
@@ -253,7 +252,7 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
 
     if (!status && t->entered && t->resumes != terminal_resumes())
         status = draw_again(t);
-    tell_mode(t, mode);
+    describe(t, mode);
     return status;
 }
 
@@ -273,7 +272,7 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
     if (status)
         terminal_close(t);
     else
-        tell_mode(t, mode);
+        describe(t, mode);
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* encode.c - half blocks, with as few bytes as a frame's changes need. */
+/* encode.c - half blocks, in few bytes: only what changed. */
 #include "encode.h"
 
 #include <stdio.h>
@@ -10,7 +10,7 @@
 #define BLACK_256 16
 #define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */
 
-/* Synchronised update: a terminal that knows it shows the frame at once, others ignore it. */
+/* Synchronised update: terminals that know it show the whole frame at once, others ignore it. */
 static const char frame_begin[] = "\033[?2026h", frame_end[] = "\033[?2026l";
 
 static bool text_room(struct text *text, size_t more)
@@ -160,7 +160,7 @@ static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
     pen->back = back;
 }
 
-/* One colour needs no block, and so no foreground: a space is enough. */
+/* A cell of one colour is a space, which needs no foreground colour. */
 static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
 {
     uint32_t upper = cell >> 16, lower = cell & 0xffff;
@@ -172,7 +172,7 @@ static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, 
     else
         put(pen->text, "\xe2\x96\x80", 3);
     pen->row = row;
-    pen->column = column + 1; /* where terminals differ after a last column, no other cell of the row follows */
+    pen->column = column + 1; /* after the last column terminals differ, but there no cell follows in the row */
 }
 
 static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)

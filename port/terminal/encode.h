@@ -1,15 +1,15 @@
-/* encode.h - from pixels to what makes a terminal show them. Pure: text in memory, no device.
+/* encode.h - turns pixels into text that makes a terminal show them. Uses no device.
  *
- * A character cell shows two pixels: the upper half block U+2580 in the upper pixel's colour on a
- * background of the lower pixel's. Where there are no such characters a pixel is two spaces, which
- * are as square. Only cells that changed are written.
+ * A character cell shows two pixels: the upper half block U+2580 in the upper pixel's colour on a background of the
+ * lower pixel's. Without UTF-8 a pixel is two spaces, which together are about square. Only cells that changed are
+ * written.
  */
 #ifndef PORT_TERMINAL_ENCODE_H
 #define PORT_TERMINAL_ENCODE_H
 
 #include <tia/port.h>
 
-/* Text that grows. When there is no memory it stays as it is, and `failed` is set. */
+/* A text that grows. Without memory it stays as it is, and `failed` is set. */
 struct text {
     char *bytes;
     size_t count, capacity;
@@ -38,9 +38,8 @@ int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned win
 void grid_forget(struct grid *grid); /* the window may show anything */
 void grid_free(struct grid *grid);
 
-/* Adds what turns the grid into the picture, and updates the grid. `pixels` are width x height,
- * row by row. Nothing to do adds nothing. When text->failed gets set, nothing is added and the
- * grid is forgotten. */
+/* Adds the text that turns the grid into the picture, none if it is the same, and updates the grid. `pixels` are width
+ * x height, row by row. If text->failed gets set, nothing is added and the grid is forgotten. */
 void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
 
 #endif

@@ -20,7 +20,7 @@ static void on_cont(int number)
     resumes++;
 }
 
-/* Blocked outside of console_wait: a signal that came just before the wait would be missed. */
+/* Blocked except in console_wait: otherwise a signal just before the wait would be missed. */
 void terminal_signals_begin(void)
 {
     struct sigaction winch = {.sa_handler = on_winch}, cont = {.sa_handler = on_cont};

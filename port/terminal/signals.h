@@ -1,5 +1,4 @@
-/* signals.h - the signals about a terminal: it has a new size (SIGWINCH), and this process continues
- * after a stop (SIGCONT). */
+/* signals.h - the signals that concern a terminal: a new size (SIGWINCH), and continuing after a stop (SIGCONT). */
 #ifndef PORT_TERMINAL_SIGNALS_H
 #define PORT_TERMINAL_SIGNALS_H
 
@@ -8,8 +7,8 @@
 void terminal_signals_begin(void);
 void terminal_signals_end(void);
 
-/* How often the process has continued after a stop. Whatever ran meanwhile may have written on the
- * screen and changed the terminal's modes. */
+/* How often the process has continued after a stop. Others may have written on the screen and changed the terminal's
+ * modes meanwhile. */
 int terminal_resumes(void);
 
 #endif

@@ -10,8 +10,8 @@ void *port_terminal_create(const struct port_wish *wish);
 void port_terminal_destroy(void *ctx);
 void port_terminal_list(port_line *line, void *arg);
 
-/* The terminal of standard input, or the controlling one when that is none; wish.device may name
- * another. Keys are reported as TIA_EVENT_TAP, without a time. */
+/* The terminal of standard input or, if that is no terminal, the controlling one; wish.device may name another. Keys
+ * are reported as TIA_EVENT_TAP, without a time. */
 extern const struct tia_input port_tty_input;
 void *port_tty_create(const struct port_wish *wish);
 void port_tty_destroy(void *ctx);

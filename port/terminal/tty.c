@@ -1,8 +1,8 @@
 /* tty.c - the terminal's keyboard as an input.
  *
- * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and
- * Ctrl-S are typed like any key (without ISIG and IXON). VMIN is 1: with 0 a read of nothing looks
- * like the end of a file, and ends the shell that finds the terminal so.
+ * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and Ctrl-S are keys like any
+ * other (without ISIG and IXON). VMIN is 1: with 0 a read of nothing looks like the end of a file, and a shell that
+ * finds the terminal like that exits.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -92,8 +92,7 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* False when the terminal takes nothing just now. Other failures do not matter: it is read only, or
- * has hung up. */
+/* False when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung up. */
 static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = write(tty->fd, text, strlen(text));
@@ -138,7 +137,7 @@ static int tty_open(void *ctx)
     return TIA_OK;
 }
 
-/* Reads what is there: 1 when that is something, 0 when nothing. */
+/* Reads what is there: 1, or 0 if that is nothing. */
 static int read_bytes(struct tty *tty)
 {
     struct pollfd ready = {.fd = tty->fd, .events = POLLIN};

@@ -1,6 +1,6 @@
-/* watch.c - what may happen while a frame is drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
- * middle of a ray's tree; a key that moves a light ends it at the next tile, when it has taken long: what it would
- * show is out of date. So does a full queue: the keys behind it wait. */
+/* watch.c - what can end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
+ * middle of a ray's tree. A key that moves a light makes it out of date: if it has taken long already, it ends at the
+ * next tile. A full queue ends it at the next tile, too, since more keys are waiting. */
 #include "loop.h"
 
 #define STEP_US 20000      /* between two looks */
@@ -20,7 +20,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
     loop->queue[loop->queued++] = *event;
 }
 
-/* What finds no place stays with the input: no key is lost. */
+/* What does not fit stays with the input, so that no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -35,7 +35,7 @@ static void poll_input(struct loop *loop)
     }
 }
 
-/* Of two frames one after the other only one is given up: while keys come all the time, some are still shown. */
+/* Never gives up two frames in a row: while keys keep coming, some frames are still shown. */
 static void look(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -56,7 +56,7 @@ void tia_viewer_watch_begin(struct loop *loop)
     loop->outdated = loop->gives_up = false;
 }
 
-/* All of struct loop that changes while tiles are drawn is touched between enter and leave. */
+/* Whatever in struct loop changes while tiles are drawn is only used between enter and leave. */
 static bool enter(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

@@ -2,8 +2,8 @@
 
 #include <tia/render.h>
 
-/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte gets a zero. The length goes first: it
- * distinguishes that from a real zero. */
+/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte gets a zero. The length comes first, to tell
+ * that from a real zero. */
 uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length)
 {
     const unsigned char *from = bytes;

@@ -1,4 +1,4 @@
-/* checksum.h - a number by which bytes are known again. */
+/* checksum.h - checksums of bytes. */
 #ifndef TOOLS_CHECKSUM_H
 #define TOOLS_CHECKSUM_H
 

@@ -24,10 +24,10 @@ static void end(int number)
     for (const struct signals_cleanup *cleanup = cleanups; cleanup; cleanup = cleanup->next)
         cleanup->undo(cleanup->arg);
     (void)sigaction(number, &action, NULL);
-    (void)raise(number); /* kills when the handler returns: until then it is blocked */
+    (void)raise(number); /* takes effect when the handler returns: until then it is blocked */
 }
 
-/* While one is handled the others wait. No SA_RESTART: the noting handler must interrupt an input that waits. */
+/* While one is handled, the others are blocked. Without SA_RESTART, so that a noted signal ends an input's wait. */
 static void handle(void (*handler)(int number))
 {
     struct sigaction action = {.sa_handler = handler, .sa_mask = set};
@@ -108,7 +108,7 @@ bool signals_asked(void *unused)
 void signals_release(void)
 {
     if (notes) {
-        (void)pthread_sigmask(SIG_SETMASK, &mask_of_all, NULL); /* what is pending is noted */
+        (void)pthread_sigmask(SIG_SETMASK, &mask_of_all, NULL); /* pending ones are noted now */
         handle(end);
     }
     notes = false;

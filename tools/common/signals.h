@@ -2,19 +2,20 @@
  *
  * A command that writes files ends at once, whatever it is doing: reading a scene, building a hierarchy, drawing,
  * compressing. The handler runs the cleanups that are registered here, such as removing unfinished files, and lets the
- * signal kill the process. So nothing else has to ask whether a signal came, and no scene can delay it.
+ * signal kill the process. So no other code has to check for signals, and no scene can delay them.
  *
- * A display must be put back by code that a handler may not run. There the signals are only noted, and the viewer asks
- * signals_asked between frames and while it draws one: see tia_viewer.stop.
+ * A display is put back by code that must not run in a handler. With one, the signals are only noted, and the viewer
+ * calls signals_asked between frames and while it draws one: see tia_viewer.stop.
  *
- * All this is of the main thread; the others block all signals (thread_pool.c).
+ * Signals are handled on the main thread; the others block them all (thread_pool.c).
  */
 #ifndef TOOLS_SIGNALS_H
 #define TOOLS_SIGNALS_H
 
 #include <stdbool.h>
 
-/* What a signal must undo. `undo` runs in the handler: it may only call what is safe there. */
+/* What to undo before a signal ends the program. `undo` runs in the handler: it may only call async-signal-safe
+ * functions. */
 struct signals_cleanup {
     void (*undo)(void *arg);
     void *arg;
@@ -25,24 +26,24 @@ struct signals_cleanup {
  * the limit of a file's size fails instead of ending the program. */
 void signals_prepare(void);
 
-/* Between the two no signal comes: for creating what must be undone, and registering it. They nest. */
+/* No signal is handled between these two: for creating something and registering its cleanup. They nest. */
 void signals_hold(void);
 void signals_allow(void);
 
-/* Registered until it is removed, which does nothing to one that is not registered. */
+/* Removing one that is not registered does nothing. */
 void signals_add(struct signals_cleanup *cleanup);
 void signals_remove(struct signals_cleanup *cleanup);
 
-/* From now on the signals are blocked except while an input waits, and only noted. */
+/* From now on the signals are only noted, and blocked except while an input waits. */
 void signals_catch_waiting(void);
 
-/* Whether one was noted or is blocked. On any thread; the argument is not used, as tia_viewer.stop asks for one. */
+/* Whether one was noted or is pending. Any thread may call it. The argument is there for tia_viewer.stop. */
 bool signals_asked(void *unused);
 
 /* Undoes signals_catch_waiting. */
 void signals_release(void);
 
-/* Calls signals_release. If a signal was noted, ends the program by it, otherwise returns `status`. */
+/* Calls signals_release. If a signal was noted, ends the program with it; otherwise returns `status`. */
 int signals_end(int status);
 
 #endif

@@ -25,7 +25,7 @@ static int open_directly(struct sink *sink)
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
-/* A symbolic link stays a link: the file that it points to is replaced, or made. */
+/* A symbolic link stays: the file that it points to is replaced, or created. */
 static int open_beside(struct sink *sink, const struct stat *before)
 {
     sink->path = temporary_target(sink->name);
@@ -95,7 +95,7 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
 
 /* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file. Only for
  * regular files: pipes and devices refuse it, but may report a failure when they are closed. A regular file stays open
- * until it has its name, as the lock goes with the descriptor. */
+ * until it is renamed, as closing it would release the lock. */
 int sink_seal(struct sink *sink)
 {
     if (!sink->failed)
@@ -128,7 +128,7 @@ int sink_commit(struct sink *sink)
     return !status ? sink_publish(sink) : status;
 }
 
-/* Removed before it is closed: no other run can think that it was left behind. */
+/* Removes the file before closing it, so that it never is a leftover without a lock. */
 void sink_discard(struct sink *sink)
 {
     temporary_remove(&sink->temporary);

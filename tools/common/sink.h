@@ -18,16 +18,16 @@ struct sink {
     unsigned char buffer[65536];
 };
 
-/* TIA_OK, or TIA_ERR_DEVICE with the reason in `why`. `name` must outlive the sink. From the main thread, as all but
- * sink_write: see common/signals.h. */
+/* TIA_OK, or TIA_ERR_DEVICE with the reason in `why`. `name` must outlive the sink. Call it and all others but
+ * sink_write on the main thread: see common/signals.h. */
 int sink_open(struct sink *sink, const char *name, char *why);
 int sink_write(struct sink *sink, const void *bytes, size_t count);
 
-/* All bytes are on the disk; what can still fail is the final name. After a failure the sink has ended. */
+/* Brings all bytes to the disk, so that only the renaming can still fail. A failure ends the sink. */
 int sink_seal(struct sink *sink);
 
-/* These end the sink; after a failure no file is left. sink_publish gives a sealed one its final name, sink_commit is
- * both. */
+/* These end the sink; after a failure no file is left. sink_publish gives a sealed file its final name; sink_commit
+ * seals and publishes. */
 int sink_publish(struct sink *sink);
 int sink_commit(struct sink *sink);
 void sink_discard(struct sink *sink);

@@ -27,7 +27,7 @@ char *temporary_target(const char *name)
     for (int links = 0; path; links++) {
         ssize_t length = readlink(path, link, sizeof link);
         if (length < 0)
-            return path; /* no link, or nothing there */
+            return path; /* not a link, or it does not exist */
         char *next = NULL;
         if (links == LINKS_MOST || length == sizeof link)
             errno = links == LINKS_MOST ? ELOOP : ENAMETOOLONG;
@@ -62,7 +62,7 @@ static char *name_beside(const char *path, unsigned number)
 
 /* ---- locks ---- */
 
-/* Whether the file is still the one with the name. */
+/* Whether `name` is still the name of this file, and it is ours. */
 static bool has_name(int fd, const char *name)
 {
     struct stat file, named;
@@ -70,8 +70,8 @@ static bool has_name(int fd, const char *name)
            file.st_ino == named.st_ino && (file.st_uid == geteuid() || geteuid() == 0);
 }
 
-/* Removes the file unless somebody writes it. Asks for its name again behind the lock: others may have removed it and
- * made a new one meanwhile. */
+/* Removes the file unless somebody is writing it. Checks its name again under the lock: others may have removed it and
+ * created a new one before. */
 static void remove_left(const char *name)
 {
     int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -82,8 +82,8 @@ static void remove_left(const char *name)
     (void)close(fd);
 }
 
-/* Before the lock another run may have taken the new file for left behind: then it is lost. Some file systems have no
- * locks, and nothing is removed there. */
+/* Before it is locked, another run may take the new file for a leftover and remove it: then this one fails, and the
+ * next name is tried. On file systems without locks it goes on without one, and leftovers stay. */
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
@@ -100,7 +100,7 @@ static int create_locked(const char *name, mode_t mode)
 
 /* ---- the file ---- */
 
-/* In the handler of a signal. */
+/* Runs in a signal handler. */
 static void undo(void *arg)
 {
     (void)unlink(arg);
@@ -121,8 +121,8 @@ static int take_name(struct temporary *temporary, char *name, mode_t mode)
     return fd;
 }
 
-/* Like the file that will be replaced. Without the bits that run a program as its owner: writing takes them away. Only
- * root can give files to another owner, so that a failure of this is none. */
+/* Copies owner and mode from the file that will be replaced, but not the setuid and setgid bits, which writing to it
+ * would clear, too. Only root may change owners, so a failure of that does not count. */
 static bool make_like(int fd, const struct stat *before)
 {
     bool owned = fchown(fd, before->st_uid, before->st_gid) == 0 || fchown(fd, (uid_t)-1, before->st_gid) == 0;
@@ -142,7 +142,7 @@ static int finish(struct temporary *temporary, int fd, const struct stat *before
     return fd;
 }
 
-/* All names are looked at: runs of which the first is done may have left the second's file. */
+/* Looks at all names, since a leftover can have any of them: other runs may have had the names before it. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
 {
     mode_t mode = before ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;

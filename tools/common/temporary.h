@@ -1,7 +1,7 @@
-/* temporary.h - the unfinished file beside the one that it will become, removed however the program ends.
+/* temporary.h - an unfinished file in the directory of the file that it will become, removed however the program ends.
  *
- * Its name is .tia-HASH-N, HASH of the final name: so the next run for the same name finds what a killed run has left,
- * and removes it. Whoever writes such a file holds a lock on it, so that no other run takes it for left behind.
+ * Its name is .tia-HASH-N, with a hash of the final name, so that the next run with the same output finds what a killed
+ * run has left, and removes it. A run holds a lock on its file, so that others do not remove it.
  */
 #ifndef TOOLS_TEMPORARY_H
 #define TOOLS_TEMPORARY_H
@@ -15,17 +15,19 @@ struct temporary {
     struct signals_cleanup cleanup;
 };
 
-/* The file that `name` stands for: symbolic links are followed, also to a file that is not there. NULL and errno. */
+/* The file that `name` refers to: follows symbolic links, even to a file that does not exist; free() it. NULL and errno
+ * on failure. */
 char *temporary_target(const char *name);
 
-/* Creates a file beside `path`, and removes those that are left there. If `before` is not NULL, it is the file that
- * will be replaced: the new one gets its mode and, where that is allowed, its owner. A descriptor, or -1 and errno. */
+/* Creates a file in the directory of `path`, and removes what killed runs have left for it. If `before` is not NULL, it
+ * is the file that will be replaced: the new one gets its mode and, where that is allowed, its owner. A descriptor, or
+ * -1 and errno. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before);
 
-/* Gives it its final name. 0, or -1 and errno: it is still there. */
+/* Gives it its final name. 0, or -1 and errno, and then it still has to be removed. */
 int temporary_rename(struct temporary *temporary, const char *path);
 
-/* Does nothing where there is none. */
+/* Does nothing if there is none. */
 void temporary_remove(struct temporary *temporary);
 
 #endif

@@ -13,7 +13,7 @@
 struct threads {
     pthread_mutex_t lock;
     pthread_cond_t begin, end;
-    pthread_mutex_t door; /* of enter and leave */
+    pthread_mutex_t door; /* for enter and leave */
     unsigned started;     /* threads besides the caller */
     unsigned busy;        /* those of them that may still run jobs of this round */
     unsigned round;       /* counts the calls of run */

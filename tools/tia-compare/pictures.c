@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
-/* Each unfinished picture is an open file: as many as the system allows. */
+/* Each unfinished picture is an open file, so allow as many as the system does. */
 static void allow_files(void)
 {
     struct rlimit limit;

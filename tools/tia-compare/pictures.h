@@ -1,4 +1,4 @@
-/* pictures.h - the heatmaps of a run, which appear together at its end, or none. */
+/* pictures.h - the heatmaps of a run, which appear together at its end, or not at all. */
 #ifndef TIA_COMPARE_PICTURES_H
 #define TIA_COMPARE_PICTURES_H
 
@@ -17,10 +17,10 @@ struct pictures {
 /* `most` frames will be added. False: no memory; pictures_end is safe in either case. */
 bool pictures_begin(struct pictures *pictures, const char *name, unsigned most);
 
-/* Draws the next one. A negative tia_status on failure. */
+/* Draws the next one; pictures_publish gives it its name. A negative tia_status on failure. */
 int pictures_add(struct pictures *pictures, const struct heatmap *map);
 
-/* All of them get their names. A negative tia_status on failure. */
+/* Gives all of them their names. A negative tia_status on failure. */
 int pictures_publish(struct pictures *pictures);
 
 /* Removes what was not published. */

@@ -28,8 +28,8 @@ static int failed(const char *what, const char *why)
     return 1;
 }
 
-/* Of run->pictures. */
-static int told(const struct run *run, int status)
+/* The exit status for a status of run->pictures; prints its reason if it is an error. */
+static int report(const struct run *run, int status)
 {
     if (!status)
         return 0;
@@ -58,7 +58,7 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     if (status)
         result = failed(name, status == TIA_ERR_MEMORY ? "out of memory" : "the scene cannot be drawn");
     else if (run->options.heatmap)
-        result = told(run, pictures_add(&run->pictures, &map));
+        result = report(run, pictures_add(&run->pictures, &map));
     if (result == 0)
         report_frame(&run->report, name, what.width, what.height, tallies);
     heatmap_free(&map);
@@ -122,7 +122,7 @@ static int run_frames(struct run *run)
     int result = 0;
 
     if (o->heatmap && !pictures_begin(&run->pictures, o->heatmap, count))
-        result = told(run, TIA_ERR_MEMORY);
+        result = report(run, TIA_ERR_MEMORY);
     for (unsigned i = 0; i < thesis && result == 0; i++)
         result = run_thesis(run, o->keys ? o->keys : all_keys[i]);
     for (unsigned i = 0; i < o->random && result == 0; i++)
@@ -132,7 +132,7 @@ static int run_frames(struct run *run)
     for (int i = 0; i < o->scene_count && result == 0; i++)
         result = run_file(run, o->scenes[i]);
     if (result == 0)
-        result = told(run, pictures_publish(&run->pictures));
+        result = report(run, pictures_publish(&run->pictures));
     pictures_end(&run->pictures);
     return result;
 }

@@ -241,7 +241,7 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     return result;
 }
 
-/* The pixels are those that were written, and of this frame and these rows. */
+/* Checks that these are the pixels that were written, for this frame and these rows. */
 static int check_sum(struct parts *parts, const struct part *part, uint32_t frame, const tia_rgb565 *rows,
                      const unsigned char *found)
 {

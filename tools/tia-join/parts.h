@@ -16,7 +16,7 @@ struct part {
 struct parts {
     struct part *array;
     unsigned count;
-    uint64_t *colours;   /* for .y4m: each pixel with its Y, U and V in the bits above, sorted; NULL: not yet built */
+    uint64_t *colours;   /* for .y4m: every pixel value below its Y, U and V, sorted; NULL: not built yet */
     char why[PARTS_WHY]; /* one line, after a failure */
 };
 

@@ -21,7 +21,7 @@ struct image_codec {
 struct image {
     const struct image_codec *codec;
     struct image_film film;
-    unsigned width, height; /* of the part of each frame in the file */
+    unsigned width, height; /* of the file's part of each frame */
     uint64_t rows;          /* written so far, of all frames */
     uint32_t sum;           /* checksum of the frame so far, in formats that have one */
     int status;             /* the first error */
@@ -43,7 +43,8 @@ size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
  * 255. */
 void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count);
 
-/* part.c, for formats whose frames have checksums: adds the next row to image->sum. True: it is the frame's last. */
+/* part.c, for formats whose frames have checksums: adds the next row to image->sum. True: it was the frame's last
+ * row. */
 bool image_part_add(struct image *image, const tia_rgb565 *pixels);
 
 #endif

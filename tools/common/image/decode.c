@@ -129,7 +129,7 @@ static unsigned char *decode_alpha(const struct image_texels *texels, const void
 #endif
 }
 
-/* Rounded down to 2^-16, so that nothing but all 255 is 1. */
+/* Rounds down to a multiple of 2^-16, so that the mean is 1 only if all values are 255. */
 static tia_q30 mean_of(const unsigned char *values, size_t count)
 {
     uint64_t sum = 0;

@@ -9,7 +9,7 @@
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why);
 
-/* The mean of its alpha channel, 0..1, or of its three colours where it has none; the rest as above. */
+/* The mean, 0..1, of a picture's alpha channel or, if it has none, of its three colours. Otherwise as image_decode. */
 int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side, size_t most, const char **why);
 
 #endif

@@ -1,5 +1,5 @@
-/* decode_stb.c - JPEG, BMP, TGA and GIF by stb_image. It is compiled here and without vector units, whose code for
- * JPEG gives other texels: so the same file is the same picture on every machine. */
+/* decode_stb.c - JPEG, BMP, TGA and GIF by stb_image. Compiled here without SIMD, whose JPEG code gives other texels,
+ * so that a file is the same picture on every machine. */
 #ifdef TIA_HAVE_STB
 
 #include "decode_stb.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A damaged JPEG may use tables that it has not: they must not be whatever the memory held before. */
+/* A damaged JPEG may use tables that it does not define: they are zeros, not whatever was in memory before. */
 #define STBI_MALLOC(size) calloc(1, size)
 #define STBI_REALLOC(memory, size) realloc(memory, size)
 #define STBI_FREE(memory) free(memory)
@@ -22,7 +22,7 @@
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_ONLY_GIF
-#pragma GCC diagnostic ignored "-Wunused-function" /* what it declares for the formats that are left out */
+#pragma GCC diagnostic ignored "-Wunused-function" /* of the formats that are left out */
 #include <stb_image.h>
 
 static int refuse(const char **why, const char *what)
@@ -31,8 +31,8 @@ static int refuse(const char **why, const char *what)
     return TIA_ERR_RANGE;
 }
 
-/* stb_image takes what is missing at a file's end for zeros. So that it shows, some are there, and then it is looked
- * how far it has read: for that its inner functions are called. */
+/* stb_image reads zeros beyond the end of a file, without an error. To detect that, the file is followed by SPARE
+ * zeros, and afterwards the position shows whether some were read. Only the internal functions tell the position. */
 #define SPARE 16
 
 static unsigned char *load_padded(const struct image_texels *texels, const unsigned char *padded, size_t length)
@@ -49,8 +49,8 @@ static unsigned char *load_padded(const struct image_texels *texels, const unsig
     return all;
 }
 
-/* Red, green, blue and alpha of each texel; free() them. NULL: the picture is damaged, or not as large as its
- * header says. */
+/* Red, green, blue and alpha of each texel; free() them. NULL: the picture is damaged, or its size is not that of its
+ * header. */
 static unsigned char *load(const struct image_texels *texels, const unsigned char *bytes, size_t length)
 {
     unsigned char *padded = calloc(1, length + SPARE);
@@ -63,7 +63,7 @@ static unsigned char *load(const struct image_texels *texels, const unsigned cha
     return all;
 }
 
-/* What is transparent is laid on black. */
+/* Composites on black. */
 static void lay(struct image_texels *texels, const unsigned char *all)
 {
     for (size_t i = 0; i < (size_t)texels->width * texels->height; i++, all += 4)
@@ -71,14 +71,14 @@ static void lay(struct image_texels *texels, const unsigned char *all)
             texels->rgb[3 * i + c] = (unsigned char)((all[c] * all[3] + 127) / 255);
 }
 
-/* Of rows from the top down, a BMP's header gives the height negative. */
+/* The height in a BMP's header is negative if the top row comes first. */
 static uint64_t magnitude(int size)
 {
     return size < 0 ? 0 - (uint64_t)size : (uint64_t)size;
 }
 
-/* Whether the Huffman tables that begin at `at`, of a segment of `length` bytes, have at most 256 codes each. What is
- * missing at the end counts as zeros. */
+/* Whether the Huffman tables that begin at `at`, of a segment of `length` bytes, have at most 256 codes each. Missing
+ * bytes at the end count as zeros. */
 static bool are_tables(const unsigned char *at, const unsigned char *end, int64_t length)
 {
     while (length > 0 && at < end && at[0] >> 4 <= 1 && (at[0] & 15) <= 3) {
@@ -95,8 +95,8 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
     return true;
 }
 
-/* stb_image 2.27 writes beyond the end of a Huffman table with more than 256 codes, which no JPEG has. It is looked
- * for wherever a segment with tables may begin, without an opinion of where stb_image sees one. */
+/* stb_image 2.27 writes beyond its array for a Huffman table with more than 256 codes, which no valid JPEG has. Looks
+ * for one wherever a segment with tables might begin, since stb_image may find segments where others do not. */
 static bool is_safe(const unsigned char *bytes, size_t length)
 {
     const unsigned char *end = bytes + length;

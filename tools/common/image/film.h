@@ -1,4 +1,4 @@
-/* film.h - what is in a picture file. */
+/* film.h - what a picture or film file contains. */
 #ifndef TOOLS_IMAGE_FILM_H
 #define TOOLS_IMAGE_FILM_H
 
@@ -6,7 +6,7 @@
 
 enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART };
 
-/* The frames of a film, and the rows of each, that a file has. A picture is all of one frame. */
+/* The frames of a film that a file has, and the rows of each. A picture is a film of one frame. */
 struct image_film {
     unsigned width, height;   /* of a whole frame */
     unsigned first_row, rows; /* in the file */

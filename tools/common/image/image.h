@@ -39,8 +39,8 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 
-/* The same in two steps, so that several pictures appear together: when image_seal succeeds, all that is left to do is
- * to rename the file, which image_publish does. After a failure `image` is freed. */
+/* image_finish in two steps, so that several pictures can appear together: after image_seal only the renaming is left,
+ * which image_publish does. image_seal frees `image` if it fails, image_publish in any case. */
 int image_seal(struct image *image);
 int image_publish(struct image *image);
 

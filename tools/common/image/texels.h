@@ -1,4 +1,4 @@
-/* texels.h - room for the texels of a picture. */
+/* texels.h - memory for the texels of a picture. */
 #ifndef TOOLS_IMAGE_TEXELS_H
 #define TOOLS_IMAGE_TEXELS_H
 

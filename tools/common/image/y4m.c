@@ -12,7 +12,7 @@ static void release(struct image *image)
     image->state = NULL;
 }
 
-/* The planes are kept until the frame is complete, as its checksum stands before them. */
+/* Keeps a frame's planes until it is complete, since its checksum comes before them. */
 static int begin(struct image *image)
 {
     char header[IMAGE_PART_HEADER];

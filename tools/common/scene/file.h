@@ -1,4 +1,4 @@
-/* file.h - a scene, and what was fetched for it. */
+/* file.h - a scene, and the files that were loaded for it. */
 #ifndef TOOLS_SCENE_FILE_H
 #define TOOLS_SCENE_FILE_H
 
@@ -6,7 +6,7 @@
 
 #define SCENE_WHY 1024
 #define SCENE_TEXT_MOST ((size_t)256 << 20)  /* bytes of the scene's own text */
-#define SCENE_NAMED_MOST ((size_t)512 << 20) /* of all that it refers to: libraries, and texels of images */
+#define SCENE_NAMED_MOST ((size_t)512 << 20) /* of everything that it refers to: libraries, and texels of images */
 
 struct scene_part; /* a file that the scene refers to */
 

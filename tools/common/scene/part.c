@@ -16,7 +16,7 @@ struct scene_part {
     struct whole text;          /* of a library */
     struct image_texels texels; /* of an image */
     tia_q30 opacity;
-    char name[]; /* as the scene has it */
+    char name[]; /* as in the scene */
 };
 
 char *part_path(const struct scene_file *file, const char *name)
@@ -54,7 +54,7 @@ static int decode(struct scene_part *part, size_t most, const char **why)
     return status;
 }
 
-/* As it is called; and if there is no such file and the name is one of Windows, with its backslashes turned. */
+/* Reads the file called so or, if there is none and the name has backslashes as on Windows, with slashes instead. */
 static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
 {
     char *path = part_path(file, part->name);
@@ -81,7 +81,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     return status;
 }
 
-/* The file called `name`, fetched when it is asked for the first time. */
+/* The file called `name`, loaded when it is first needed. */
 static int fetch(struct scene_file *file, const char *name, enum part_kind kind, struct scene_part **found,
                  const char **why)
 {

@@ -93,14 +93,14 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
             return true;
         }
     }
-    /* A light may also be put by a key. */
+    /* A key may also place a light. */
     if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0)
         return false;
     (void)snprintf(line, SCENE_WHY, "%.300s: no light: only what shines by itself is seen", shown(file));
     return true;
 }
 
-/* With as much memory as the reader says that it needs: it knows after the first try. */
+/* Tries again with as much memory as the reader asks for, which it knows after the first try. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,

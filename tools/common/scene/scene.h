@@ -16,8 +16,8 @@ int scene_format_of(const char *path);
  * warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
-/* Warnings about the scene that was opened, as lines "FILE:LINE: WHAT (N more)": sets the next one after *at, which
- * starts at 0. False: there are no more. */
+/* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at counts them; set it to 0 before the
+ * first. False: there are no more. */
 bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY]);
 void scene_close(struct scene_file *file);
 
