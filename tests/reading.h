@@ -35,6 +35,7 @@ static inline void read_begin(struct reading *r)
     r->status = tia_read(&r->reader, &r->scene, NULL, 0, &r->need);
     if (r->status == TIA_ERR_MEMORY) {
         r->memory = malloc(r->need);
+        memset(r->memory, 0xaa, r->need); /* no place counts on zeros */
         CHECK_EQ(tia_read(&r->reader, &r->scene, r->memory, r->need - 1, &again), TIA_ERR_MEMORY);
         CHECK_EQ(again, r->need);
         r->status = tia_read(&r->reader, &r->scene, r->memory, r->need, &again);

@@ -116,6 +116,18 @@ TEST(what_faces_become)
     finish(&r, &files);
 }
 
+/* Some mistakes show only in the second pass, when the names of the first are known and those of groups are not all. */
+TEST(refused_in_the_second_pass)
+{
+    struct files files = {.strict = true};
+    struct reading r;
+    static const char text[] = "o a\n" TRIANGLE "usemtl none\nf 1 2 3\no b\no c\no d\n";
+
+    read_obj(&r, &files, text, strlen(text));
+    check_read_error(&r, "5:8: 'none' is no material, expected one that a mtllib has");
+    finish(&r, &files);
+}
+
 TEST(texts_of_other_systems)
 {
     static const char text[] = "\xef\xbb\xbfmtllib my paint.mtl\r\nv 0 0 0\r\nv 1 \\\r\n 0 0\r\nv 0 1 0\r\n"
@@ -197,6 +209,7 @@ int main(void)
 {
     RUN(mistakes);
     RUN(what_faces_become);
+    RUN(refused_in_the_second_pass);
     RUN(texts_of_other_systems);
     RUN(mistakes_of_libraries);
     RUN(opacity_maps);

@@ -125,6 +125,7 @@ TEST(pictures_lie_beside_the_file_that_names_them)
     static const char text[] = "include room/a.tia\ntexture u image /top/b.ppm\n";
 
     files = (struct files){.names = {"room/a.tia"}, .texts = {"texture t image wood/a.ppm"}};
+    read_end(&now);
     now = (struct reading){.reader = {.text = "include room/a.tia", .length = 18, .library = fetch_library}};
     now.reader.image = keep_image;
     now.reader.ctx = &files;

@@ -171,20 +171,34 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     return p;
 }
 
-static int fill(struct obj *o, const struct places *p)
+/* Sorts what a pass without errors has filled. */
+static void sort(struct tia_array *names)
 {
-    struct tia_name *names = (struct tia_name *)(void *)o->names.items;
+    if (names->capacity)
+        tia_names_sort((struct tia_name *)(void *)names->items, names->capacity);
+}
 
+static int measure(struct obj *o)
+{
     o->pass = OBJ_MEASURE;
     int status = read_libraries(o);
-    if (o->names.capacity)
-        tia_names_sort(names, o->names.capacity);
+    if (status)
+        return status;
+    sort(&o->names);
     for (uint32_t i = 0; i < o->scene->material_count; i++)
         o->groups[i] = (struct obj_group){.low = {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    status = status ? status : read_text(o);
+    status = read_text(o);
+    if (status)
+        return status;
     tia_obj_place_groups(o);
-    if (o->group_lines.capacity)
-        tia_names_sort((struct tia_name *)(void *)o->group_lines.items, o->group_lines.capacity);
+    sort(&o->group_lines);
+    return TIA_OK;
+}
+
+static int fill(struct obj *o, const struct places *p)
+{
+    int status = measure(o);
+
     o->pass = OBJ_FILL;
     status = status ? status : read_libraries(o);
     status = status ? status : read_text(o);
