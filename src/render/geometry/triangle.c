@@ -90,13 +90,37 @@ static bool is_inside(const num_area areas[3])
     return a * b >= 0 && b * c >= 0 && c * a >= 0 && (a || b || c);
 }
 
+/* The product of two edges, exact: corners are 2^33 units of 2^-16 apart at most, so it has up to 67 bits. Returns
+ * how many bits its largest component has: 0 where the corners lie on one line. */
+static int edge_product(const struct triangle_corners *corners, wide product[3])
+{
+    struct tia_vec3 a = corners->at[0], b = corners->at[1], c = corners->at[2];
+    const int64_t ab[3] = {(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z};
+    const int64_t ac[3] = {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z};
+    int bits = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        product[i] = wide_difference(wide_product(ab[j], ac[k]), wide_product(ab[k], ac[j]));
+        int length = wide_bits(wide_size(product[i]));
+        bits = length > bits ? length : bits;
+    }
+    return bits;
+}
+
+static bool has_area(const struct triangle_corners *corners)
+{
+    wide product[3];
+
+    return edge_product(corners, product) > 0;
+}
+
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t)
 {
     num_length v[3][3];
     num_area areas[3];
     num_unit parts[3];
-    struct num_dir normal;
 
     for (int i = 0; i < 3; i++)
         seen(ray, corners->at[i], v[i]);
@@ -106,31 +130,21 @@ bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_co
     num_barycentric(areas, parts);
     *t = num_div(num_dot3(v[0][0], v[1][0], v[2][0], parts[0], parts[1], parts[2]), ray->along);
     /* Rounding may give corners on one line an area. */
-    return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && triangle_normal(corners, &normal);
+    return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && has_area(corners);
 }
 
-/* In integers, exact but for the last rounding: corners are 2^33 units of 2^-16 apart at most, so the product has
- * up to 67 bits. */
+/* In integers, exact but for the last rounding. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal)
 {
-    struct tia_vec3 a = corners->at[0], b = corners->at[1], c = corners->at[2];
-    const int64_t ab[3] = {(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z};
-    const int64_t ac[3] = {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z};
     wide product[3];
     int64_t n[3], d[3];
-    int bits = 0;
+    int bits = edge_product(corners, product);
 
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        product[i] = wide_difference(wide_product(ab[j], ac[k]), wide_product(ab[k], ac[j]));
-        int length = wide_bits(wide_size(product[i]));
-        bits = length > bits ? length : bits;
-    }
     for (int i = 0; i < 3; i++)
         n[i] = bits > 61 ? wide_round(product[i], (unsigned)(bits - 61)) : (int64_t)wide_low(product[i]);
-    bool any = wide_normalise(n, d);
+    (void)wide_normalise(n, d);
     *normal = (struct num_dir){num_unit_of_q62(d[0]), num_unit_of_q62(d[1]), num_unit_of_q62(d[2])};
-    return any;
+    return bits > 0;
 }
 
 /* Projected along the normal's main axis; a point that rounding has put outside counts as on the edge. */
