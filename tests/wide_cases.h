@@ -92,9 +92,50 @@ TEST(vectors_are_normalised)
     }
 }
 
+/* 128 bits, of any length below `most`. */
+static exact any(unsigned most)
+{
+    exact n = (exact)random_bits() << 64 | random_bits();
+
+    return n >> (128 - most + (unsigned)(random_bits() % most));
+}
+
+static wide given(exact n)
+{
+    return wide_of_halves((int64_t)(n >> 64), (uint64_t)n);
+}
+
+TEST(numbers_of_128_bits_are_multiplied_and_ordered)
+{
+    for (int i = 0; i < 200000; i++) {
+        exact a = any(65), b = any(128);
+        int64_t n = some(62);
+        CHECK(value(given(b)) == b);
+        CHECK(value(wide_times(given(a), n)) == a * n);
+        CHECK(value(wide_negative(given(a))) == -a);
+        CHECK_EQ(wide_sign(given(b)), (b > 0) - (b < 0));
+    }
+    CHECK_EQ(wide_sign(given(0)), 0);
+    CHECK_EQ(wide_sign(given((exact)1 << 64)), 1);
+}
+
+/* With a = p q, b = r s, c = p r, d = q s + e: a b - c d = -p r e. */
+TEST(products_of_256_bits_are_ordered)
+{
+    for (int i = 0; i < 200000; i++) {
+        exact p = any(62), q = any(62), r = any(62), s = any(62);
+        int e = (int)(random_bits() % 3) - 1, sign = ((p > 0) - (p < 0)) * ((r > 0) - (r < 0)) * -e;
+        CHECK_EQ(wide_order_of_products(given(p * q), given(r * s), given(p * r), given(q * s + e)), sign);
+        exact a = any(63), b = any(63), c = any(63), d = any(63);
+        CHECK_EQ(wide_order_of_products(given(a), given(b), given(c), given(d)), (a * b > c * d) - (a * b < c * d));
+    }
+}
+
 int main(void)
 {
     RUN(sums_and_products_are_exact);
+    RUN(numbers_of_128_bits_are_multiplied_and_ordered);
+    RUN(products_of_256_bits_are_ordered);
     RUN(square_roots_are_exact);
     RUN(quotients_err_by_half_a_unit_and_a_little);
     RUN(vectors_are_normalised);

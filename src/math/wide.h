@@ -55,6 +55,19 @@ static inline int64_t wide_down(wide a, unsigned s)
 {
     return (int64_t)(a >> s);
 }
+
+/* high 2^64 + low */
+static inline wide wide_of_halves(int64_t high, uint64_t low)
+{
+    __extension__ typedef unsigned __int128 bits;
+    return (wide)((bits)(uint64_t)high << 64 | low);
+}
+
+/* a b, below 2^127 in size. */
+static inline wide wide_times(wide a, int64_t b)
+{
+    return a * b;
+}
 #else
 typedef struct {
     int64_t high;
@@ -111,6 +124,20 @@ static inline int64_t wide_down(wide a, unsigned s)
         return a.high >> (s - 64);
     return (int64_t)((uint64_t)a.high << (64 - s) | a.low >> s);
 }
+
+static inline wide wide_of_halves(int64_t high, uint64_t low)
+{
+    return (wide){high, low};
+}
+
+/* Modulo 2^128 the halves may be taken as unsigned: b < 0 counts 2^64 too much. */
+static inline wide wide_times(wide a, int64_t b)
+{
+    struct tia_wide p = tia_wide_product(a.low, (uint64_t)b);
+    uint64_t high = p.high + (uint64_t)a.high * (uint64_t)b - (b < 0 ? a.low : 0);
+
+    return (wide){(int64_t)high, p.low};
+}
 #endif
 
 /* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. */
@@ -123,6 +150,54 @@ static inline int64_t wide_round(wide a, unsigned s)
 static inline wide wide_size(wide a)
 {
     return wide_is_negative(a) ? wide_difference(wide_product(0, 0), a) : a;
+}
+
+/* -1, 0 or 1. */
+static inline int wide_sign(wide a)
+{
+    return wide_is_negative(a) ? -1 : (wide_high(a) | (int64_t)wide_low(a)) != 0;
+}
+
+static inline wide wide_negative(wide a)
+{
+    return wide_difference(wide_product(0, 0), a);
+}
+
+/* a b in 256 bits, the lowest word first. a, b >= 0. */
+static inline void wide_long_product(wide a, wide b, uint64_t p[4])
+{
+    uint64_t x[2] = {wide_low(a), (uint64_t)wide_high(a)}, y[2] = {wide_low(b), (uint64_t)wide_high(b)};
+
+    p[0] = p[1] = p[2] = p[3] = 0;
+    for (int i = 0; i < 2; i++) {
+        uint64_t carry = 0;
+        for (int k = 0; k < 2; k++) {
+            struct tia_wide part = tia_wide_product(x[i], y[k]);
+            uint64_t low = part.low + carry;
+            part.high += low < carry;
+            p[i + k] += low;
+            carry = part.high + (p[i + k] < low);
+        }
+        p[i + 2] = carry;
+    }
+}
+
+/* The sign of a b - c d, exact. */
+static inline int wide_order_of_products(wide a, wide b, wide c, wide d)
+{
+    int s = wide_sign(a) * wide_sign(b), t = wide_sign(c) * wide_sign(d);
+    uint64_t p[4], q[4];
+
+    if (s != t)
+        return s > t ? 1 : -1;
+    if (s == 0)
+        return 0;
+    wide_long_product(wide_size(a), wide_size(b), p);
+    wide_long_product(wide_size(c), wide_size(d), q);
+    for (int i = 3; i >= 0; i--)
+        if (p[i] != q[i])
+            return p[i] > q[i] ? s : -s;
+    return 0;
 }
 
 /* The sum of three products. |a|, |b| below 2^62. */
