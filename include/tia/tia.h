@@ -8,6 +8,7 @@
  *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
+ *   raster.h  polygons: depth, stencil and colour buffers
  *   port.h    display, input and clock, as a board or an OS provides them
  *   viewer.h  the interactive loop
  */
@@ -18,6 +19,7 @@
 
 #include <tia/bvh.h>
 #include <tia/motion.h>
+#include <tia/raster.h>
 #include <tia/read.h>
 #include <tia/viewer.h>
 

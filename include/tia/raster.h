@@ -1,0 +1,158 @@
+/* raster.h - convex polygons into depth, stencil and colour buffers, without rounding after the vertices.
+ *
+ * A vertex is (x, y, w) with `fraction` bits and h, rounded once, by whoever makes it. Everything after is exact:
+ * which pixels a polygon covers, and which of two polygons is nearer at a pixel. So no pixel at a common edge is
+ * drawn twice or left out, and drawing order, tiles and machines change nothing.
+ *
+ * Perspective: x, y, w are clip coordinates, -w..w is what the image shows and w grows away from the eye. They are at
+ * the same time affine coordinates with the eye at 0. h is 1 for a point, 0 for a direction, a vertex at infinity,
+ * whose coordinates are a difference of two points. Any sign of w is drawn: there is no near plane, nothing is
+ * clipped and no depth is out of range.
+ * Orthographic: w is 1, which is 2^fraction, and h is the nearness: larger is nearer. A direction has w = 0.
+ *
+ * Pixel (i, j) of the image sees what lies at positive multiples of D(i, j), an integer vector linear in i and j.
+ * Where an edge passes exactly through it, D is moved to the right by a distance smaller than any, then down
+ * by one still smaller: the top-left rule of OpenGL and Direct3D. A polygon whose plane contains the eye is not drawn.
+ *
+ *     quantity                               perspective   orthographic   kept in
+ *     coordinate of a point q, size below        2^40          2^29       int64_t
+ *     coordinate of a direction, size below      2^41          2^30       int64_t
+ *     h, size at most                             1            2^30
+ *     D, any component, at most                  2^30          2^30
+ *     normal of an edge, q x q                   2^83          2^61       128 bits
+ *     edge at a pixel, (q x q).D                 2^115         2^93       128 bits
+ *     f = N.D, N = sum of h_i (q_j x q_k)        2^117         2^125      128 bits
+ *     det = det(q, q, q)                         2^126         2^93       128 bits
+ *     order in depth, f1 det2 - f2 det1          2^243         2^218      256 bits, where a filter is unsure
+ *
+ * (8192^2 pixels, 16 samples.) Polygons with smaller coordinates need 64 bits for all but det; these are found one by
+ * one and drawn faster, with the same result.
+ */
+#ifndef TIA_RASTER_H
+#define TIA_RASTER_H
+
+#include <tia/render.h>
+
+#define TIA_RASTER_CORNERS 8   /* the most corners of a polygon */
+#define TIA_NO_FACE UINT32_MAX /* nothing was drawn there */
+
+/* The pixels of an image: D(i, j) = (x + right i, y - down j, w). */
+struct tia_lattice {
+    enum tia_projection projection;
+    uint16_t width, height; /* of the whole image */
+    int32_t x, y, w, right, down;
+    int32_t centre[2]; /* where x = y = 0 is: 2^-16 pixel, from the centre of pixel (0, 0) */
+    int fraction;      /* fraction bits of the vertices */
+    int scale;         /* nearness is 1/t 2^scale, where the point is t D; see struct tia_raster_target */
+    int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
+};
+
+/* The pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel when there are 1, 4
+ * or 16 `samples`, where tia's camera has them, see camera.h. All coordinates of points are below 2^range in size,
+ * range 0..20. TIA_FRUSTUM counts as perspective, for its shear is in the vertices. TIA_ERR_ARGUMENT when something is
+ * outside these bounds.
+ *
+ * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
+ * orthographic always 29 - range. Of 6 million pixels of meshes, 5 see another face with 18 bits than with 34, none
+ * with 22. */
+int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
+                     uint32_t samples, uint32_t sample, unsigned range);
+
+struct tia_raster_vertex {
+    int64_t x, y, w, h;
+};
+
+/* OpenGL's, in its order. The new value is on the left: TIA_LESS passes what is nearer, or where reference & mask is
+ * less than stored & mask. */
+enum tia_compare { TIA_NEVER, TIA_LESS, TIA_EQUAL, TIA_LEQUAL, TIA_GREATER, TIA_NOTEQUAL, TIA_GEQUAL, TIA_ALWAYS };
+
+/* OpenGL's. TIA_INCR and TIA_DECR stop at 255 and 0. */
+enum tia_stencil_op { TIA_KEEP, TIA_ZERO, TIA_REPLACE, TIA_INCR, TIA_DECR, TIA_INVERT, TIA_INCR_WRAP, TIA_DECR_WRAP };
+
+struct tia_stencil {
+    enum tia_compare test;
+    uint8_t reference, mask; /* the mask is for both sides of the comparison */
+    uint8_t write;           /* the bits that may change */
+    enum tia_stencil_op fail, zfail, zpass;
+};
+
+/* Two polygons are equal in depth at a pixel where they have the same face, or lie in the same plane. Where planes only
+ * cross there, the one decides that is nearer at the pixel moved as above. What is drawn is nearer than no face. */
+struct tia_raster_state {
+    enum tia_compare depth;
+    bool depth_write;           /* also puts the face there */
+    bool ties_by_face;          /* in the same plane, the smaller face is nearer: any order draws the same */
+    bool skip_front, skip_back; /* front faces go round counterclockwise in the image */
+    struct tia_stencil front, back;
+    bool colour_write[3];
+    uint16_t colour[3];
+};
+
+/* Buffers of a target, for tia_raster_size. */
+enum tia_buffer {
+    TIA_BUFFER_DEPTH = 1,   /* nearness, face and planes: without it everything passes the depth test */
+    TIA_BUFFER_STENCIL = 2, /* without it everything passes the stencil test */
+    TIA_BUFFER_COLOUR = 4,
+    TIA_BUFFER_SUM = 8 /* with TIA_BUFFER_COLOUR only */
+};
+
+struct tia_raster_plane; /* the plane of a face, 64 bytes */
+
+/* A rectangle of the image, row by row. A buffer that is not there is NULL. */
+struct tia_raster_target {
+    const struct tia_lattice *lattice;
+    struct tia_tile area;
+    uint32_t *face;     /* TIA_NO_FACE where nothing is */
+    uint64_t *nearness; /* within 2^15 of what `scale` says, clamped to 0..2^62: in perspective w = 1/16 and
+                           orthographic h = 2^29 have 2^61..2^62; 0 where nothing is */
+    uint8_t *stencil;
+    uint16_t *colour; /* three a pixel: red, green, blue */
+    uint32_t *sum;    /* the accumulation buffer, three a pixel */
+    struct tia_raster_plane *planes;
+    uint32_t face_count;
+    uint32_t exact; /* how often the filter was unsure which of two is nearer */
+};
+
+/* Bytes for a target of `area` with `buffers`, a sum of enum tia_buffer, and faces 0..faces - 1; SIZE_MAX when there
+ * are too many. */
+size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
+
+/* Creates a target in `memory`, aligned for uint64_t, and clears it. The lattice must outlive it. TIA_ERR_ARGUMENT when
+ * the area is empty or not inside the image, TIA_ERR_MEMORY when `size` is too small. */
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
+                    struct tia_tile area, unsigned buffers, uint32_t faces);
+
+/* Empties the depth buffer. */
+void tia_clear_depth(struct tia_raster_target *target);
+/* Sets the bits of `write`, as OpenGL's clear does. */
+void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
+void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
+void tia_clear_sum(struct tia_raster_target *target);
+
+/* Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
+void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
+/* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. total is 1..65536. */
+void tia_sum_return(struct tia_raster_target *target, uint32_t total);
+
+/* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners as `state` says. Its plane, for depth, is that of its first
+ * three corners. What writes depth has a face below face_count, and the same plane whenever it is drawn until the depth
+ * buffer is cleared; what does not may be TIA_NO_FACE. TIA_ERR_ARGUMENT when that is not so or there is another number
+ * of corners; TIA_ERR_RANGE when a vertex is out of the range above. */
+int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
+                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+
+/* A triangle prepared for interpolation. */
+struct tia_corners {
+    uint64_t weights[3][3][2];
+};
+
+/* False when the eye is in its plane. */
+bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
+                      const struct tia_raster_vertex vertices[3]);
+
+/* A value that is a[0], a[1], a[2] at the corners and linear on the triangle's plane, at what pixel (x, y) of the image
+ * sees of the plane: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
+ * that is a direction has no value. 0 where the plane is not before the eye. */
+tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3]);
+
+#endif

@@ -1,0 +1,109 @@
+#include "depth.h"
+
+#include "halves.h"
+
+/* f / 2^cut of a number in 128 bits, or more than can be unclamped. */
+static int64_t wide_cut(wide f, unsigned cut)
+{
+    if (wide_is_negative(f))
+        return -1;
+    if (wide_bits(f) > (int)cut + 63)
+        return INT64_MAX;
+    return cut ? wide_down(f, cut) : (int64_t)wide_low(f);
+}
+
+static int64_t cut_at(const struct polygon *p, int x, int y)
+{
+    return p->narrow ? narrow_form_at(&p->of.narrow_forms.plane, x, y) >> p->depth.cut
+                     : wide_cut(wide_form_at(&p->of.wide_forms.plane, x, y), p->depth.cut);
+}
+
+static bool is_clamped(const struct depth_scale *d, int64_t cut)
+{
+    return cut < 0 || cut > d->most;
+}
+
+static int64_t scaled(const struct depth_scale *d, int64_t cut)
+{
+    if (is_clamped(d, cut))
+        return cut < 0 ? 0 : DEPTH_MOST;
+    return wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift);
+}
+
+/* Where a run has two pixels, neither clamped, the step is less than `most`; elsewhere it is not used. */
+static int64_t step_of(const struct polygon *p)
+{
+    wide x = p->narrow ? wide_product(p->of.narrow_forms.plane.x, 1) : p->of.wide_forms.plane.x;
+    int64_t cut = wide_cut(wide_size(x), p->depth.cut);
+
+    if (is_clamped(&p->depth, cut))
+        return 0;
+    return wide_is_negative(x) ? -scaled(&p->depth, cut) : scaled(&p->depth, cut);
+}
+
+/* With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal 2^(scale - 62 - bits). */
+void tia_depth_scale_init(struct polygon *p, int scale)
+{
+    struct depth_scale *d = &p->depth;
+    int bits = wide_bits(p->det), cut = bits - 1 - scale, shift;
+    uint64_t top = (uint64_t)wide_high(wide_up(p->det, (unsigned)(128 - bits)));
+
+    d->reciprocal = (uint64_t)wide_reciprocal(top);
+    d->cut = cut > 0 ? (unsigned)cut : 0;
+    shift = 62 - scale + bits - (int)d->cut;
+    d->shift = shift > 1 ? (unsigned)shift : 1;
+    if (cut > 0)
+        d->most = (int64_t)(top >> 1) - 1;
+    else if (scale >= 62)
+        d->most = scale - 62 < bits ? (int64_t)(top >> (64 - bits + scale - 62)) : 0;
+    else
+        d->most = (int64_t)(top >> (64 - bits) << (62 - scale));
+    d->step = step_of(p);
+}
+
+int64_t tia_depth_at(const struct polygon *p, int x, int y)
+{
+    return scaled(&p->depth, cut_at(p, x, y));
+}
+
+struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1)
+{
+    int64_t first = cut_at(p, x0, y), last = x1 - x0 > 1 ? cut_at(p, x1 - 1, y) : first;
+    bool steady = !is_clamped(&p->depth, first) && !is_clamped(&p->depth, last);
+
+    return (struct depth_run){(uint64_t)scaled(&p->depth, first), (uint64_t)p->depth.step, steady};
+}
+
+static struct wide_form plane_of(const struct polygon *p)
+{
+    const struct narrow_form *f = &p->of.narrow_forms.plane;
+
+    if (!p->narrow)
+        return p->of.wide_forms.plane;
+    return (struct wide_form){wide_product(f->x, 1), wide_product(f->y, 1), wide_product(f->c, 1)};
+}
+
+void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane)
+{
+    struct wide_form f = plane_of(p);
+
+    halves_put(plane->x, f.x);
+    halves_put(plane->y, f.y);
+    halves_put(plane->c, f.c);
+    halves_put(plane->det, p->det);
+}
+
+/* Ties are broken as for edges. A plane is told from another by the three signs together: f/det is the same function of
+ * the pixel only when x, y and the value at a pixel are. */
+int tia_depth_order(const struct polygon *p, const struct tia_raster_plane *plane, int x, int y)
+{
+    struct wide_form a = plane_of(p), b = {halves_get(plane->x), halves_get(plane->y), halves_get(plane->c)};
+    wide det = halves_get(plane->det);
+    int order = wide_order_of_products(wide_form_at(&a, x, y), det, wide_form_at(&b, x, y), p->det);
+
+    if (!order)
+        order = wide_order_of_products(a.x, det, b.x, p->det);
+    if (!order)
+        order = wide_order_of_products(a.y, det, b.y, p->det);
+    return order;
+}

@@ -1,0 +1,182 @@
+#include "depth.h"
+#include "rows.h"
+
+struct job {
+    struct tia_raster_target *target;
+    const struct tia_raster_state *state;
+    const struct polygon *polygon;
+    uint32_t face;
+};
+
+static inline size_t place_of(const struct tia_raster_target *t, int x, int y)
+{
+    return (size_t)(y - t->area.y) * t->area.width + (size_t)(x - t->area.x);
+}
+
+/* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */
+static inline bool passes(enum tia_compare test, int order)
+{
+    return (unsigned)test >> (order + 1) & 1;
+}
+
+/* 1 where the polygon, with nearness z at the pixel, is nearer than what is there, -1 farther, 0 equal. Asked where z
+ * alone does not tell. */
+static int exact_order(const struct job *job, int x, int y, size_t at)
+{
+    struct tia_raster_target *t = job->target;
+    uint32_t there = t->face[at];
+
+    if (there == TIA_NO_FACE)
+        return 1;
+    if (there == job->face)
+        return 0;
+    t->exact++;
+    int order = tia_depth_order(job->polygon, &t->planes[there], x, y);
+    if (!order && job->state->ties_by_face)
+        return job->face < there ? 1 : -1;
+    return order;
+}
+
+static inline int order_at(const struct job *job, int64_t z, int x, int y, size_t at)
+{
+    int64_t difference = z - (int64_t)job->target->nearness[at];
+
+    if (difference > DEPTH_UNSURE)
+        return 1;
+    return difference < -DEPTH_UNSURE ? -1 : exact_order(job, x, y, at);
+}
+
+static inline void put_depth(const struct job *job, int64_t z, size_t at)
+{
+    job->target->nearness[at] = z < 0 ? 0 : (uint64_t)z; /* a step's error may lead below infinity */
+    job->target->face[at] = job->face;
+}
+
+static uint8_t operate(enum tia_stencil_op op, uint8_t old, uint8_t reference)
+{
+    switch (op) {
+    case TIA_ZERO:
+        return 0;
+    case TIA_REPLACE:
+        return reference;
+    case TIA_INCR:
+        return old == 255 ? 255 : (uint8_t)(old + 1);
+    case TIA_DECR:
+        return old == 0 ? 0 : (uint8_t)(old - 1);
+    case TIA_INVERT:
+        return (uint8_t)~old;
+    case TIA_INCR_WRAP:
+        return (uint8_t)(old + 1);
+    case TIA_DECR_WRAP:
+        return (uint8_t)(old - 1);
+    case TIA_KEEP:
+        break;
+    }
+    return old;
+}
+
+static inline void put_stencil(struct tia_raster_target *t, const struct tia_stencil *s, enum tia_stencil_op op,
+                               size_t at)
+{
+    uint8_t old = t->stencil[at], now = operate(op, old, s->reference);
+
+    t->stencil[at] = (uint8_t)((old & ~s->write) | (now & s->write));
+}
+
+static inline bool stencil_passes(const struct tia_raster_target *t, const struct tia_stencil *s, size_t at)
+{
+    int a = s->reference & s->mask, b = t->stencil[at] & s->mask;
+
+    return passes(s->test, (a > b) - (a < b));
+}
+
+static bool depth_passes(const struct job *job, int64_t z, int x, int y, size_t at)
+{
+    enum tia_compare test = job->state->depth;
+
+    if (test == TIA_ALWAYS || test == TIA_NEVER || !job->target->face)
+        return test != TIA_NEVER || !job->target->face;
+    return passes(test, -order_at(job, z, x, y, at));
+}
+
+static void put_colour(const struct job *job, size_t at)
+{
+    for (int c = 0; c < 3; c++)
+        if (job->state->colour_write[c])
+            job->target->colour[3 * at + (size_t)c] = job->state->colour[c];
+}
+
+static void draw_pixel(const struct job *job, const struct tia_stencil *s, int64_t z, int x, int y)
+{
+    struct tia_raster_target *t = job->target;
+    size_t at = place_of(t, x, y);
+
+    if (t->stencil && !stencil_passes(t, s, at)) {
+        put_stencil(t, s, s->fail, at);
+        return;
+    }
+    bool seen = depth_passes(job, z, x, y, at);
+    if (t->stencil)
+        put_stencil(t, s, seen ? s->zpass : s->zfail, at);
+    if (seen && t->face && job->state->depth_write)
+        put_depth(job, z, at);
+    if (seen && t->colour)
+        put_colour(job, at);
+}
+
+static void general_run(void *ctx, int y, int x0, int x1)
+{
+    const struct job *job = ctx;
+    const struct tia_stencil *s = job->polygon->front ? &job->state->front : &job->state->back;
+    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+
+    for (int x = x0; x < x1; x++) {
+        draw_pixel(job, s, run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y), x, y);
+        run.z += run.step;
+    }
+}
+
+/* Depth alone, the nearest wins. */
+static void nearest_run(void *ctx, int y, int x0, int x1)
+{
+    const struct job *job = ctx;
+    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+    size_t at = place_of(job->target, x0, y);
+    const uint64_t *there = job->target->nearness;
+
+    for (int x = x0; x < x1; x++, at++) {
+        int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
+        int64_t difference = z - (int64_t)there[at];
+        if (difference >= -DEPTH_UNSURE && (difference > DEPTH_UNSURE || exact_order(job, x, y, at) > 0))
+            put_depth(job, z, at);
+        run.z += run.step;
+    }
+}
+
+static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_raster_state *s)
+{
+    return s->depth == TIA_LESS && s->depth_write && t->face && !t->stencil && !t->colour;
+}
+
+static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s, unsigned count, uint32_t face)
+{
+    return count >= 3 && count <= TIA_RASTER_CORNERS && (!s->depth_write || !t->face || face < t->face_count);
+}
+
+int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
+                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+{
+    struct polygon p;
+    struct job job = {target, state, &p, face};
+    int status;
+
+    if (!is_valid(target, state, count, face))
+        return TIA_ERR_ARGUMENT;
+    status = tia_polygon_init(&p, target->lattice, target->area, corners, count);
+    if (status || !p.count || (p.front ? state->skip_front : state->skip_back))
+        return status;
+    if (state->depth_write && target->face)
+        tia_depth_plane(&p, &target->planes[face]);
+    tia_polygon_rows(&p, is_depth_alone(target, state) ? nearest_run : general_run, &job);
+    return TIA_OK;
+}

@@ -1,0 +1,88 @@
+#include <tia/raster.h>
+
+#include "math/integer.h"
+
+#define SMALL_BITS 25
+#define LARGE_BITS 40
+#define ORTHOGRAPHIC_BITS 29
+#define SMALL_FRACTION 18
+#define RANGE_MAX 20
+
+static int32_t common_divisor(int32_t a, int32_t b)
+{
+    while (b) {
+        int32_t rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a;
+}
+
+static int bits_of(uint64_t n)
+{
+    return n ? 64 - (int)tia_clz64(n) : 0;
+}
+
+/* Sample s of n x n is at column 2 n i + 2 j + 1, row 2 n j + 2 n - 2 i - 1 of 2 n^2, i = s mod n, j = s div n. From
+ * -W n^2 to W n^2 that is x/w times W n^2; to have integers on both axes, D is that times W H/gcd(W, H). */
+static void place(struct tia_lattice *l, int32_t n, int32_t sample)
+{
+    int32_t width = l->width, height = l->height, g = common_divisor(width, height), i = sample % n, j = sample / n;
+    int32_t column = 2 * n * i + 2 * j + 1 - n * n * width, row = n * n * height - (2 * n * j + 2 * n - 2 * i - 1);
+
+    l->x = column * (height / g);
+    l->y = row * (width / g);
+    l->w = n * n * (width / g) * height;
+    l->right = 2 * n * n * (height / g);
+    l->down = 2 * n * n * (width / g);
+    l->centre[0] = -column * (32768 / (n * n));
+    l->centre[1] = row * (32768 / (n * n));
+}
+
+/* The largest size of D.x, D.y and D.w together, a pixel around the image included. */
+static uint64_t reach(const struct tia_lattice *l)
+{
+    int64_t x = (int64_t)l->right * l->width - l->x, y = (int64_t)l->down * l->height + l->y;
+
+    return (uint64_t)(x + y + l->w) + (uint64_t)l->right + (uint64_t)l->down;
+}
+
+/* With coordinates up to m a normal has at most 2 m^2 in each component. N has twice that: without directions it is
+ * twice the area of a triangle in a square of side 2 m, at most 4 m^2; with them, points being below m/2, less. So f is
+ * at most 4 m^2 reach, to be below 2^63; and 2 m^2 below 2^61 so that normals and sums of two of them fit. */
+static int64_t narrow_limit(const struct tia_lattice *l)
+{
+    if (l->projection == TIA_ORTHOGRAPHIC)
+        return 0;
+    uint64_t limit = tia_sqrt64((UINT64_C(1) << 61) / reach(l));
+    return (int64_t)(limit < UINT64_C(1) << 30 ? limit : UINT64_C(1) << 30) - 1;
+}
+
+static void choose_format(struct tia_lattice *l, int range)
+{
+    int w = bits_of((uint64_t)l->w);
+
+    if (l->projection == TIA_ORTHOGRAPHIC) {
+        l->fraction = ORTHOGRAPHIC_BITS - range;
+        l->scale = 62 - range - w; /* h w/2^fraction is 1/t */
+        return;
+    }
+    bool small = SMALL_BITS - range >= SMALL_FRACTION && reach(l) < 65536;
+    l->fraction = (small ? SMALL_BITS : LARGE_BITS) - range;
+    l->scale = 62 + l->fraction - 4 - w;
+}
+
+int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
+                     uint32_t samples, uint32_t sample, unsigned range)
+{
+    if (!width || width > TIA_SIZE_MAX || !height || height > TIA_SIZE_MAX || range > RANGE_MAX || sample >= samples ||
+        (samples != 1 && samples != 4 && samples != 16))
+        return TIA_ERR_ARGUMENT;
+    lattice->projection = projection;
+    lattice->width = (uint16_t)width;
+    lattice->height = (uint16_t)height;
+    place(lattice, samples == 16 ? 4 : samples == 4 ? 2 : 1, (int32_t)sample);
+    choose_format(lattice, (int)range);
+    lattice->narrow = narrow_limit(lattice);
+    return TIA_OK;
+}

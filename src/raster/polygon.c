@@ -1,0 +1,57 @@
+#include "polygon.h"
+
+#define FORM(name) narrow_##name
+#include "setup.h"
+#undef FORM
+#define FORM(name) wide_##name
+#include "setup.h"
+#undef FORM
+
+static inline int64_t size_of(int64_t a)
+{
+    return a < 0 ? -a : a;
+}
+
+/* The largest coordinate in size, or -1 when one is out of range: a direction's is a difference of two points'. */
+static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vertex *v, unsigned count)
+{
+    bool flat = l->projection == TIA_ORTHOGRAPHIC;
+    int64_t most = 0, limit = INT64_C(1) << (flat ? 29 : 40), far = flat ? 2 * limit : 1;
+
+    for (unsigned i = 0; i < count; i++) {
+        bool direction = flat ? v[i].w == 0 : v[i].h == 0;
+        int64_t own = limit << direction;
+        if (v[i].x <= -own || v[i].x >= own || v[i].y <= -own || v[i].y >= own || v[i].w <= -own || v[i].w >= own ||
+            v[i].h > far || v[i].h < (flat ? -far : 0))
+            return -1;
+        int64_t x = size_of(v[i].x), y = size_of(v[i].y), w = size_of(v[i].w);
+        x = x > y ? x : y;
+        x = x > w ? x : w;
+        most = x > most ? x : most;
+    }
+    return most;
+}
+
+int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                     const struct tia_raster_vertex *corners, unsigned count)
+{
+    int64_t most = largest(lattice, corners, count), q[TIA_RASTER_CORNERS][3];
+
+    p->count = 0;
+    if (most < 0)
+        return TIA_ERR_RANGE;
+    if (!tia_polygon_box(p, lattice, area, corners, count))
+        return TIA_OK;
+    for (unsigned i = 0; i < count; i++) {
+        q[i][0] = corners[i].x;
+        q[i][1] = corners[i].y;
+        q[i][2] = corners[i].w;
+    }
+    p->count = count;
+    p->narrow = most <= lattice->narrow;
+    if (!(p->narrow ? narrow_set_up(p, lattice, q, corners) : wide_set_up(p, lattice, q, corners)))
+        p->count = 0;
+    else
+        tia_depth_scale_init(p, lattice->scale);
+    return TIA_OK;
+}

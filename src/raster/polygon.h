@@ -1,0 +1,53 @@
+/* polygon.h - a polygon prepared for drawing: its edges and its plane as linear functions of the pixel. */
+#ifndef TIA_RASTER_POLYGON_H
+#define TIA_RASTER_POLYGON_H
+
+#include <tia/raster.h>
+
+#include "forms_narrow.h"
+#include "forms_wide.h"
+
+/* From f to nearness, f/det 2^scale, with one multiplication: (f / 2^cut) reciprocal / 2^shift. */
+struct depth_scale {
+    uint64_t reciprocal;
+    unsigned cut, shift;
+    int64_t most; /* f / 2^cut from where nearness is clamped to 2^62 */
+    int64_t step; /* from a pixel to the next one on the right, within 2 */
+};
+
+/* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel
+ * 1/t is plane/det. */
+struct polygon {
+    unsigned count;
+    bool narrow, front;
+    int x0, x1, y0, y1; /* a box that contains all covered pixels: x0 <= x < x1, y0 <= y < y1 */
+    union {
+        struct {
+            struct narrow_form edge[TIA_RASTER_CORNERS], plane;
+        } narrow_forms;
+        struct {
+            struct wide_form edge[TIA_RASTER_CORNERS], plane;
+        } wide_forms;
+    } of;
+    wide det; /* above 0 */
+    struct depth_scale depth;
+};
+
+/* TIA_OK, and p->count is 0 when nothing is covered; or TIA_ERR_RANGE. */
+int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                     const struct tia_raster_vertex *corners, unsigned count);
+
+/* The box of the pixels of `area` that the corners can cover; false when it is empty. A little too large rather than
+ * too small. */
+bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                     const struct tia_raster_vertex *corners, unsigned count);
+
+void tia_depth_scale_init(struct polygon *p, int scale);
+
+static inline bool polygon_edge_covers(const struct polygon *p, unsigned edge, int x, int y)
+{
+    return p->narrow ? narrow_form_at(&p->of.narrow_forms.edge[edge], x, y) >= 0
+                     : !wide_is_negative(wide_form_at(&p->of.wide_forms.edge[edge], x, y));
+}
+
+#endif

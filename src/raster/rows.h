@@ -1,0 +1,13 @@
+/* rows.h - the pixels that a polygon covers, as one run in each row. */
+#ifndef TIA_RASTER_ROWS_H
+#define TIA_RASTER_ROWS_H
+
+#include "polygon.h"
+
+/* Pixels x0 <= x < x1 of row y; x0 < x1. */
+typedef void raster_run(void *ctx, int y, int x0, int x1);
+
+/* Calls `run` for each row of which pixels are covered, downwards. */
+void tia_polygon_rows(const struct polygon *p, raster_run *run, void *ctx);
+
+#endif

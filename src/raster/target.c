@@ -1,0 +1,116 @@
+#include "depth.h"
+
+#include "math/align.h"
+
+/* Buffers in the order of their alignment; planes and nearness need 8 bytes. */
+static uint64_t planes_bytes(unsigned buffers, uint32_t faces)
+{
+    return buffers & TIA_BUFFER_DEPTH ? (uint64_t)faces * sizeof(struct tia_raster_plane) : 0;
+}
+
+static unsigned pixel_bytes(unsigned buffers)
+{
+    return (buffers & TIA_BUFFER_DEPTH ? 12u : 0) + (buffers & TIA_BUFFER_SUM ? 12u : 0) +
+           (buffers & TIA_BUFFER_COLOUR ? 6u : 0) + (buffers & TIA_BUFFER_STENCIL ? 1u : 0);
+}
+
+size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces)
+{
+    uint64_t pixels = (uint64_t)area.width * area.height;
+    uint64_t bytes = ALIGN(planes_bytes(buffers, faces) + pixels * pixel_bytes(buffers));
+
+    return bytes < SIZE_MAX ? (size_t)bytes : SIZE_MAX;
+}
+
+static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
+{
+    size_t pixels = (size_t)t->area.width * t->area.height;
+
+    if (buffers & TIA_BUFFER_DEPTH) {
+        t->planes = (struct tia_raster_plane *)(void *)memory;
+        t->nearness = (uint64_t *)(void *)(memory + planes_bytes(buffers, t->face_count));
+        t->face = (uint32_t *)(void *)(t->nearness + pixels);
+        memory = (char *)(t->face + pixels);
+    }
+    if (buffers & TIA_BUFFER_SUM) {
+        t->sum = (uint32_t *)(void *)memory;
+        memory = (char *)(t->sum + 3 * pixels);
+    }
+    if (buffers & TIA_BUFFER_COLOUR) {
+        t->colour = (uint16_t *)(void *)memory;
+        memory = (char *)(t->colour + 3 * pixels);
+    }
+    if (buffers & TIA_BUFFER_STENCIL)
+        t->stencil = (uint8_t *)memory;
+}
+
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
+                    struct tia_tile area, unsigned buffers, uint32_t faces)
+{
+    static const uint16_t black[3];
+    size_t needed = tia_raster_size(area, buffers, faces);
+
+    if (!area.width || !area.height || area.x + area.width > lattice->width || area.y + area.height > lattice->height ||
+        (buffers & (TIA_BUFFER_SUM | TIA_BUFFER_COLOUR)) == TIA_BUFFER_SUM)
+        return TIA_ERR_ARGUMENT;
+    if (needed == SIZE_MAX || size < needed)
+        return TIA_ERR_MEMORY;
+    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces};
+    place(target, memory, buffers);
+    tia_clear_depth(target);
+    tia_clear_stencil(target, 0, 255);
+    tia_clear_colour(target, black);
+    tia_clear_sum(target);
+    return TIA_OK;
+}
+
+static size_t pixels_of(const struct tia_raster_target *t)
+{
+    return (size_t)t->area.width * t->area.height;
+}
+
+void tia_clear_depth(struct tia_raster_target *target)
+{
+    if (!target->face)
+        return;
+    for (size_t i = 0, n = pixels_of(target); i < n; i++) {
+        target->nearness[i] = 0;
+        target->face[i] = TIA_NO_FACE;
+    }
+}
+
+void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
+{
+    if (target->stencil)
+        for (size_t i = 0, n = pixels_of(target); i < n; i++)
+            target->stencil[i] = (uint8_t)((target->stencil[i] & ~write) | (value & write));
+}
+
+void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
+{
+    if (target->colour)
+        for (size_t i = 0, n = pixels_of(target); i < n; i++)
+            for (int c = 0; c < 3; c++)
+                target->colour[3 * i + (size_t)c] = colour[c];
+}
+
+void tia_clear_sum(struct tia_raster_target *target)
+{
+    if (target->sum)
+        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
+            target->sum[i] = 0;
+}
+
+void tia_sum_add(struct tia_raster_target *target, uint32_t weight)
+{
+    if (target->sum)
+        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
+            target->sum[i] += target->colour[i] * weight;
+}
+
+void tia_sum_return(struct tia_raster_target *target, uint32_t total)
+{
+    if (target->sum)
+        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
+            target->colour[i] = (uint16_t)(((uint64_t)target->sum[i] + total / 2) / total);
+}

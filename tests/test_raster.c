@@ -1,0 +1,130 @@
+/* The rasteriser against the oracle: every pixel of random polygons, depths and states. */
+#include "raster_random.h"
+
+#define PIXELS (64 * 64)
+#define ALL (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
+
+static uint32_t face[PIXELS];
+static uint8_t stencil[PIXELS];
+static uint16_t colour[3 * PIXELS];
+static struct oracle_raster oracle;
+
+struct trial {
+    struct tia_lattice lattice;
+    struct tia_raster_target target;
+    void *memory;
+    struct tia_tile area;
+    int64_t most;
+    bool flat;
+};
+
+/* Any image, sample and tile of at most 32 x 32 pixels. */
+static void begin(struct trial *t, unsigned buffers, unsigned range)
+{
+    static const uint32_t counts[3] = {1, 4, 16};
+    static const uint16_t sizes[][2] = {{32, 24}, {31, 17}, {8192, 8191}, {640, 480}, {16, 16}, {1, 1}, {7, 8192}};
+    const uint16_t *size = sizes[random_below(7)];
+    uint32_t samples = counts[random_below(3)];
+    struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
+                                 (int)random_below(samples)};
+
+    CHECK_EQ(tia_lattice_init(&t->lattice, image.projection, size[0], size[1], samples, (uint32_t)image.sample, range),
+             TIA_OK);
+    t->area.width = (uint16_t)(1 + random_below(size[0] < 32 ? size[0] : 32));
+    t->area.height = (uint16_t)(1 + random_below(size[1] < 32 ? size[1] : 32));
+    t->area.x = (uint16_t)random_below(size[0] - t->area.width + UINT64_C(1));
+    t->area.y = (uint16_t)random_below(size[1] - t->area.height + UINT64_C(1));
+    t->target = target_of(&t->lattice, t->area, buffers, ORACLE_FACES, &t->memory);
+    memset(face, 255, sizeof face);
+    memset(stencil, 0, sizeof stencil);
+    memset(colour, 0, sizeof colour);
+    oracle.image = image;
+    oracle.area = t->area;
+    oracle.face = face;
+    oracle.stencil = stencil;
+    oracle.colour = colour;
+}
+
+static void compare(const struct trial *t, const char *what)
+{
+    size_t n = (size_t)t->area.width * t->area.height, wrong[3] = {0};
+
+    for (size_t i = 0; i < n; i++) {
+        wrong[0] += t->target.face[i] != face[i];
+        wrong[1] += t->target.stencil && t->target.stencil[i] != stencil[i];
+        wrong[2] += t->target.colour && memcmp(&t->target.colour[3 * i], &colour[3 * i], 6);
+    }
+    CHECK_MSG(wrong[0] + wrong[1] + wrong[2] == 0, "%s, image %ux%u: %zu faces, %zu stencils, %zu colours of %zu", what,
+              t->lattice.width, t->lattice.height, wrong[0], wrong[1], wrong[2], n);
+    free(t->memory);
+}
+
+static void draw(struct trial *t, const struct tia_raster_state *s, const struct random_polygon *p, uint32_t id)
+{
+    CHECK_EQ(tia_draw_polygon(&t->target, s, p->v, p->count, id), TIA_OK);
+    oracle_draw(&oracle, s, p->v, (int)p->count, id);
+}
+
+static int64_t most_of(const struct tia_lattice *l, unsigned range)
+{
+    return ((INT64_C(1) << (l->fraction + (int)range)) - 1) / 40 * 40;
+}
+
+/* What is nearest, of soups in all formats and sizes. */
+static void nearest(bool flat, unsigned ranges, int trials)
+{
+    const struct tia_stencil always = {.test = TIA_ALWAYS};
+    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    uint64_t exact = 0;
+
+    for (int i = 0; i < trials; i++) {
+        struct trial t = {.flat = flat};
+        unsigned range = (unsigned)random_below(ranges);
+        begin(&t, TIA_BUFFER_DEPTH, range);
+        t.most = most_of(&t.lattice, range);
+        struct random_polygon p;
+        for (uint32_t id = 0; id < 30; id++) {
+            random_polygon(&p, &t.lattice, t.area, t.most);
+            draw(&t, &state, &p, id);
+        }
+        exact += t.target.exact;
+        compare(&t, flat ? "orthographic" : "perspective");
+    }
+    CHECK_MSG(exact > 500, "only %ju comparisons were exact", (uintmax_t)exact);
+}
+
+TEST(the_nearest_face_in_perspective_is_the_oracles)
+{
+    nearest(false, 21, 1500);
+}
+
+TEST(the_nearest_face_orthographic_is_the_oracles)
+{
+    nearest(true, 21, 200);
+}
+
+TEST(all_states_are_as_opengl_says)
+{
+    for (int i = 0; i < 600; i++) {
+        struct trial t = {.flat = i % 8 == 0};
+        unsigned range = (unsigned)random_below(21);
+        begin(&t, ALL, range);
+        t.most = most_of(&t.lattice, range);
+        struct random_polygon p[20];
+        for (uint32_t id = 0; id < 40; id++) {
+            struct tia_raster_state s = random_state_of_all();
+            if (id < 20)
+                random_polygon(&p[id], &t.lattice, t.area, t.most);
+            draw(&t, &s, &p[id % 20], id % 20); /* the second time it is equal in depth to itself */
+        }
+        compare(&t, "states");
+    }
+}
+
+int main(void)
+{
+    RUN(the_nearest_face_in_perspective_is_the_oracles);
+    RUN(the_nearest_face_orthographic_is_the_oracles);
+    RUN(all_states_are_as_opengl_says);
+    return check_status();
+}

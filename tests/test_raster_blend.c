@@ -1,0 +1,87 @@
+/* Interpolation against the oracle's exact quotients. */
+#include "raster_random.h"
+
+/* Large and small values: means of the latter are halves now and then. */
+static void random_values(tia_q16 a[3])
+{
+    for (int i = 0; i < 3; i++)
+        a[i] = (tia_q16)(random_below(3) ? random_size(9) : (int64_t)(int32_t)random_u32());
+}
+
+static int wrong, tried;
+
+static void try_pixel(const struct oracle_image *image, const struct tia_corners *corners,
+                      const struct tia_raster_vertex v[3], int x, int y)
+{
+    tia_q16 a[3], got;
+    int32_t want;
+
+    random_values(a);
+    got = tia_corners_blend(corners, x, y, a);
+    want = oracle_blend(image, v, x, y, a);
+    wrong += got != want;
+    tried++;
+}
+
+/* Pixels that a polygon covers: with more than three corners also outside of the triangle of the first three. */
+static void try_polygons(enum tia_projection projection, unsigned range)
+{
+    struct oracle_image image = {projection, 40, 30, 16, (int)random_below(16)};
+    const struct tia_tile all = {0, 0, 40, 30};
+    struct tia_lattice lattice;
+    struct random_polygon p;
+    struct tia_corners corners;
+
+    CHECK_EQ(tia_lattice_init(&lattice, projection, 40, 30, 16, (uint32_t)image.sample, range), TIA_OK);
+    int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
+    random_polygon(&p, &lattice, all, most);
+    if (!tia_corners_init(&corners, &lattice, p.v))
+        return;
+    for (int i = 0; i < 40; i++) {
+        int x = (int)random_below(40), y = (int)random_below(30);
+        if (oracle_covers(&image, p.v, (int)p.count, x, y))
+            try_pixel(&image, &corners, p.v, x, y);
+    }
+}
+
+TEST(values_are_rounded_to_nearest)
+{
+    for (int i = 0; i < 6000; i++)
+        try_polygons(i % 3 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, (unsigned)random_below(21));
+    CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
+}
+
+/* A quarter of the way from one corner to another, where the image has the middle. */
+TEST(means_are_those_of_space_not_of_the_image)
+{
+    const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {1200, 0, 1200, 1}, {0, 4000, 0, 1}};
+    const tia_q16 a[3] = {0, 4000, 0};
+    struct tia_lattice lattice;
+    struct tia_corners corners;
+
+    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_corners_init(&corners, &lattice, v));
+    CHECK_EQ(tia_corners_blend(&corners, 0, 0, a), 1000);
+}
+
+TEST(halves_are_rounded_up)
+{
+    const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {400, 0, 400, 1}, {0, 4000, 0, 1}};
+    const tia_q16 a[4][3] = {{3, 4, 0}, {-3, -4, 0}, {INT32_MAX, INT32_MAX - 1, 0}, {INT32_MIN, INT32_MIN + 1, 0}};
+    const tia_q16 wanted[4] = {4, -3, INT32_MAX, INT32_MIN + 1};
+    struct tia_lattice lattice;
+    struct tia_corners corners;
+
+    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_corners_init(&corners, &lattice, v));
+    for (int i = 0; i < 4; i++)
+        CHECK_EQ(tia_corners_blend(&corners, 0, 0, a[i]), wanted[i]);
+}
+
+int main(void)
+{
+    RUN(values_are_rounded_to_nearest);
+    RUN(halves_are_rounded_up);
+    RUN(means_are_those_of_space_not_of_the_image);
+    return check_status();
+}
