@@ -1,12 +1,14 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
- * the median of each and of their ratios. */
+ * the median of each and of their ratios. `bench raster` measures the rasteriser alone. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <tia/tia.h>
 
 #include "milliseconds.h"
 #include "plain.h"
+#include "raster.h"
 #include "rays.h"
 
 #define ROUNDS 15
@@ -83,12 +85,17 @@ static void measure(uint16_t width, uint16_t height)
            median(ratio), median(saved));
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    if (argc > 1 && strcmp(argv[1], "raster") == 0) {
+        bench_raster();
+        return 0;
+    }
     printf("| size | full, ms | relit, ms | plain float, ms | float/full | float/relit |\n");
     printf("|---|---|---|---|---|---|\n");
     measure(640, 480);
     measure(1920, 1080);
     bench_rays();
+    bench_raster();
     return 0;
 }

@@ -1,4 +1,6 @@
 /* The rasteriser against the oracle: every pixel of random polygons, depths and states. */
+#include <math.h>
+
 #include "raster_random.h"
 
 #define PIXELS (64 * 64)
@@ -121,10 +123,49 @@ TEST(all_states_are_as_opengl_says)
     }
 }
 
+/* The bound that src/raster/depth.h derives, for a run as long as the area is wide, and 4 for the oracle's rounding. */
+static void check_nearness(const struct trial *t)
+{
+    for (int y = 0; y < t->area.height; y++)
+        for (int x = 0; x < t->area.width; x++) {
+            size_t at = (size_t)y * t->area.width + (size_t)x;
+            if (t->target.face[at] == TIA_NO_FACE)
+                continue;
+            long double exact =
+                oracle_nearness(&oracle.image, oracle.planes[face[at]], t->area.x + x, t->area.y + y, t->lattice.w);
+            exact = ldexpl(exact, t->lattice.scale);
+            exact = exact < 0 ? 0 : exact > 0x1p62L ? 0x1p62L : exact;
+            long double error = fabsl((long double)t->target.nearness[at] - exact);
+            CHECK_MSG(error < 2 * t->area.width + 12 + 4, "pixel %d, %d of %ux%u: off by %Lg", x, y, t->lattice.width,
+                      t->lattice.height, error);
+        }
+}
+
+TEST(nearness_errs_by_no_more_than_derived)
+{
+    const struct tia_stencil always = {.test = TIA_ALWAYS};
+    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+
+    for (int i = 0; i < 1000; i++) {
+        struct trial t = {.flat = i % 4 == 0};
+        unsigned range = (unsigned)random_below(21);
+        struct random_polygon p;
+        begin(&t, TIA_BUFFER_DEPTH, range);
+        t.most = most_of(&t.lattice, range);
+        for (uint32_t id = 0; id < 8; id++) {
+            random_polygon(&p, &t.lattice, t.area, t.most);
+            draw(&t, &state, &p, id);
+        }
+        check_nearness(&t);
+        compare(&t, "nearness");
+    }
+}
+
 int main(void)
 {
     RUN(the_nearest_face_in_perspective_is_the_oracles);
     RUN(the_nearest_face_orthographic_is_the_oracles);
+    RUN(nearness_errs_by_no_more_than_derived);
     RUN(all_states_are_as_opengl_says);
     return check_status();
 }

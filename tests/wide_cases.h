@@ -95,7 +95,7 @@ TEST(vectors_are_normalised)
 /* 128 bits, of any length below `most`. */
 static exact any(unsigned most)
 {
-    exact n = (exact)random_bits() << 64 | random_bits();
+    exact n = (exact)(int64_t)random_bits() * ((exact)1 << 64) + random_bits();
 
     return n >> (128 - most + (unsigned)(random_bits() % most));
 }

@@ -143,6 +143,26 @@ int oracle_order(const struct oracle_image *image, const struct tia_raster_verte
     return order ? order : order_along(a, b, downwards);
 }
 
+/* The highest 96 bits or more, rounded: a relative error below 2^-63. */
+static long double big_value(struct big a)
+{
+    long double value = 0;
+
+    if (big_sign(a) < 0)
+        return -big_value(big_times(a, big_of(-1)));
+    for (int i = DIGITS - 1; i >= 0; i--)
+        value = value * 4294967296.0L + a.digit[i];
+    return value;
+}
+
+long double oracle_nearness(const struct oracle_image *image, const struct tia_raster_vertex *v, int x, int y, long w)
+{
+    struct ray d = ray_of(image, x, y);
+    integer det = determinant(corner(&v[0]), corner(&v[1]), corner(&v[2]));
+
+    return big_value(height(v, d)) / big_value(big_of(det)) * w / d.w;
+}
+
 /* OpenGL 4.6, tables 17.2 and 17.3 and section 17.3.5. */
 static bool compare(enum tia_compare test, long new, long old)
 {

@@ -27,6 +27,9 @@ bool oracle_covers(const struct oracle_image *image, const struct tia_raster_ver
 int oracle_order(const struct oracle_image *image, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b,
                  int x, int y);
 
+/* 1/t at the pixel, where the plane's point is t times a direction with a third coordinate of w. */
+long double oracle_nearness(const struct oracle_image *image, const struct tia_raster_vertex *v, int x, int y, long w);
+
 void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *state, const struct tia_raster_vertex *v,
                  int count, uint32_t face);
 
