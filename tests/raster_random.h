@@ -42,18 +42,19 @@ static inline struct tia_raster_vertex random_vertex(bool lattice, int64_t most,
     return v;
 }
 
-/* Exactly at the centre of a pixel of the area or a little outside it. */
+/* At the centre of a pixel of the area, or a little outside it; exactly, or almost, often in the same row as others. */
 static inline struct tia_raster_vertex random_centre(const struct tia_lattice *l, struct tia_tile area, int64_t most)
 {
-    int64_t i = area.x + random_size(area.width), j = area.y + random_size(area.height);
+    int64_t i = area.x + random_size(area.width), j = area.y + random_size(random_below(2) ? area.height : 1);
     struct tia_raster_vertex v = {l->x + i * l->right, l->y - j * l->down, l->w, 1};
-    int64_t size = llabs(v.x) > llabs(v.y) ? llabs(v.x) : llabs(v.y);
-    int64_t times = most / (size > v.w ? size : v.w);
+    int64_t size = llabs(v.x) > llabs(v.y) ? llabs(v.x) : llabs(v.y), off = random_below(2);
+    int64_t times = (most - 1) / (size > v.w ? size : v.w);
 
     if (times < 1)
         return random_vertex(true, most, false);
     times = 1 + random_below((uint64_t)times);
-    return (struct tia_raster_vertex){v.x * times, v.y * times, v.w * times, 1};
+    return (struct tia_raster_vertex){v.x * times + random_size(off), v.y * times + random_size(off),
+                                      v.w * times + random_size(off), 1};
 }
 
 /* a - b, a direction. */
@@ -94,7 +95,7 @@ static inline void random_flat_polygon(struct random_polygon *p, bool lattice, i
     }
 }
 
-/* All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. */
+/* All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. At first count is 0. */
 static inline void random_polygon(struct random_polygon *p, const struct tia_lattice *l, struct tia_tile area,
                                   int64_t most)
 {
@@ -107,10 +108,10 @@ static inline void random_polygon(struct random_polygon *p, const struct tia_lat
     case 1:
         random_flat_polygon(p, true, most, flat);
         break;
-    case 2:
-        p->count = 3;
-        for (int i = 0; i < 3; i++)
+    case 2: /* now and then with an edge of the one before */
+        for (unsigned i = p->count == 3 && random_below(2) ? 2 : 0; i < 3; i++)
             p->v[i] = flat ? random_vertex(lattice, most, flat) : random_centre(l, area, most);
+        p->count = 3;
         break;
     default:
         p->count = 3;

@@ -84,7 +84,7 @@ static void nearest(bool flat, unsigned ranges, int trials)
         unsigned range = (unsigned)random_below(ranges);
         begin(&t, TIA_BUFFER_DEPTH, range);
         t.most = most_of(&t.lattice, range);
-        struct random_polygon p;
+        struct random_polygon p = {.count = 0};
         for (uint32_t id = 0; id < 30; id++) {
             random_polygon(&p, &t.lattice, t.area, t.most);
             draw(&t, &state, &p, id);
@@ -112,7 +112,7 @@ TEST(all_states_are_as_opengl_says)
         unsigned range = (unsigned)random_below(21);
         begin(&t, ALL, range);
         t.most = most_of(&t.lattice, range);
-        struct random_polygon p[20];
+        struct random_polygon p[20] = {{.count = 0}};
         for (uint32_t id = 0; id < 40; id++) {
             struct tia_raster_state s = random_state_of_all();
             if (id < 20)
@@ -149,7 +149,7 @@ TEST(nearness_errs_by_no_more_than_derived)
     for (int i = 0; i < 1000; i++) {
         struct trial t = {.flat = i % 4 == 0};
         unsigned range = (unsigned)random_below(21);
-        struct random_polygon p;
+        struct random_polygon p = {.count = 0};
         begin(&t, TIA_BUFFER_DEPTH, range);
         t.most = most_of(&t.lattice, range);
         for (uint32_t id = 0; id < 8; id++) {

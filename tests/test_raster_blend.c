@@ -23,13 +23,13 @@ static void try_pixel(const struct oracle_image *image, const struct tia_corners
     tried++;
 }
 
-/* Pixels that a polygon covers: with more than three corners also outside of the triangle of the first three. */
+/* Pixels before which the plane is, in the triangle or far outside, where the weights cancel. */
 static void try_polygons(enum tia_projection projection, unsigned range)
 {
     struct oracle_image image = {projection, 40, 30, 16, (int)random_below(16)};
     const struct tia_tile all = {0, 0, 40, 30};
     struct tia_lattice lattice;
-    struct random_polygon p;
+    struct random_polygon p = {.count = 0};
     struct tia_corners corners;
 
     CHECK_EQ(tia_lattice_init(&lattice, projection, 40, 30, 16, (uint32_t)image.sample, range), TIA_OK);
@@ -39,7 +39,9 @@ static void try_polygons(enum tia_projection projection, unsigned range)
         return;
     for (int i = 0; i < 40; i++) {
         int x = (int)random_below(40), y = (int)random_below(30);
-        if (oracle_covers(&image, p.v, (int)p.count, x, y))
+        bool seen = projection == TIA_ORTHOGRAPHIC ? oracle_covers(&image, p.v, (int)p.count, x, y)
+                                                   : oracle_nearness(&image, p.v, x, y, 1) > 0;
+        if (seen)
             try_pixel(&image, &corners, p.v, x, y);
     }
 }
@@ -78,10 +80,25 @@ TEST(halves_are_rounded_up)
         CHECK_EQ(tia_corners_blend(&corners, 0, 0, a[i]), wanted[i]);
 }
 
+/* The middle of the image is 2.5 10^-7 of the edge away from its middle. */
+TEST(almost_halves_are_not_taken_for_halves)
+{
+    const struct tia_raster_vertex v[3] = {{-1000000, 0, 4, 1}, {1000001, 0, 4, 1}, {0, 4000, 0, 1}};
+    const tia_q16 a[3] = {7, 8, 0}, b[3] = {8, 7, 0};
+    struct tia_lattice lattice;
+    struct tia_corners corners;
+
+    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_corners_init(&corners, &lattice, v));
+    CHECK_EQ(tia_corners_blend(&corners, 0, 0, a), 7);
+    CHECK_EQ(tia_corners_blend(&corners, 0, 0, b), 8);
+}
+
 int main(void)
 {
     RUN(values_are_rounded_to_nearest);
     RUN(halves_are_rounded_up);
+    RUN(almost_halves_are_not_taken_for_halves);
     RUN(means_are_those_of_space_not_of_the_image);
     return check_status();
 }

@@ -13,8 +13,11 @@ struct script {
 
 static void write_script(struct script *s, const struct tia_lattice *l, struct tia_tile area, int64_t most)
 {
+    struct random_polygon p = {.count = 0};
+
     for (int i = 0; i < COUNT; i++) {
-        random_polygon(&s->polygon[i], l, area, most);
+        random_polygon(&p, l, area, most);
+        s->polygon[i] = p;
         s->state[i] = random_state_of_all();
     }
 }
@@ -232,6 +235,10 @@ TEST(sums_are_means_of_what_was_drawn)
         CHECK_EQ(t.colour[3 * i + 1], 7);
         CHECK_EQ(t.colour[3 * i + 2], 5);
     }
+    tia_clear_sum(&t);
+    tia_sum_add(&t, 3); /* 3 * 5 of 2 is 7.5 */
+    tia_sum_return(&t, 2);
+    CHECK_EQ(t.colour[2], 8);
     free(memory);
 }
 

@@ -37,7 +37,7 @@ static void compare(enum tia_projection projection, unsigned range)
 {
     const struct tia_tile area = {13, 200, 90, 70};
     struct tia_lattice lattice;
-    struct random_polygon p;
+    struct random_polygon p = {.count = 0};
     void *memory[2];
 
     CHECK_EQ(tia_lattice_init(&lattice, projection, 640, 480, 4, (uint32_t)random_below(4), range), TIA_OK);
@@ -68,7 +68,7 @@ TEST(values_are_the_same)
     for (int i = 0; i < 3000; i++) {
         const struct tia_tile area = {0, 0, 640, 480};
         struct tia_lattice lattice;
-        struct random_polygon p;
+        struct random_polygon p = {.count = 0};
         struct tia_corners corners[2];
         const tia_q16 a[3] = {(tia_q16)random_bits(), (tia_q16)random_size(9), (tia_q16)random_bits()};
         int x = (int)random_below(640), y = (int)random_below(480);
