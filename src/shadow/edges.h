@@ -1,0 +1,36 @@
+/* edges.h - which face lies across each edge of faces that share corners: where one of two neighbours faces the light
+ * and the other does not, the edge is part of the silhouette. */
+#ifndef TIA_SHADOW_EDGES_H
+#define TIA_SHADOW_EDGES_H
+
+#include <tia/vec.h>
+
+#define TIA_SIDES 4             /* the most corners that a face has */
+#define TIA_NO_CORNER UINT32_MAX /* the fourth corner of a triangle */
+#define TIA_NO_EDGE UINT32_MAX
+
+/* A flat face; its corners run counterclockwise seen from outside. */
+struct tia_flat_face {
+    uint32_t corner[TIA_SIDES]; /* indices of points */
+};
+
+static inline unsigned tia_face_sides(const struct tia_flat_face *face)
+{
+    return face->corner[TIA_SIDES - 1] == TIA_NO_CORNER ? TIA_SIDES - 1 : TIA_SIDES;
+}
+
+/* The edge from corner k of face f to the next has the number TIA_SIDES f + k. */
+
+/* Bytes of room for the two functions. */
+size_t tia_weld_room(uint32_t points);
+size_t tia_edges_room(uint32_t faces);
+
+/* Makes points of equal coordinates one: first[i] becomes the lowest index of a point at the place of point i. */
+void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, void *room);
+
+/* Sets across[e] to an edge that runs the other way between the same points, each used once, or to TIA_NO_EDGE; an
+ * edge without length is its own. Returns whether each edge has one, that is whether the faces close. Corners at one
+ * place must have one index. across has TIA_SIDES `count` places; the fourth of a triangle is not written. */
+bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room);
+
+#endif
