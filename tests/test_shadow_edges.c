@@ -1,4 +1,5 @@
-/* Points that become one, and which face lies across an edge: by sorting in the product, by looking at every pair here. */
+/* Points that become one, and which face lies across an edge: by sorting in the product, by looking at every pair here.
+ */
 #include <math.h>
 #include <stdlib.h>
 

@@ -46,8 +46,8 @@ static void include(struct hull *hull, int k, int64_t value, int64_t reach)
         hull->max[k] = value + reach;
 }
 
-/* Along the world's axis k: of Q.52 and Q.16 remains Q.32. */
-static int64_t place(const struct frame *frame, int k, struct tia_vec3 p)
+/* Of Q.52 and Q.16 remains Q.32. */
+int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p)
 {
     const int64_t *w = frame->rows[k];
     return frame->position[k] + tia_scaled_product(w[0], p.x, 36) + tia_scaled_product(w[1], p.y, 36) +
@@ -99,14 +99,14 @@ static int64_t stretch(tia_q16 radius, struct length length)
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p)
 {
     for (int k = 0; k < 3; k++)
-        include(hull, k, place(hull->frame, k, p), 0);
+        include(hull, k, tia_frame_place(hull->frame, k, p), 0);
 }
 
 void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius)
 {
     for (int k = 0; k < 3; k++) {
         struct length length = measure(hull->frame->rows[k], true);
-        include(hull, k, place(hull->frame, k, centre), stretch(radius, length));
+        include(hull, k, tia_frame_place(hull->frame, k, centre), stretch(radius, length));
     }
 }
 
@@ -120,8 +120,8 @@ void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
         bool x = w[0] < 0, y = w[1] < 0, z = w[2] < 0;
         struct tia_vec3 most = {x ? b->min.x : b->max.x, y ? b->min.y : b->max.y, z ? b->min.z : b->max.z};
         struct tia_vec3 least = {x ? b->max.x : b->min.x, y ? b->max.y : b->min.y, z ? b->max.z : b->min.z};
-        include(hull, k, place(hull->frame, k, most), 0);
-        include(hull, k, place(hull->frame, k, least), 0);
+        include(hull, k, tia_frame_place(hull->frame, k, most), 0);
+        include(hull, k, tia_frame_place(hull->frame, k, least), 0);
     }
 }
 
@@ -139,7 +139,7 @@ void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius
         }
         struct length part = measure(cross, true);
         part.exponent += 34;
-        include(hull, k, place(hull->frame, k, centre), stretch(radius, ratio(part, whole)));
+        include(hull, k, tia_frame_place(hull->frame, k, centre), stretch(radius, ratio(part, whole)));
     }
 }
 

@@ -40,6 +40,9 @@ struct hull {
 /* NULL: no transform. */
 void tia_frame_prepare(struct frame *frame, const struct tia_transform *transform);
 
+/* Where a shape's point lies in the world, along axis k: Q31.32. */
+int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p);
+
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);
 void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius);
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *box); /* which may be empty */

@@ -5,7 +5,7 @@
 
 #include <tia/vec.h>
 
-#define TIA_SIDES 4             /* the most corners that a face has */
+#define TIA_SIDES 4              /* the most corners that a face has */
 #define TIA_NO_CORNER UINT32_MAX /* the fourth corner of a triangle */
 #define TIA_NO_EDGE UINT32_MAX
 

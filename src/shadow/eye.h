@@ -1,0 +1,38 @@
+/* eye.h - the camera in integers: points of the world become vertices for the rasteriser. */
+#ifndef TIA_SHADOW_EYE_H
+#define TIA_SHADOW_EYE_H
+
+#include <tia/raster.h>
+
+/* m[i] 2^-places: what a unit along each axis of the world counts. Points have offset 2^-offset_places
+ * more. */
+struct tia_eye_row {
+    int64_t m[3], offset; /* below 2^62 in size */
+    int places, offset_places;
+};
+
+/* In perspective the rows give x, y and w of raster.h, in orthographic views x, y and h. */
+struct tia_eye {
+    enum tia_projection projection;
+    int64_t origin[3]; /* Q31.32 */
+    struct tia_eye_row row[3];
+};
+
+/* For the camera of a scene that tia_scene_check accepts; its samples are the lattice's. */
+void tia_eye_init(struct tia_eye *eye, const struct tia_camera *camera, unsigned width, unsigned height);
+
+/* The smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are Q31.32 and
+ * less than 2^17 from the eye in each coordinate. */
+unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
+
+/* The vertex of a point that is in range 20, each coordinate rounded once to `fraction` bits, 0..40. */
+void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
+
+/* The vertex at infinity in a direction, Q1.62 and of about the length 1. */
+void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int fraction,
+                       struct tia_raster_vertex *vertex);
+
+/* c = a x b, all Q1.62. */
+void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3]);
+
+#endif

@@ -1,0 +1,53 @@
+/* faces.h - a scene as flat faces in front of the camera, for the rasteriser. */
+#ifndef TIA_SHADOW_FACES_H
+#define TIA_SHADOW_FACES_H
+
+#include <tia/scene.h>
+
+#include "edges.h"
+#include "eye.h"
+
+/* An object: faces first_face .. first_face + face_count - 1, in the order of its elements, see render.h; an element of
+ * a box has two. */
+struct tia_flat_object {
+    uint32_t object;
+    uint32_t first_face, face_count;
+    bool closed;             /* each edge has a face on either side: its silhouette makes its shadow */
+    int64_t low[3], high[3]; /* a box around the points of a closed one, in the coordinates of tia_flat_affine */
+};
+
+/* The two faces of a plane are its halves. They meet along a line, from a direction to the opposite one. */
+#define TIA_PLANE_FACES 2
+#define TIA_PLANE_POINTS 5
+
+struct tia_flat_scene {
+    struct tia_eye eye;
+    struct tia_lattice lattice;
+    struct tia_flat_object *objects;
+    struct tia_flat_face *faces;
+    uint32_t *across; /* see tia_edges_join */
+    struct tia_raster_vertex *points;
+    uint32_t object_count, face_count, point_count;
+};
+
+/* A vertex is at infinity. */
+bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v);
+
+/* Its three affine coordinates: x, y and w, orthographic x, y and h. */
+void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
+
+/* Which object has no flat faces: the first such, or TIA_NO_OBJECT. */
+uint32_t tia_flat_refuses(const struct tia_scene *scene);
+
+/* Bytes for a scene that is not refused; SIZE_MAX when there are too many, or more than 2^28 faces. */
+size_t tia_flat_size(const struct tia_scene *scene);
+
+/* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t.
+ * TIA_ERR_RANGE when a point is too far away for the rasteriser: 2^20 in the units of raster.h. */
+int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
+                  unsigned height);
+
+/* The object that a face belongs to. */
+const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face);
+
+#endif

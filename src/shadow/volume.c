@@ -1,0 +1,302 @@
+#include "volume.h"
+
+#include "math/wide.h"
+
+static const struct tia_raster_vertex *corner(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
+                                              unsigned k)
+{
+    return &flat->points[face->corner[k]];
+}
+
+/* ---- sides of planes ---- */
+
+static int sign(wide a)
+{
+    return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
+}
+
+/* (a x b).c, each below 2^41 in size: below 2^126. */
+static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3])
+{
+    wide sum = wide_product(0, 0);
+
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        wide n = wide_difference(wide_product(a[j], b[k]), wide_product(a[k], b[j]));
+        sum = wide_sum(sum, wide_times(n, c[i]));
+    }
+    return sign(sum);
+}
+
+/* From a face's first corner, a point, to v; a direction as it is. */
+static void relative(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
+                     const struct tia_raster_vertex *v, int64_t out[3])
+{
+    int64_t first[3];
+
+    tia_flat_affine(flat, v, out);
+    if (tia_flat_is_direction(flat, v))
+        return;
+    tia_flat_affine(flat, corner(flat, face, 0), first);
+    for (int i = 0; i < 3; i++)
+        out[i] -= first[i];
+}
+
+/* x, y, w are left-handed, x, y, h right-handed. */
+int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face *face, const tia_flat_light *light)
+{
+    int64_t a[3], b[3], c[3];
+
+    relative(flat, face, corner(flat, face, 1), a);
+    relative(flat, face, corner(flat, face, 2), b);
+    relative(flat, face, light, c);
+    int turn = orientation(a, b, c);
+    return flat->eye.projection == TIA_ORTHOGRAPHIC ? turn : -turn;
+}
+
+/* The eye has only the fourth coordinate, whatever the projection. */
+static const struct tia_raster_vertex eye = {0, 0, 0, 1};
+
+int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face)
+{
+    return tia_flat_side(flat, face, &eye);
+}
+
+/* ---- who casts ---- */
+
+/* A face as it casts: its corners run counterclockwise seen from the light. */
+struct caster {
+    const struct tia_flat_face *face;
+    unsigned sides;
+    bool turned;          /* the corners run in reverse order */
+    bool side[TIA_SIDES]; /* whether side k, from corner k to the next, is part of the silhouette */
+};
+
+static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t high[3])
+{
+    return low[0] <= at[0] && at[0] <= high[0] && low[1] <= at[1] && at[1] <= high[1] && low[2] <= at[2] &&
+           at[2] <= high[2];
+}
+
+/* A silhouette needs a closed surface around the caster and the light outside. Otherwise each face casts for
+ * itself, which is right for any faces. */
+static bool has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
+                           const tia_flat_light *light)
+{
+    int64_t at[3];
+
+    tia_flat_affine(flat, light, at);
+    return object->closed && (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
+}
+
+/* Whether face f casts, and how; those of a closed object only when they are turned to the light. */
+static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t f, bool closed,
+                  struct caster *c)
+{
+    c->face = &flat->faces[f];
+    int side = tia_flat_side(flat, c->face, light);
+
+    if (side == 0 || (closed && side < 0))
+        return false;
+    c->sides = tia_face_sides(c->face);
+    c->turned = side < 0;
+    for (unsigned k = 0; k < c->sides; k++) {
+        uint32_t other = flat->across[TIA_SIDES * f + k];
+        c->side[k] = !closed || tia_flat_side(flat, &flat->faces[other / TIA_SIDES], light) <= 0;
+    }
+    return true;
+}
+
+typedef int caster_function(void *ctx, const struct caster *caster, uint32_t face);
+
+static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
+                           void *ctx)
+{
+    int status = TIA_OK;
+
+    for (uint32_t i = 0; i < flat->object_count; i++) {
+        const struct tia_flat_object *object = &flat->objects[i];
+        bool closed = has_silhouette(flat, object, light);
+        for (uint32_t n = 0; !status && n < object->face_count; n++) {
+            struct caster c;
+            if (casts(flat, light, object->first_face + n, closed, &c))
+                status = call(ctx, &c, object->first_face + n);
+        }
+    }
+    return status;
+}
+
+/* ---- drawing ---- */
+
+struct drawing {
+    struct tia_raster_target *target;
+    const struct tia_flat_scene *flat;
+    const tia_flat_light *light;
+    struct tia_raster_state state;
+    bool caps;
+};
+
+/* Where the shadow of a corner ends, at infinity. */
+static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct tia_raster_vertex *v)
+{
+    const tia_flat_light *l = d->light;
+
+    if (tia_flat_is_direction(d->flat, v))
+        return *v;
+    if (tia_flat_is_direction(d->flat, l))
+        return (struct tia_raster_vertex){-l->x, -l->y, -l->w, -l->h};
+    return (struct tia_raster_vertex){v->x - l->x, v->y - l->y, v->w - l->w, v->h - l->h};
+}
+
+static int draw(const struct drawing *d, const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+{
+    return tia_draw_polygon(d->target, &d->state, corners, count, face);
+}
+
+/* From a to b runs the cap, so from b to a its side. What is at infinity is its own shadow. */
+static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
+{
+    struct tia_raster_vertex corners[4] = {*b, *a};
+    unsigned count = 2;
+
+    if (!tia_flat_is_direction(d->flat, a))
+        corners[count++] = shadow_of(d, a);
+    if (!tia_flat_is_direction(d->flat, b) && (count == 2 || !tia_flat_is_direction(d->flat, d->light)))
+        corners[count++] = shadow_of(d, b);
+    return count < 3 ? TIA_OK : draw(d, corners, count, TIA_NO_FACE);
+}
+
+/* A polygon's plane is that of its first three corners, and only a face's first corner is surely a point: so the
+ * reverse order begins with it too. Orthographic rays never meet what is at infinity. */
+static int draw_caps(const struct drawing *d, const struct caster *c, uint32_t face)
+{
+    struct tia_raster_vertex near[TIA_SIDES], far[TIA_SIDES];
+    unsigned sides = c->sides;
+
+    for (unsigned k = 0; k < sides; k++) {
+        near[k] = *corner(d->flat, c->face, c->turned ? (sides - k) % sides : k);
+        far[(sides - k) % sides] = shadow_of(d, &near[k]);
+    }
+    int status = draw(d, near, sides, face);
+    if (status || d->flat->eye.projection == TIA_ORTHOGRAPHIC)
+        return status;
+    return draw(d, far, sides, TIA_NO_FACE); /* which is a point if light comes from a direction to a triangle */
+}
+
+static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
+{
+    const struct drawing *d = ctx;
+    int status = d->caps ? draw_caps(d, c, face) : TIA_OK;
+
+    for (unsigned k = 0; !status && k < c->sides; k++) {
+        const struct tia_raster_vertex *a = corner(d->flat, c->face, k);
+        const struct tia_raster_vertex *b = corner(d->flat, c->face, k + 1 < c->sides ? k + 1 : 0);
+        if (c->side[k])
+            status = c->turned ? draw_side(d, b, a) : draw_side(d, a, b);
+    }
+    return status;
+}
+
+#define KEEPS                                                                                                          \
+    {                                                                                                                  \
+        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+    }
+
+int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat)
+{
+    static const struct tia_raster_state state = {
+        .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .front = KEEPS, .back = KEEPS};
+    int status = TIA_OK;
+
+    for (uint32_t f = 0; !status && f < flat->face_count; f++) {
+        const struct tia_flat_face *face = &flat->faces[f];
+        struct tia_raster_vertex corners[TIA_SIDES];
+        unsigned sides = tia_face_sides(face);
+        for (unsigned k = 0; k < sides; k++)
+            corners[k] = *corner(flat, face, k);
+        status = tia_draw_polygon(target, &state, corners, sides, f);
+    }
+    return status;
+}
+
+/* Behind the point, the ray leaves volumes through back faces and enters others through front faces. */
+int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light)
+{
+    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, true};
+
+    d.state.front.zfail = TIA_DECR_WRAP;
+    d.state.back.zfail = TIA_INCR_WRAP;
+    return for_each_caster(flat, light, draw_volume, &d);
+}
+
+/* Before the point, it is the other way round. No cap is there: a near one would be what the pixel sees, the far ones
+ * are at infinity. */
+int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light)
+{
+    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, false};
+
+    d.state.front.zpass = TIA_INCR_WRAP;
+    d.state.back.zpass = TIA_DECR_WRAP;
+    return for_each_caster(flat, light, draw_volume, &d);
+}
+
+/* ---- where rays start and end ---- */
+
+struct end_count {
+    const struct tia_flat_scene *flat;
+    const tia_flat_light *light;
+    int end; /* -1: the eye; 1: the opposite of it, which in orthographic views is where all rays end */
+    uint32_t count;
+    bool unsure;
+};
+
+/* On which side of an edge the line from the eye to the light passes: det(a, b, light, eye). If all four are at
+ * infinity it is 0, and the edge is one of a plane's half: any side will do that is the same for both halves. */
+static int passes(const struct end_count *e, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
+{
+    const int64_t p[3] = {a->x, a->y, a->w}, q[3] = {b->x, b->y, b->w};
+    const int64_t l[3] = {e->light->x, e->light->y, e->light->w};
+
+    return p[2] || q[2] || l[2] || e->flat->eye.projection != TIA_ORTHOGRAPHIC ? orientation(p, q, l) : 1;
+}
+
+/* The volume holds the end where the way from there to the light crosses the cap: it passes all edges on one side.
+ * Where that is so but for edges that it meets, or the end is in the cap's plane, the end is on a volume's surface. */
+static int count_end(void *ctx, const struct caster *c, uint32_t face)
+{
+    struct end_count *e = ctx;
+    int side = e->end * tia_flat_side_of_eye(e->flat, c->face) * (c->turned ? -1 : 1);
+    bool left = false, right = false, met = side == 0;
+
+    (void)face;
+    for (unsigned k = 0; k < c->sides; k++) {
+        int pass = passes(e, corner(e->flat, c->face, k), corner(e->flat, c->face, k + 1 < c->sides ? k + 1 : 0));
+        left = left || pass > 0;
+        right = right || pass < 0;
+        met = met || pass == 0;
+    }
+    if ((left && right) || side < 0)
+        return TIA_OK;
+    e->unsure = e->unsure || met;
+    e->count++;
+    return TIA_OK;
+}
+
+bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count)
+{
+    struct end_count e = {.flat = flat, .light = light, .end = -1};
+
+    (void)for_each_caster(flat, light, count_end, &e);
+    *count = e.count;
+    return !e.unsure;
+}
+
+bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count)
+{
+    struct end_count e = {.flat = flat, .light = light, .end = 1};
+
+    if (flat->eye.projection == TIA_ORTHOGRAPHIC)
+        (void)for_each_caster(flat, light, count_end, &e);
+    *count = e.count;
+    return !e.unsure;
+}

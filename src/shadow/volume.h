@@ -1,0 +1,39 @@
+/* volume.h - shadow volumes: the space that a caster hides from a light, and how many of them hold what a pixel sees
+ * (Crow 1977). Counting the volumes' surfaces behind the pixel's point tells (z-fail: Bilodeau and Songy 1999, Carmack
+ * 2000), or those before it, when the eye's own count is added (z-pass: Heidmann 1991).
+ *
+ * Corners are rounded once, what comes after is exact, see raster.h. So a volume's surface closes without a gap: each
+ * edge of a cap is the edge of a side, in the same integers. A face that is seen is equal in depth to its own cap,
+ * which counts as behind: it does not shadow itself, and needs no bias. */
+#ifndef TIA_SHADOW_VOLUME_H
+#define TIA_SHADOW_VOLUME_H
+
+#include "faces.h"
+
+/* Where light comes from: a point, or a direction as a vertex at infinity. */
+typedef struct tia_raster_vertex tia_flat_light;
+
+/* On which side of a face's plane it is: 1 where the corners run counterclockwise seen from it, -1 behind, 0 in the
+ * plane. */
+int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face *face, const tia_flat_light *light);
+
+/* The same for the eye. */
+int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face);
+
+/* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
+ * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither
+ * z-pass nor, in orthographic views, z-fail can tell. */
+bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count);
+bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count);
+
+/* Draws the visible faces into depth and faces of the target, which must be empty. */
+int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat);
+
+/* With the faces drawn, adds to each pixel's stencil, modulo 256, the number of volumes that hold its point, less the
+ * number of those that hold the point at infinity. */
+int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light);
+
+/* The same, less the number of volumes that hold the eye. */
+int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light);
+
+#endif
