@@ -83,6 +83,7 @@ struct tia_raster_state {
     bool depth_write;           /* also puts the face there */
     bool ties_by_face;          /* in the same plane, the smaller face is nearer: any order draws the same */
     bool skip_front, skip_back; /* front faces go round counterclockwise in the image */
+    bool ahead;                 /* orthographic: draw only where h <= 0, as if the window were before the scene */
     struct tia_stencil front, back;
     bool colour_write[3];
     uint16_t colour[3];

@@ -175,6 +175,8 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
     status = tia_polygon_init(&p, target->lattice, target->area, corners, count);
     if (status || !p.count || (p.front ? state->skip_front : state->skip_back))
         return status;
+    if (state->ahead && target->lattice->projection == TIA_ORTHOGRAPHIC)
+        tia_polygon_cut_ahead(&p);
     if (state->depth_write && target->face)
         tia_depth_plane(&p, &target->planes[face]);
     tia_polygon_rows(&p, is_depth_alone(target, state) ? nearest_run : general_run, &job);

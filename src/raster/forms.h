@@ -40,3 +40,11 @@ static inline void FORM(negate)(FORM(number) n[3])
     for (int i = 0; i < 3; i++)
         n[i] = FORM(difference)(zero, n[i]);
 }
+
+static inline struct FORM(form) FORM(form_negated)(const struct FORM(form) * f)
+{
+    FORM(number) zero = FORM(product)(0, 0);
+
+    return (struct FORM(form)){FORM(difference)(zero, f->x), FORM(difference)(zero, f->y),
+                               FORM(difference)(zero, f->c)};
+}

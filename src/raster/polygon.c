@@ -55,3 +55,12 @@ int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struc
         tia_depth_scale_init(p, lattice->scale);
     return TIA_OK;
 }
+
+void tia_polygon_cut_ahead(struct polygon *p)
+{
+    if (p->narrow)
+        p->of.narrow_forms.edge[p->count] = narrow_form_negated(&p->of.narrow_forms.plane);
+    else
+        p->of.wide_forms.edge[p->count] = wide_form_negated(&p->of.wide_forms.plane);
+    p->count++;
+}

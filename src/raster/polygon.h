@@ -23,10 +23,10 @@ struct polygon {
     int x0, x1, y0, y1; /* a box that contains all covered pixels: x0 <= x < x1, y0 <= y < y1 */
     union {
         struct {
-            struct narrow_form edge[TIA_RASTER_CORNERS], plane;
+            struct narrow_form edge[TIA_RASTER_CORNERS + 1], plane;
         } narrow_forms;
         struct {
-            struct wide_form edge[TIA_RASTER_CORNERS], plane;
+            struct wide_form edge[TIA_RASTER_CORNERS + 1], plane;
         } wide_forms;
     } of;
     wide det; /* above 0 */
@@ -36,6 +36,9 @@ struct polygon {
 /* TIA_OK, and p->count is 0 when nothing is covered; or TIA_ERR_RANGE. */
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
+
+/* Leaves out the pixels where the polygon's h is above 0, as one more edge. */
+void tia_polygon_cut_ahead(struct polygon *p);
 
 /* The box of the pixels of `area` that the corners can cover; false when it is empty. A little too large rather than
  * too small. */

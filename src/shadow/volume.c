@@ -78,15 +78,27 @@ static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t 
            at[2] <= high[2];
 }
 
-/* A silhouette needs a closed surface around the caster and the light outside. Otherwise each face casts for
- * itself, which is right for any faces. */
+/* Whether the eye is outside a box; orthographic, where the eye is at infinity, whether the window is. */
+static bool is_seen_whole(const struct tia_flat_scene *flat, const struct tia_flat_object *object)
+{
+    static const int64_t here[3] = {0, 0, 0};
+
+    return flat->eye.projection == TIA_ORTHOGRAPHIC ? object->high[2] <= 0
+                                                    : !is_between(object->low, here, object->high);
+}
+
+/* Of a closed surface with the light and the eye outside, the faces turned to the light are enough, and only their
+ * silhouette has sides: the way from a point that is seen to the light starts and ends outside, so it crosses as many
+ * of these as of the others, however the surface is oriented and even if it crosses itself. Otherwise each face casts
+ * for itself, which is right for any faces. */
 static bool has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                            const tia_flat_light *light)
 {
     int64_t at[3];
 
     tia_flat_affine(flat, light, at);
-    return object->closed && (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
+    return object->closed && is_seen_whole(flat, object) &&
+           (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
 }
 
 /* Whether face f casts, and how; those of a closed object only when they are turned to the light. */
@@ -133,7 +145,7 @@ struct drawing {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     struct tia_raster_state state;
-    bool caps;
+    bool near, far; /* which caps */
 };
 
 /* Where the shadow of a corner ends, at infinity. */
@@ -177,16 +189,14 @@ static int draw_caps(const struct drawing *d, const struct caster *c, uint32_t f
         near[k] = *corner(d->flat, c->face, c->turned ? (sides - k) % sides : k);
         far[(sides - k) % sides] = shadow_of(d, &near[k]);
     }
-    int status = draw(d, near, sides, face);
-    if (status || d->flat->eye.projection == TIA_ORTHOGRAPHIC)
-        return status;
-    return draw(d, far, sides, TIA_NO_FACE); /* which is a point if light comes from a direction to a triangle */
+    int status = d->near ? draw(d, near, sides, face) : TIA_OK;
+    return status || !d->far ? status : draw(d, far, sides, TIA_NO_FACE);
 }
 
 static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
 {
     const struct drawing *d = ctx;
-    int status = d->caps ? draw_caps(d, c, face) : TIA_OK;
+    int status = draw_caps(d, c, face);
 
     for (unsigned k = 0; !status && k < c->sides; k++) {
         const struct tia_raster_vertex *a = corner(d->flat, c->face, k);
@@ -205,7 +215,7 @@ static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
 int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat)
 {
     static const struct tia_raster_state state = {
-        .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .front = KEEPS, .back = KEEPS};
+        .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .ahead = true, .front = KEEPS, .back = KEEPS};
     int status = TIA_OK;
 
     for (uint32_t f = 0; !status && f < flat->face_count; f++) {
@@ -219,21 +229,24 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
     return status;
 }
 
-/* Behind the point, the ray leaves volumes through back faces and enters others through front faces. */
+/* Behind the point, the ray leaves volumes through back faces and enters others through front faces. In orthographic
+ * views it never comes to what is at infinity. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light)
 {
-    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, true};
+    bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
+    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, true, !flat_view};
 
     d.state.front.zfail = TIA_DECR_WRAP;
     d.state.back.zfail = TIA_INCR_WRAP;
     return for_each_caster(flat, light, draw_volume, &d);
 }
 
-/* Before the point, it is the other way round. No cap is there: a near one would be what the pixel sees, the far ones
- * are at infinity. */
+/* Before the point, it is the other way round. The far caps are never there, and a near one would be what the pixel
+ * sees, unless it is behind the window of an orthographic view. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light)
 {
-    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, false};
+    bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
+    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, flat_view, false};
 
     d.state.front.zpass = TIA_INCR_WRAP;
     d.state.back.zpass = TIA_DECR_WRAP;
