@@ -97,7 +97,11 @@ enum tia_buffer {
     TIA_BUFFER_SUM = 8 /* with TIA_BUFFER_COLOUR only */
 };
 
-struct tia_raster_plane; /* the plane of a face, 64 bytes */
+/* The plane of a face: at pixel (i, j) 1/t is (x i + y j + c)/det, each of them in two halves. det is 0 for a face that
+ * is never drawn. */
+struct tia_raster_plane {
+    uint64_t x[2], y[2], c[2], det[2];
+};
 
 /* A rectangle of the image, row by row. A buffer that is not there is NULL. */
 struct tia_raster_target {
@@ -110,8 +114,9 @@ struct tia_raster_target {
     uint16_t *colour; /* three a pixel: red, green, blue */
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
-    uint32_t face_count;
-    uint32_t exact; /* how often the filter was unsure which of two is nearer */
+    uint32_t face_count, pitch; /* pitch: pixels from one row to the next */
+    bool planes_known;          /* the planes are the caller's, made by tia_raster_plane_init, and only read */
+    uint32_t exact;             /* how often the filter was unsure which of two is nearer */
 };
 
 /* Bytes for a target of `area` with `buffers`, a sum of enum tia_buffer, and faces 0..faces - 1; SIZE_MAX when there
@@ -122,6 +127,21 @@ size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
  * the area is empty or not inside the image, TIA_ERR_MEMORY when `size` is too small. */
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
+
+/* The pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is not inside. Threads may draw into
+ * parts that share no pixel at once, if the planes are known. */
+int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
+
+/* The plane of a polygon, as tia_draw_polygon keeps it. Errors as there. */
+int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
+                          const struct tia_raster_vertex *corners, unsigned count);
+
+#define TIA_DISTANCE_BITS 45
+
+/* How far from the eye what pixel (x, y) of the image sees of a plane is, measured along the line of sight: w, or in
+ * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57, at most 2^62; 0 where the plane is
+ * not before the eye. */
+int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
 /* Empties the depth buffer. */
 void tia_clear_depth(struct tia_raster_target *target);

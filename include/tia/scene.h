@@ -17,6 +17,7 @@
 #include <tia/camera.h>
 #include <tia/light.h>
 #include <tia/material.h>
+#include <tia/shadow.h>
 #include <tia/shape.h>
 
 #define TIA_SPAN_SPHERES 256
@@ -49,6 +50,7 @@ struct tia_scene {
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
     uint32_t depth;            /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
+    enum tia_shadows shadows;  /* another technique than rays, see shadow.h */
     const struct tia_bvh *bvh; /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */

@@ -108,6 +108,8 @@
 #define shade_bounce NAMES(shade_bounce)
 #define path_hash_word NAMES(path_hash_word)
 #define path_colour NAMES(path_colour)
+#define raster_renderer NAMES(raster_renderer)
+#define whitted_light_tile NAMES(whitted_light_tile)
 #define dither_thresholds NAMES(dither_thresholds)
 
 #endif

@@ -21,6 +21,11 @@ static inline num_length num_length_of(tia_q16 q)
     return (num_length)q * ((num_length)1 << 29);
 }
 
+static inline num_length num_length_of_q45(int64_t n)
+{
+    return n;
+}
+
 static inline num_unit num_unit_of(tia_q30 q)
 {
     return (num_unit)q * ((num_unit)1 << 32);

@@ -18,6 +18,11 @@ static inline num_length num_length_of(tia_q16 q)
     return (num_real)q / 65536;
 }
 
+static inline num_length num_length_of_q45(int64_t n)
+{
+    return (num_real)n / (num_real)((int64_t)1 << 45);
+}
+
 static inline num_unit num_unit_of(tia_q30 q)
 {
     return (num_real)q / 1073741824;

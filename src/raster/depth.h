@@ -15,11 +15,6 @@
 #define DEPTH_MOST (INT64_C(1) << 62)
 #define DEPTH_UNSURE ((1 << 15) + 32)
 
-/* f, det of a face, each in two halves. */
-struct tia_raster_plane {
-    uint64_t x[2], y[2], c[2], det[2];
-};
-
 struct depth_run {
     uint64_t z, step; /* modulo 2^64: the step after the last pixel is not used */
     bool steady;      /* z may be stepped */

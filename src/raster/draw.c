@@ -10,7 +10,7 @@ struct job {
 
 static inline size_t place_of(const struct tia_raster_target *t, int x, int y)
 {
-    return (size_t)(y - t->area.y) * t->area.width + (size_t)(x - t->area.x);
+    return (size_t)(y - t->area.y) * t->pitch + (size_t)(x - t->area.x);
 }
 
 /* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */
@@ -177,8 +177,23 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
         return status;
     if (state->ahead && target->lattice->projection == TIA_ORTHOGRAPHIC)
         tia_polygon_cut_ahead(&p);
-    if (state->depth_write && target->face)
+    if (state->depth_write && target->face && !target->planes_known)
         tia_depth_plane(&p, &target->planes[face]);
     tia_polygon_rows(&p, is_depth_alone(target, state) ? nearest_run : general_run, &job);
     return TIA_OK;
+}
+
+int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
+                          const struct tia_raster_vertex *corners, unsigned count)
+{
+    struct tia_tile all = {0, 0, lattice->width, lattice->height};
+    struct polygon p;
+
+    *plane = (struct tia_raster_plane){.det = {0, 0}};
+    if (count < 3 || count > TIA_RASTER_CORNERS)
+        return TIA_ERR_ARGUMENT;
+    int status = tia_polygon_init(&p, lattice, all, corners, count);
+    if (!status && p.count)
+        tia_depth_plane(&p, plane);
+    return status;
 }

@@ -55,7 +55,7 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces};
+    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .pitch = area.width, .face_count = faces};
     place(target, memory, buffers);
     tia_clear_depth(target);
     tia_clear_stencil(target, 0, 255);
@@ -64,16 +64,34 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
     return TIA_OK;
 }
 
-static size_t pixels_of(const struct tia_raster_target *t)
+int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area)
 {
-    return (size_t)t->area.width * t->area.height;
+    const struct tia_tile *all = &target->area;
+
+    if (area.x < all->x || area.y < all->y || area.x + area.width > all->x + all->width ||
+        area.y + area.height > all->y + all->height)
+        return TIA_ERR_ARGUMENT;
+    size_t skip = (size_t)(area.y - all->y) * target->pitch + (size_t)(area.x - all->x);
+    *part = *target;
+    part->area = area;
+    part->face += target->face ? skip : 0;
+    part->nearness += target->nearness ? skip : 0;
+    part->stencil += target->stencil ? skip : 0;
+    part->colour += target->colour ? 3 * skip : 0;
+    part->sum += target->sum ? 3 * skip : 0;
+    return TIA_OK;
 }
+
+#define FOR_PIXELS(t, i)                                                                                               \
+    for (size_t row = 0; row < (t)->area.height; row++)                                                                \
+        for (size_t i = row * (t)->pitch, end = i + (t)->area.width; i < end; i++)
 
 void tia_clear_depth(struct tia_raster_target *target)
 {
     if (!target->face)
         return;
-    for (size_t i = 0, n = pixels_of(target); i < n; i++) {
+    FOR_PIXELS(target, i)
+    {
         target->nearness[i] = 0;
         target->face[i] = TIA_NO_FACE;
     }
@@ -81,36 +99,54 @@ void tia_clear_depth(struct tia_raster_target *target)
 
 void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
 {
-    if (target->stencil)
-        for (size_t i = 0, n = pixels_of(target); i < n; i++)
-            target->stencil[i] = (uint8_t)((target->stencil[i] & ~write) | (value & write));
+    if (!target->stencil)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        target->stencil[i] = (uint8_t)((target->stencil[i] & ~write) | (value & write));
+    }
 }
 
 void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
 {
-    if (target->colour)
-        for (size_t i = 0, n = pixels_of(target); i < n; i++)
-            for (int c = 0; c < 3; c++)
-                target->colour[3 * i + (size_t)c] = colour[c];
+    if (!target->colour)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        for (size_t c = 0; c < 3; c++)
+            target->colour[3 * i + c] = colour[c];
+    }
 }
 
 void tia_clear_sum(struct tia_raster_target *target)
 {
-    if (target->sum)
-        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
-            target->sum[i] = 0;
+    if (!target->sum)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        for (size_t c = 0; c < 3; c++)
+            target->sum[3 * i + c] = 0;
+    }
 }
 
 void tia_sum_add(struct tia_raster_target *target, uint32_t weight)
 {
-    if (target->sum)
-        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
-            target->sum[i] += target->colour[i] * weight;
+    if (!target->sum)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        for (size_t c = 0; c < 3; c++)
+            target->sum[3 * i + c] += target->colour[3 * i + c] * weight;
+    }
 }
 
 void tia_sum_return(struct tia_raster_target *target, uint32_t total)
 {
-    if (target->sum)
-        for (size_t i = 0, n = 3 * pixels_of(target); i < n; i++)
-            target->colour[i] = (uint16_t)(((uint64_t)target->sum[i] + total / 2) / total);
+    if (!target->sum)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        for (size_t c = 0; c < 3; c++)
+            target->colour[3 * i + c] = (uint16_t)(((uint64_t)target->sum[3 * i + c] + total / 2) / total);
+    }
 }

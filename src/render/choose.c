@@ -3,5 +3,7 @@
 
 const struct renderer *renderer_for(const struct tia_scene *scene)
 {
+    if (raster_renderer.draws(scene))
+        return &raster_renderer;
     return span_renderer.draws(scene) ? &span_renderer : &whitted_renderer;
 }

@@ -37,6 +37,11 @@ int tia_check_uses(struct check *check)
     return TIA_OK;
 }
 
+int tia_check_shadows(struct check *check)
+{
+    return check->scene->shadows ? tia_check_refuse(check, "shadows", RULE) : TIA_OK;
+}
+
 void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
 {
     (void)bounds;

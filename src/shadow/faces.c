@@ -78,18 +78,6 @@ static struct tia_flat_face face_of(const struct tia_scene *scene, const struct 
 
 /* ---- how many there are ---- */
 
-uint32_t tia_flat_refuses(const struct tia_scene *scene)
-{
-    if (scene->sphere_count)
-        return 0;
-    for (uint32_t i = 0; i < scene->shape_count; i++) {
-        enum tia_shape_kind kind = scene->shapes[i].kind;
-        if (kind != TIA_PLANE && kind != TIA_BOX && kind != TIA_TRIANGLE && kind != TIA_MESH)
-            return i;
-    }
-    return TIA_NO_OBJECT;
-}
-
 struct counts {
     uint64_t points, faces;
     uint32_t most; /* points of one object */
@@ -126,6 +114,7 @@ size_t tia_flat_size(const struct tia_scene *scene)
         return SIZE_MAX;
     uint64_t size = ALIGN((uint64_t)scene->shape_count * sizeof(struct tia_flat_object)) +
                     ALIGN(n.faces * sizeof(struct tia_flat_face)) + ALIGN(n.faces * TIA_SIDES * sizeof(uint32_t)) +
+                    ALIGN(n.faces * sizeof(struct tia_raster_plane)) +
                     ALIGN(n.points * sizeof(struct tia_raster_vertex)) + ALIGN(room_size(n));
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
@@ -262,7 +251,8 @@ static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scen
     uint32_t points = count_points(scene, shape);
     struct tia_flat_object *object = &flat->objects[flat->object_count++];
 
-    *object = (struct tia_flat_object){.object = i, .first_face = flat->face_count, .face_count = faces};
+    *object =
+        (struct tia_flat_object){.kind = shape->kind, .object = i, .first_face = flat->face_count, .face_count = faces};
     add_points(flat, scene, shape);
     add_faces(flat, scene, shape, room);
     find_box(flat, object, flat->point_count, flat->point_count + points);
@@ -277,6 +267,24 @@ static bool closes(const struct tia_flat_scene *flat, const struct tia_flat_obje
             if (flat->across[TIA_SIDES * f + k] == TIA_NO_EDGE)
                 return false;
     return true;
+}
+
+unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
+{
+    const struct tia_flat_face *f = &flat->faces[face];
+    unsigned sides = tia_face_sides(f);
+
+    for (unsigned k = 0; k < sides; k++)
+        corners[k] = flat->points[f->corner[k]];
+    return sides;
+}
+
+static int make_plane(struct tia_flat_scene *flat, uint32_t face)
+{
+    struct tia_raster_vertex corners[TIA_SIDES];
+    unsigned sides = tia_flat_corners(flat, face, corners);
+
+    return tia_raster_plane_init(&flat->planes[face], &flat->lattice, corners, sides);
 }
 
 static char *take(char **memory, size_t size)
@@ -300,6 +308,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->objects = (void *)take(&next, scene->shape_count * sizeof *flat->objects);
     flat->faces = (void *)take(&next, (size_t)n.faces * sizeof *flat->faces);
     flat->across = (void *)take(&next, (size_t)n.faces * TIA_SIDES * sizeof *flat->across);
+    flat->planes = (void *)take(&next, (size_t)n.faces * sizeof *flat->planes);
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
     tia_eye_init(&flat->eye, &scene->camera, width, height);
@@ -312,6 +321,8 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room);
     for (uint32_t i = 0; i < flat->object_count; i++)
         flat->objects[i].closed = closes(flat, &flat->objects[i]);
+    for (uint32_t f = 0; !status && f < flat->face_count; f++)
+        status = make_plane(flat, f);
     return status;
 }
 
@@ -327,4 +338,12 @@ const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *fl
             high = middle;
     }
     return &flat->objects[low];
+}
+
+uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face)
+{
+    const struct tia_flat_object *object = tia_flat_object_of(flat, face);
+    uint32_t n = face - object->first_face;
+
+    return object->kind == TIA_MESH ? n : object->kind == TIA_BOX ? n / 2 : 0;
 }

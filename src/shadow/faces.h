@@ -10,6 +10,7 @@
 /* An object: faces first_face .. first_face + face_count - 1, in the order of its elements, see render.h; an element of
  * a box has two. */
 struct tia_flat_object {
+    enum tia_shape_kind kind;
     uint32_t object;
     uint32_t first_face, face_count;
     bool closed;             /* each edge has a face on either side: its silhouette makes its shadow */
@@ -27,6 +28,7 @@ struct tia_flat_scene {
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
+    struct tia_raster_plane *planes; /* of the faces */
     uint32_t object_count, face_count, point_count;
 };
 
@@ -36,16 +38,21 @@ bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_r
 /* Its three affine coordinates: x, y and w, orthographic x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
-/* Which object has no flat faces: the first such, or TIA_NO_OBJECT. */
-uint32_t tia_flat_refuses(const struct tia_scene *scene);
-
-/* Bytes for a scene that is not refused; SIZE_MAX when there are too many, or more than 2^28 faces. */
+/* Bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more than 2^28
+ * faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
 
 /* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t.
  * TIA_ERR_RANGE when a point is too far away for the rasteriser: 2^20 in the units of raster.h. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height);
+
+/* A face's corners; returns how many. */
+unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,
+                          struct tia_raster_vertex corners[TIA_SIDES]);
+
+/* The part of its object that a face is, see render.h. */
+uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face);
 
 /* The object that a face belongs to. */
 const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face);

@@ -62,6 +62,13 @@ int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_fla
     return tia_flat_side(flat, face, &eye);
 }
 
+bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light)
+{
+    int side = tia_flat_side(flat, &flat->faces[face], light);
+
+    return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
+}
+
 /* ---- who casts ---- */
 
 /* A face as it casts: its corners run counterclockwise seen from the light. */
@@ -219,11 +226,8 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
     int status = TIA_OK;
 
     for (uint32_t f = 0; !status && f < flat->face_count; f++) {
-        const struct tia_flat_face *face = &flat->faces[f];
         struct tia_raster_vertex corners[TIA_SIDES];
-        unsigned sides = tia_face_sides(face);
-        for (unsigned k = 0; k < sides; k++)
-            corners[k] = *corner(flat, face, k);
+        unsigned sides = tia_flat_corners(flat, f, corners);
         status = tia_draw_polygon(target, &state, corners, sides, f);
     }
     return status;

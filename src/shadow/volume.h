@@ -8,10 +8,7 @@
 #ifndef TIA_SHADOW_VOLUME_H
 #define TIA_SHADOW_VOLUME_H
 
-#include "faces.h"
-
-/* Where light comes from: a point, or a direction as a vertex at infinity. */
-typedef struct tia_raster_vertex tia_flat_light;
+#include "lights.h"
 
 /* On which side of a face's plane it is: 1 where the corners run counterclockwise seen from it, -1 behind, 0 in the
  * plane. */
@@ -19,6 +16,9 @@ int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face 
 
 /* The same for the eye. */
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face);
+
+/* Whether the side of a face that is seen is turned to the light. */
+bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light);
 
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
  * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither

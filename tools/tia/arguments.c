@@ -20,6 +20,7 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"size", required_argument, NULL, 's'},
                                       {"samples", required_argument, NULL, OPT_SAMPLES},
                                       {"depth", required_argument, NULL, OPT_DEPTH},
+                                      {"shadows", required_argument, NULL, OPT_SHADOWS},
                                       {"keys", required_argument, NULL, 'k'},
                                       {"input", required_argument, NULL, 'i'},
                                       {"frames", required_argument, NULL, 'n'},
@@ -125,6 +126,8 @@ int arguments_load(struct options *options)
         options->scene.camera.samples = options->samples;
     if (options->depth != 0)
         options->scene.depth = options->depth;
+    if (options->shadows)
+        options->scene.shadows = (enum tia_shadows)(options->shadows - 1);
     return load_keys(options);
 }
 

@@ -38,9 +38,10 @@ static uint32_t identify(const struct options *options)
 {
     char text[120];
     const char *keys = options->key_text ? options->key_text : "";
-    int length = snprintf(text, sizeof text, "%s %d %u %u %u %d %u/%u", options->core->name, options->dither,
+    int length = snprintf(text, sizeof text, "%s %d %u %u %u %u %d %u/%u", options->core->name, options->dither,
                           (unsigned)options->rotate, (unsigned)options->samples, (unsigned)options->depth,
-                          (int)options->time, (unsigned)options->rate[0], (unsigned)options->rate[1]);
+                          (unsigned)options->shadows, (int)options->time, (unsigned)options->rate[0],
+                          (unsigned)options->rate[1]);
     return checksum_bytes(checksum_bytes(options->file.crc, text, (size_t)length), keys, strlen(keys));
 }
 

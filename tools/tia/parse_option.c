@@ -141,6 +141,18 @@ static int set_flag(struct options *options, int option)
     return EXIT_FINE;
 }
 
+static int set_shadows(struct options *options, const char *value)
+{
+    const char *name;
+
+    for (unsigned i = 0; (name = tia_shadows_name(i)) != NULL; i++)
+        if (!strcmp(name, value)) {
+            options->shadows = i + 1;
+            return EXIT_FINE;
+        }
+    return fail(EXIT_USAGE, "--shadows %.200s: not rays, zpass or zfail", value);
+}
+
 int parse_option(struct options *options, int option, char *value)
 {
     switch (option) {
@@ -163,6 +175,8 @@ int parse_option(struct options *options, int option, char *value)
         return set_samples(options, value);
     case OPT_DEPTH:
         return set_number("--depth", value, TIA_DEPTH_MAX, &options->depth);
+    case OPT_SHADOWS:
+        return set_shadows(options, value);
     case 'k':
         options->key_text = value;
         return EXIT_FINE;

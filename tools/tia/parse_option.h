@@ -10,6 +10,7 @@ enum {
     OPT_SCENE_FORMAT,
     OPT_SAMPLES,
     OPT_DEPTH,
+    OPT_SHADOWS,
     OPT_TIME,
     OPT_FPS,
     OPT_FRAME_RANGE,

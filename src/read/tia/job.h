@@ -131,6 +131,7 @@ int tia_line_camera(struct tia_job *job);
 int tia_line_samples(struct tia_job *job);
 int tia_line_background(struct tia_job *job);
 int tia_line_depth(struct tia_job *job);
+int tia_line_shadows(struct tia_job *job);
 int tia_line_material(struct tia_job *job);
 int tia_line_texture(struct tia_job *job);
 int tia_line_shape(struct tia_job *job, enum tia_shape_kind kind);

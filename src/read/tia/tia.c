@@ -25,6 +25,7 @@ static const struct statement {
     {"background", tia_line_background, true, false},
     {"samples", tia_line_samples, true, false},
     {"depth", tia_line_depth, true, false},
+    {"shadows", tia_line_shadows, true, false},
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 

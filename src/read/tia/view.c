@@ -1,4 +1,4 @@
-/* view.c - the statements camera, samples, background and depth. */
+/* view.c - the statements camera, samples, background, depth and shadows. */
 #include "job.h"
 
 #define EYE                                                                                                            \
@@ -84,4 +84,18 @@ int tia_line_depth(struct tia_job *job)
 
     job->scene->depth = (uint32_t)depth;
     return status;
+}
+
+int tia_line_shadows(struct tia_job *job)
+{
+    struct tia_word word;
+    const char *name;
+
+    (void)tia_text_word(&job->text, &word);
+    for (unsigned i = 0; (name = tia_shadows_name(i)) != NULL; i++)
+        if (tia_word_is(&word, name)) {
+            job->scene->shadows = (enum tia_shadows)i;
+            return TIA_OK;
+        }
+    return tia_text_error(&job->text, &word, "is no technique", "rays, zpass or zfail");
 }

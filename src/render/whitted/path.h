@@ -6,9 +6,19 @@
 
 #define PATH_BLOCKERS 8
 
+/* First hits of pixels that are found without rays, and what light comes there. */
+struct first_hits {
+    /* Along the ray of pixel (x, y). Sample i of light n arrives when bit first_bit[n] + i of *lit is set. */
+    void (*find)(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit, uint64_t *lit);
+    const uint8_t *first_bit;
+};
+
 /* Rays from the eye, one after the other. */
 struct path {
     const struct ray_view *view;
+    const struct first_hits *first; /* NULL: they are traced */
+    uint64_t lit;                   /* see there, while `known` */
+    bool known;
     unsigned class; /* of the pixel, see light.h */
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */

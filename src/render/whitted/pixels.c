@@ -19,6 +19,18 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
     }
 }
 
+/* What a ray from the eye meets; `object` is it, unless it is NULL and not known. */
+static void find_first(struct path *path, int x, int y, const uint32_t *object, const struct ray *ray, struct hit *hit)
+{
+    path->known = path->first != NULL;
+    if (path->first)
+        path->first->find(path->first, x, y, ray, hit, &path->lit);
+    else if (object)
+        ray_intersect_object(path->view, ray, *object, hit);
+    else
+        ray_intersect(path->view, ray, hit);
+}
+
 /* The mean of a pixel's samples, each clamped. `object` is what the first one meets. */
 static void pixel(struct path *path, int x, int y, uint32_t object, num_length mean[3])
 {
@@ -32,10 +44,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
         num_length colour[3];
 
         ray_camera_ray(camera, x, y, i, &ray);
-        if (i == 0)
-            ray_intersect_object(path->view, &ray, object, &hit);
-        else
-            ray_intersect(path->view, &ray, &hit);
+        find_first(path, x, y, i == 0 ? &object : NULL, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
         for (int c = 0; c < 3; c++)
@@ -54,11 +63,11 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 
 /* False: it was stopped. */
 static bool row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
-                ptrdiff_t step, const struct tia_options *options)
+                ptrdiff_t step, const struct tia_options *options, const struct first_hits *first)
 {
     uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - (int)tile.y) * tile.width : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->prepared, .hashed = path_hash};
+    struct path path = {.view = view->prepared, .first = first, .hashed = path_hash};
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)
@@ -68,7 +77,7 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
         int x = (int)tile.x + i;
         num_length mean[3];
 
-        path.class = ray_pixel_class(x, y);
+        path.class = first ? 0 : ray_pixel_class(x, y);
         path.hash = PATH_HASH;
         pixel(&path, x, y, objects[i], mean);
         *(tia_rgb565 *)(void *)(out + i * step) = pack(mean, threshold[x & 7]);
@@ -78,15 +87,22 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
     return !path.stopped;
 }
 
-static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                       const struct tia_surface *surface, const struct tia_options *options)
+void whitted_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                        const struct tia_surface *surface, const struct tia_options *options,
+                        const struct first_hits *first)
 {
     bool goes_on = true;
 
     for (int y = (int)tile.y; y < tile_bottom(tile) && goes_on; y++) {
         char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
-        goes_on = row(view, hits, tile, y, out, surface->step, options);
+        goes_on = row(view, hits, tile, y, out, surface->step, options, first);
     }
+}
+
+static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    whitted_light_tile(view, hits, tile, surface, options, NULL);
 }
 
 static bool draws(const struct tia_scene *scene)

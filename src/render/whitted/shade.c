@@ -72,22 +72,22 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* How much of a sample's light gets to the point; false: none. */
+/* How much of a sample's light gets to the point; false: none. `bit` is its place in path->lit. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
-                    const struct ray_sample *sample, uint32_t *blocker, num_length through[3])
+                    const struct ray_sample *sample, unsigned bit, uint32_t *blocker, num_length through[3])
 {
     struct ray shadow;
     num_length distance;
 
-    if (ray_light_shadow(light, sample, s->outside, &shadow, &distance))
+    if (!path->known && ray_light_shadow(light, sample, s->outside, &shadow, &distance))
         return ray_transmittance(path->view, &shadow, distance, blocker, through);
     through[0] = through[1] = through[2] = NUM_LENGTH_ONE;
-    return true;
+    return !path->known || path->lit >> bit & 1;
 }
 
 /* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:
  * nothing arrives. */
-static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i,
+static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i, unsigned bit,
                        uint32_t *blocker, num_length mean[3])
 {
     struct ray_sample sample;
@@ -98,7 +98,7 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     num_unit lambert = num_dir_dot(s->normal, sample.to);
     if (lambert <= 0 || num_dir_dot(s->geometric, sample.to) <= 0)
         return false;
-    if (!arrives(path, s, aim->light, &sample, blocker, through))
+    if (!arrives(path, s, aim->light, &sample, bit, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
@@ -110,6 +110,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
 {
     const struct ray_light *light = &path->view->lights[n];
     uint32_t *blocker = &path->blocker[n % PATH_BLOCKERS];
+    unsigned bit = path->known ? path->first->first_bit[n] : 0;
     num_length mean[3] = {0, 0, 0};
     struct ray_aim aim;
 
@@ -120,7 +121,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     }
     ray_light_aim(&aim, light, s->point, path->class);
     for (unsigned i = 0; i < light->samples && !path_stops(path); i++)
-        path_hash_word(path, add_sample(path, s, &aim, i, blocker, mean));
+        path_hash_word(path, add_sample(path, s, &aim, i, bit + i, blocker, mean));
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }

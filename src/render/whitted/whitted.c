@@ -96,6 +96,7 @@ void path_colour(struct path *path, const struct ray *ray, const struct hit *fir
     colour[0] = colour[1] = colour[2] = 0;
     stack.count = 0;
     follow(path, &b, &hit, &stack, colour);
+    path->known = false;
     while (stack.count > 0 && rays++ < TIA_RAYS && !path_stops(path)) {
         b = stack.bounces[--stack.count];
         ray_intersect(path->view, &b.ray, &hit);

@@ -63,4 +63,7 @@ int tia_check_placed(const struct check *check, const struct tia_shape *shape, c
 /* How the shapes use the meshes and grids. */
 int tia_check_uses(struct check *check);
 
+/* What its technique for shadows asks of the whole scene. */
+int tia_check_shadows(struct check *check);
+
 #endif

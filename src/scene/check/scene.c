@@ -128,5 +128,6 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
     if (!status)
         status = check_parts(&check);
     check.thing = "shape";
-    return status ? status : tia_check_uses(&check);
+    status = status ? status : tia_check_uses(&check);
+    return status ? status : tia_check_shadows(&check);
 }

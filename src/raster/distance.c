@@ -1,0 +1,41 @@
+#include "halves.h"
+
+#include <tia/raster.h>
+
+/* a = m 2^exponent for a > 0, m in 2^61..2^62. */
+static int64_t mantissa(wide a, int *exponent)
+{
+    int bits = wide_bits(a);
+
+    *exponent = bits - 62;
+    return bits > 62 ? wide_down(a, (unsigned)(bits - 62)) : (int64_t)(wide_low(a) << (62 - bits));
+}
+
+/* m 2^exponent, m in 0..2^93, rounded and clamped to 2^62 */
+static int64_t scaled(wide m, int exponent)
+{
+    int bits = wide_bits(m) + exponent;
+
+    if (bits > 62)
+        return INT64_C(1) << 62;
+    if (exponent >= 0)
+        return (int64_t)(wide_low(m) << exponent);
+    return exponent < -126 ? 0 : wide_round(m, (unsigned)-exponent);
+}
+
+/* Perspective: t D has the depth t D.w = D.w det/f. Orthographic: -h = -f/det. */
+int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *l, int x, int y)
+{
+    bool flat = l->projection == TIA_ORTHOGRAPHIC;
+    wide f = wide_sum(wide_sum(wide_times(halves_get(plane->x), x), wide_times(halves_get(plane->y), y)),
+                      halves_get(plane->c));
+    wide above = flat ? wide_difference(wide_product(0, 0), f) : halves_get(plane->det);
+    wide below = flat ? halves_get(plane->det) : f;
+    int up, down;
+
+    if (wide_sign(below) <= 0 || wide_sign(above) <= 0)
+        return 0;
+    int64_t a = mantissa(above, &up), b = mantissa(below, &down);
+    wide ratio = wide_product(wide_quotient(a, b, 60), flat ? 1 : l->w);
+    return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - l->fraction);
+}

@@ -1,0 +1,9 @@
+#include <stddef.h>
+#include <tia/shadow.h>
+
+const char *tia_shadows_name(unsigned technique)
+{
+    static const char *const names[] = {"rays", "zpass", "zfail"};
+
+    return technique < sizeof names / sizeof *names ? names[technique] : NULL;
+}

@@ -1,0 +1,75 @@
+#include "lights.h"
+
+#include "math/wide.h"
+
+unsigned tia_flat_light_samples(const struct tia_light *light)
+{
+    if (light->kind == TIA_AMBIENT_LIGHT)
+        return 0;
+    if (light->kind != TIA_RECTANGLE_LIGHT)
+        return 1;
+    return light->samples ? light->samples : TIA_LIGHT_SAMPLES;
+}
+
+/* The eight bits of i in reverse order. */
+static unsigned mirrored(unsigned i)
+{
+    unsigned out = 0;
+
+    for (int bit = 0; bit < 8; bit++)
+        out |= (i >> bit & 1) << (7 - bit);
+    return out;
+}
+
+/* Q.48 of a numerator over n, to nearest: below 2^48 in size. */
+static int64_t fraction(int numerator, unsigned n)
+{
+    int64_t a = (int64_t)(numerator < 0 ? -numerator : numerator) * (INT64_C(2) << 48);
+    int64_t q = (a / n + 1) / 2;
+
+    return numerator < 0 ? -q : q;
+}
+
+/* centre + s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, v being i's bits behind the point: see
+ * light.h. */
+static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3])
+{
+    const tia_q16 a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
+    const tia_q16 b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
+    unsigned n = tia_flat_light_samples(light);
+    int64_t s = fraction(2 * (int)i + 1 - (int)n, n), t = ((int64_t)mirrored(i) - 128) * (INT64_C(1) << 41);
+
+    for (int k = 0; k < 3; k++)
+        at[k] += wide_round(wide_sum(wide_product(a[k], s), wide_product(b[k], t)), 32);
+}
+
+static void from_direction(const struct tia_flat_scene *flat, const int64_t given[3], tia_flat_light *out)
+{
+    int64_t d[3];
+
+    (void)wide_normalise(given, d);
+    tia_eye_direction(&flat->eye, d, flat->lattice.fraction, out);
+}
+
+void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
+                       tia_flat_light *out)
+{
+    int64_t at[3] = {light->centre.x * (INT64_C(1) << 16), light->centre.y * (INT64_C(1) << 16),
+                     light->centre.z * (INT64_C(1) << 16)};
+    const int64_t back[3] = {-(int64_t)light->direction.x, -(int64_t)light->direction.y, -(int64_t)light->direction.z};
+    int most = flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40;
+
+    if (light->kind == TIA_DIRECTIONAL_LIGHT) {
+        from_direction(flat, back, out);
+        return;
+    }
+    if (light->kind == TIA_RECTANGLE_LIGHT)
+        on_rectangle(light, i, at);
+    if ((int)tia_eye_range(&flat->eye, at) <= most - flat->lattice.fraction) {
+        tia_eye_point(&flat->eye, at, flat->lattice.fraction, out);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        at[k] -= flat->eye.origin[k];
+    from_direction(flat, at, out);
+}

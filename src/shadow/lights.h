@@ -1,0 +1,18 @@
+/* lights.h - the points that lights shine from, as vertices. */
+#ifndef TIA_SHADOW_LIGHTS_H
+#define TIA_SHADOW_LIGHTS_H
+
+#include "faces.h"
+
+/* Where light comes from: a point, or a direction as a vertex at infinity. */
+typedef struct tia_raster_vertex tia_flat_light;
+
+/* How many samples with shadows a light has: none if it is ambient. */
+unsigned tia_flat_light_samples(const struct tia_light *light);
+
+/* Sample i of a light that shadow.h allows. A point that is too far away for the rasteriser, more than 2^15 times as
+ * far as the scene reaches, becomes a direction. */
+void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
+                       tia_flat_light *out);
+
+#endif
