@@ -181,17 +181,48 @@ TEST(faces_turn_outward)
     free(memory);
 }
 
+static const struct tia_light sun = {.kind = TIA_DIRECTIONAL_LIGHT, .direction = {0, TIA_Q30(-1), 0}};
+
+static void check_fault(const struct tia_scene *s, const char *thing, const char *field)
+{
+    struct tia_fault fault = {"nothing", 0, "", ""};
+
+    CHECK_EQ(tia_scene_check(s, &fault), TIA_ERR_RANGE);
+    CHECK_MSG(!strcmp(fault.thing, thing) && !strcmp(fault.field, field) && strstr(fault.rule, "with these shadows"),
+              "%s %u: %s: %s", fault.thing, (unsigned)fault.index, fault.field, fault.rule);
+}
+
+/* What has no flat faces, or asks for more than a bit says, is refused by name. */
 TEST(refuses)
 {
     static const struct tia_sphere sphere = {.radius = Q(1)};
-    struct tia_shape some[3] = {shapes[0], shapes[2], {.kind = TIA_CONE}};
-    struct tia_scene s = {.shapes = some, .shape_count = 3};
+    static const struct tia_material glass = {.transmission = {0, 1, 0}};
+    struct tia_light lights[2] = {sun,
+                                  {.kind = TIA_RECTANGLE_LIGHT, .side = {{Q(1), 0, 0}, {0, Q(1), 0}}, .samples = 63}};
+    struct tia_shape cone = {.kind = TIA_CONE, .cone = {{0, 0, 0}, {0, Q(1), 0}, Q(1), 0, true}};
+    struct tia_scene s = scene, bad;
 
-    CHECK_EQ(tia_flat_refuses(&scene), TIA_NO_OBJECT);
-    CHECK_EQ(tia_flat_refuses(&s), 2);
-    s.spheres = &sphere;
-    s.sphere_count = 1;
-    CHECK_EQ(tia_flat_refuses(&s), 0);
+    s.camera = (struct tia_camera){.eye = {0, 0, Q(9)}, .fov = Q(50)};
+    s.lights = lights;
+    s.light_count = 2;
+    s.shadows = TIA_SHADOWS_ZPASS;
+    CHECK_EQ(tia_scene_check(&s, NULL), TIA_OK);
+    lights[1].samples = 64;
+    check_fault(&s, "light", "samples");
+    lights[1].kind = TIA_DISC_LIGHT;
+    lights[1].direction = sun.direction;
+    check_fault(&s, "light", "kind");
+    bad = s;
+    bad.materials = &glass;
+    check_fault(&bad, "material", "transmission");
+    bad.shapes = &cone;
+    bad.shape_count = 1;
+    check_fault(&bad, "shape", "kind");
+    bad.spheres = &sphere;
+    bad.sphere_count = 1;
+    check_fault(&bad, "sphere", "shape");
+    bad.camera.samples = 4;
+    check_fault(&bad, "camera", "samples");
 }
 
 int main(void)
