@@ -280,23 +280,25 @@ run: $(BUILD)/tia
 # Tests see nothing of this make: those that build start one of their own.
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
+# Those that take longest are begun first, so that in the end no processor waits for one of them.
 QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
-SLOW  := $(sort $(wildcard tests/slow/*))
+LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
+SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
 	@$(run_tests) $(QUICK)
 check: all tests
-	@$(run_tests) $(QUICK) $(SLOW)
+	@$(run_tests) -j $$(nproc 2>/dev/null || echo 1) $(QUICK) $(SLOW)
 
-# Real kernel drivers in guests; the table of what they said comes last.
+# Real kernel drivers in guests, also what takes long; the table of what they said comes last.
 .PHONY: check-vm
 $(BUILD)/vm/probe: tests/vm/probe.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
-	@$(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
+	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
 $(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(link)
@@ -351,7 +353,8 @@ help:
 	@echo "deps               installs what a build can use (Debian 12); deps run: what run needs;"
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
-	@echo "check-arch check-boards check-vm fuzz prove    parts of check"
+	@echo "check-arch check-boards prove                  parts of check"
+	@echo "check-vm fuzz                                  parts of check, for longer"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "boards             programs for boards without an operating system"

@@ -30,7 +30,7 @@ struct against {
 
 struct against_comparison {
     const struct measure *what;
-    struct against *out;
+    struct against *out; /* one for each core */
     pthread_mutex_t lock;
 };
 
@@ -51,36 +51,44 @@ static inline void against_differs(void *arg, unsigned core, enum verdict verdic
     struct against one = {.note_count = 1, .notes = {{.got = *got}}};
     struct oracle_pixel *pixel = &one.notes[0].want;
 
-    (void)core;
     *pixel = oracle_pixel(what->scene, what->width, what->height, want->x, want->y, what->dither);
     one.margin = verdict == ONE_LEVEL ? pixel->margin : 0;
     one.undecided =
         verdict == FLIP && oracle_undecided(what->scene, what->width, what->height, want->x, want->y, AGAINST_REACH);
     (void)pthread_mutex_lock(&c->lock);
-    against_add(c->out, &one);
+    against_add(&c->out[core], &one);
     (void)pthread_mutex_unlock(&c->lock);
 }
 
-/* Draws `scene` with `core` and with the oracle. A negative tia_status: it could not be drawn. */
+/* Draws what `what` says with its cores and with the oracle, once. A negative tia_status: it could not be drawn. */
+static inline int against_oracle_with(struct measure what, struct against out[])
+{
+    struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};
+    struct tally tallies[MEASURE_CORES];
+
+    memset(out, 0, what.core_count * sizeof *out);
+    what.reference = &oracle_core;
+    what.differs = against_differs;
+    what.arg = &comparison;
+    int status = measure(&what, tallies);
+    for (unsigned i = 0; !status && i < what.core_count; i++)
+        out[i].tally = tallies[i];
+    return status;
+}
+
 static inline int against_oracle(const struct tia_core *core, const struct tia_scene *scene, unsigned width,
                                  unsigned height, bool dither, const struct tia_workers *workers, void *workers_ctx,
                                  struct against *out)
 {
-    struct measure what = {.scene = scene,
-                           .width = width,
-                           .height = height,
-                           .dither = dither,
-                           .reference = &oracle_core,
-                           .cores = {core},
-                           .core_count = 1,
-                           .workers = workers,
-                           .workers_ctx = workers_ctx,
-                           .differs = against_differs};
-    struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};
-
-    memset(out, 0, sizeof *out);
-    what.arg = &comparison;
-    return measure(&what, &out->tally);
+    return against_oracle_with((struct measure){.scene = scene,
+                                                .width = width,
+                                                .height = height,
+                                                .dither = dither,
+                                                .cores = {core},
+                                                .core_count = 1,
+                                                .workers = workers,
+                                                .workers_ctx = workers_ctx},
+                               out);
 }
 
 /* Prints the notes when the environment has VERBOSE. */

@@ -220,7 +220,7 @@ static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint
 static uint32_t make_holes(uint32_t holes, struct placing how)
 {
     static const int frame[][2] = {{-8, 0}, {-8, -6}, {1, -6}, {1, 6}, {-8, 6}, {-8, 0}};
-    double hole[10][HOLE][2];
+    double hole[10][HOLE][2] = {{{0}}};
     uint32_t count = 0, exit[10];
 
     for (uint32_t i = 0; i < sizeof frame / sizeof *frame; i++)

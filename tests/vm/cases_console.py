@@ -164,10 +164,10 @@ def exhausted(s):
 
 # ---- many times ----
 
-def kills(s, times=100):
+def kills(s):
     """SIGKILL at random moments, from before the first instruction to long after the first frame."""
     moments = random.Random(1)
-    for _ in range(times):
+    for _ in range(s.times(100)):
         s.run(*s.display)
         s.pid()
         time.sleep(moments.choice((0.02, 0.1, 0.5)) * moments.random())
@@ -175,11 +175,11 @@ def kills(s, times=100):
         s.ends(137)
 
 
-def switches(s, times=200):
+def switches(s):
     """Console 2 and back, again and again; every tenth time all of it is looked at."""
     text = other_text(s)
     s.start('-k', 'd', first='d')
-    for i in range(times):
+    for i in range(s.times(200)):
         s.guest.tap('ctrl-alt-f2')
         s.guest.wait(lambda: is_active(s, 2), 'console 2, time %d' % i)
         if i % 10 == 0:

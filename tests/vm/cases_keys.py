@@ -111,12 +111,12 @@ def none(s):
         raise Failure('%d frames, not 3' % s.frames_drawn())
 
 
-def thousand(s, chunks=20, groups=10, at_once=5):
+def thousand(s, groups=10, at_once=5):
     """1,000 keys: every one is drawn and none reaches the console. They come five at a time,
     as many as the kernel keeps for a program that is busy drawing."""
     keys = random.Random(2)
     s.start()
-    for _ in range(chunks):
+    for _ in range(s.times(20)):
         typed = ''
         for group in range(groups):
             names = ['a' if not (typed or i) else keys.choice(MOVES) for i in range(at_once)]

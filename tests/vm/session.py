@@ -101,8 +101,8 @@ class Console:
 class Session:
     """tia in a guest: start() runs it, frame() tells what must be on the screen."""
 
-    def __init__(self, guest, setup):
-        self.guest, self.setup, self.eye = guest, setup, setup.eye
+    def __init__(self, guest, setup, full):
+        self.guest, self.setup, self.eye, self.full = guest, setup, setup.eye, full
         self.console = Console(guest, self.eye, setup.keyboard)
         self.display = ['-d', setup.display, *setup.options]
         self.compose = self.whole
@@ -130,6 +130,10 @@ class Session:
 
     def note(self, text):
         self.guest.note(text)
+
+    def times(self, count):
+        """How often to do what takes long."""
+        return count if self.full else count // 5
 
     def wait_grabbed(self, count):
         """Waits until tia has so many keyboards."""
