@@ -11,6 +11,8 @@
 #define tia_draw_polygon halves_draw_polygon
 #define tia_corners_init halves_corners_init
 #define tia_corners_blend halves_corners_blend
+#define tia_polygon_cut_ahead halves_polygon_cut_ahead
+#define tia_raster_plane_init halves_raster_plane_init
 #include "raster/box.c"
 #include "raster/depth.c"
 #include "raster/draw.c"

@@ -23,19 +23,20 @@ static int64_t scaled(wide m, int exponent)
     return exponent < -126 ? 0 : wide_round(m, (unsigned)-exponent);
 }
 
-/* Perspective: t D has the depth t D.w = D.w det/f. Orthographic: -h = -f/det. */
+/* With t = det/f, what is seen of a plane is t D, and in perspective its depth t D.w. In orthographic views what is
+ * seen has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *l, int x, int y)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     wide f = wide_sum(wide_sum(wide_times(halves_get(plane->x), x), wide_times(halves_get(plane->y), y)),
                       halves_get(plane->c));
     wide above = flat ? wide_difference(wide_product(0, 0), f) : halves_get(plane->det);
-    wide below = flat ? halves_get(plane->det) : f;
+    wide below = flat ? wide_times(halves_get(plane->det), l->w) : f;
     int up, down;
 
     if (wide_sign(below) <= 0 || wide_sign(above) <= 0)
         return 0;
     int64_t a = mantissa(above, &up), b = mantissa(below, &down);
     wide ratio = wide_product(wide_quotient(a, b, 60), flat ? 1 : l->w);
-    return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - l->fraction);
+    return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - (flat ? 0 : l->fraction));
 }

@@ -69,8 +69,8 @@ static void choose_format(struct tia_lattice *l, int range)
     int w = bits_of((uint64_t)l->w);
 
     if (l->projection == TIA_ORTHOGRAPHIC) {
-        l->fraction = ORTHOGRAPHIC_BITS - range;
-        l->scale = 62 - range - w; /* h w/2^fraction is 1/t */
+        l->fraction = ORTHOGRAPHIC_BITS - (range ? range : 1); /* w = 1 is a coordinate too */
+        l->scale = 62 - range - w;                             /* h w/2^fraction is 1/t */
         return;
     }
     bool small = SMALL_BITS - range >= SMALL_FRACTION && reach(l) < 65536;

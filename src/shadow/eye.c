@@ -220,14 +220,22 @@ void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fracti
                                                   : (struct tia_raster_vertex){v[0], v[1], v[2], 1};
 }
 
-void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int fraction,
+void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex)
 {
     const int64_t half[3] = {direction[0] / 2, direction[1] / 2, direction[2] / 2}; /* for wide_dot */
     int64_t v[3];
+    int places = INT32_MAX;
 
-    for (int i = 0; i < 3; i++)
-        v[i] = wide_round(wide_dot(eye->row[i].m, half), (unsigned)(eye->row[i].places + 61 - fraction));
+    for (int i = 0; i < 3; i++) {
+        int size = wide_bits(wide_size(wide_dot(eye->row[i].m, half)));
+        int room = eye->row[i].places + 61 - size + bits - 1; /* 2^room of the unit has bits - 1 bits */
+        places = size && room < places ? room : places;
+    }
+    for (int i = 0; i < 3; i++) {
+        int shift = eye->row[i].places + 61 - places;
+        v[i] = shift > 126 ? 0 : wide_round(wide_dot(eye->row[i].m, half), (unsigned)shift);
+    }
     *vertex = eye->projection == TIA_ORTHOGRAPHIC ? (struct tia_raster_vertex){v[0], v[1], 0, v[2]}
                                                   : (struct tia_raster_vertex){v[0], v[1], v[2], 0};
 }

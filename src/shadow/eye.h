@@ -28,8 +28,9 @@ unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
 /* The vertex of a point that is in range 20, each coordinate rounded once to `fraction` bits, 0..40. */
 void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
 
-/* The vertex at infinity in a direction, Q1.62 and of about the length 1. */
-void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int fraction,
+/* The vertex at infinity in a direction, Q1.62 and of about the length 1; of any length, which does not matter, with
+ * the largest coordinate just below 2^bits, 8..40. */
+void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex);
 
 /* c = a x b, all Q1.62. */

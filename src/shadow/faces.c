@@ -174,8 +174,8 @@ static void add_directions(const struct tia_flat_scene *flat, const struct tia_d
     tia_eye_cross(e, n, along);
     (void)wide_normalise(along, across);
     tia_eye_cross(n, across, along);
-    tia_eye_direction(&flat->eye, across, flat->lattice.fraction, &to[0]);
-    tia_eye_direction(&flat->eye, along, flat->lattice.fraction, &to[1]);
+    tia_eye_direction(&flat->eye, across, flat->bits, &to[0]);
+    tia_eye_direction(&flat->eye, along, flat->bits, &to[1]);
     to[2] = opposite(to[0]);
     to[3] = opposite(to[1]);
 }
@@ -316,6 +316,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     if (range > 20)
         return TIA_ERR_RANGE;
     int status = tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, 1, 0, range);
+    flat->bits = flat->lattice.fraction + (int)range;
     for (uint32_t i = 0; !status && i < scene->shape_count; i++)
         add_object(flat, scene, i, room);
     (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room);

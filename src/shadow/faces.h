@@ -24,6 +24,7 @@ struct tia_flat_object {
 struct tia_flat_scene {
     struct tia_eye eye;
     struct tia_lattice lattice;
+    int bits; /* coordinates of points are below 2^bits */
     struct tia_flat_object *objects;
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */

@@ -48,7 +48,7 @@ static void from_direction(const struct tia_flat_scene *flat, const int64_t give
     int64_t d[3];
 
     (void)wide_normalise(given, d);
-    tia_eye_direction(&flat->eye, d, flat->lattice.fraction, out);
+    tia_eye_direction(&flat->eye, d, flat->bits, out);
 }
 
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,

@@ -113,6 +113,19 @@ static void warn(const struct scene_file *file)
         note("%s", line);
 }
 
+/* Says at once what of the scene the technique cannot draw. */
+static int load_shadows(struct options *options)
+{
+    unsigned technique = options->shadows - 1;
+    struct tia_fault fault;
+
+    options->scene.shadows = (enum tia_shadows)technique;
+    if (!tia_scene_check(&options->scene, &fault))
+        return EXIT_FINE;
+    return fail(EXIT_USAGE, "--shadows %s: %s %u: %s: %s", tia_shadows_name(technique), fault.thing,
+                (unsigned)fault.index, fault.field, fault.rule);
+}
+
 int arguments_load(struct options *options)
 {
     if (options->scene_path) {
@@ -126,9 +139,8 @@ int arguments_load(struct options *options)
         options->scene.camera.samples = options->samples;
     if (options->depth != 0)
         options->scene.depth = options->depth;
-    if (options->shadows)
-        options->scene.shadows = (enum tia_shadows)(options->shadows - 1);
-    return load_keys(options);
+    int status = options->shadows ? load_shadows(options) : EXIT_FINE;
+    return status ? status : load_keys(options);
 }
 
 void arguments_free(struct options *options)
