@@ -128,6 +128,40 @@ TEST(ties_by_face_do_not_depend_on_order)
     CHECK_EQ(ties, 0);
 }
 
+static struct tia_raster_vertex centre(const struct tia_lattice *l, int i, int j, int times)
+{
+    return (struct tia_raster_vertex){(l->x + i * l->right) * times, (l->y - j * l->down) * times, l->w * times, 1};
+}
+
+/* Two triangles with a common edge through centres of pixels, where they are equally far: what is nearer beside the
+ * edge, below or to the right of it, is seen there too. */
+static void draw_hinge(bool level, bool far_first)
+{
+    const struct tia_tile area = {0, 0, 8, 8};
+    const struct tia_raster_state state = {.depth = TIA_LESS, .depth_write = true, .front = untested, .back = untested};
+    struct tia_lattice l;
+    void *memory;
+
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 1, 0, 5), TIA_OK);
+    struct tia_raster_target t = target_of(&l, area, TIA_BUFFER_DEPTH, 2, &memory);
+    for (uint32_t k = 0; k < 2; k++) {
+        bool far = (k == 0) == far_first;
+        struct tia_raster_vertex tip = centre(&l, level ? 3 : 7, level ? 7 : 3, far ? 8 : 2);
+        struct tia_raster_vertex v[3] = {centre(&l, level ? 1 : 2, level ? 2 : 1, 4),
+                                         centre(&l, level ? 6 : 2, level ? 2 : 6, 4), tip};
+        CHECK_EQ(tia_draw_polygon(&t, &state, v, 3, far ? 0 : 1), TIA_OK);
+    }
+    for (int k = 2; k < 6; k++)
+        CHECK_EQ(t.face[level ? 2 * 8 + k : k * 8 + 2], 1);
+    free(memory);
+}
+
+TEST(hinges_are_seen_as_beside_the_edge)
+{
+    for (int i = 0; i < 4; i++)
+        draw_hinge(i & 1, i & 2);
+}
+
 /* Every vertex at the bounds, everywhere in the largest image: with -fsanitize=undefined nothing may overflow. */
 static void draw_extremes(enum tia_projection projection, const uint16_t size[2])
 {
@@ -262,6 +296,7 @@ int main(void)
     RUN(both_formats_draw_the_same);
     RUN(tiles_are_parts_of_the_whole);
     RUN(ties_by_face_do_not_depend_on_order);
+    RUN(hinges_are_seen_as_beside_the_edge);
     RUN(extremes_fit);
     RUN(what_is_out_of_range_is_refused);
     RUN(sums_are_means_of_what_was_drawn);
