@@ -136,6 +136,13 @@ static inline struct tia_stencil random_stencil(void)
     s.fail = (enum tia_stencil_op)random_below(8);
     s.zfail = (enum tia_stencil_op)random_below(8);
     s.zpass = (enum tia_stencil_op)random_below(8);
+    if (random_below(3) == 0) { /* as shadow volumes count */
+        s.zfail = TIA_KEEP;
+        s.zpass = random_below(2) ? TIA_INCR_WRAP : TIA_DECR_WRAP;
+    } else if (random_below(2) == 0) {
+        s.zfail = random_below(2) ? TIA_INCR_WRAP : TIA_DECR_WRAP;
+        s.zpass = TIA_KEEP;
+    }
     return s;
 }
 
@@ -150,8 +157,9 @@ static inline struct tia_raster_state random_state_of_all(void)
     s.skip_back = random_below(8) == 0;
     s.front = random_stencil();
     s.back = random_stencil();
+    bool coloured = random_below(2);
     for (int c = 0; c < 3; c++) {
-        s.colour_write[c] = random_below(2);
+        s.colour_write[c] = coloured && random_below(2);
         s.colour[c] = (uint16_t)random_bits();
     }
     return s;

@@ -124,10 +124,15 @@ static void draw_pixel(const struct job *job, const struct tia_stencil *s, int64
         put_colour(job, at);
 }
 
+static inline const struct tia_stencil *stencil_of(const struct job *job)
+{
+    return job->polygon->front ? &job->state->front : &job->state->back;
+}
+
 static void general_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
-    const struct tia_stencil *s = job->polygon->front ? &job->state->front : &job->state->back;
+    const struct tia_stencil *s = stencil_of(job);
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
 
     for (int x = x0; x < x1; x++) {
@@ -136,21 +141,79 @@ static void general_run(void *ctx, int y, int x0, int x1)
     }
 }
 
+static inline bool is_unsure(int64_t difference)
+{
+    return (uint64_t)difference + DEPTH_UNSURE <= 2 * DEPTH_UNSURE;
+}
+
 /* Depth alone, the nearest wins. */
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
     size_t at = place_of(job->target, x0, y);
-    const uint64_t *there = job->target->nearness;
+    uint64_t *there = job->target->nearness;
 
-    for (int x = x0; x < x1; x++, at++) {
-        int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
-        int64_t difference = z - (int64_t)there[at];
-        if (difference >= -DEPTH_UNSURE && (difference > DEPTH_UNSURE || exact_order(job, x, y, at) > 0))
-            put_depth(job, z, at);
-        run.z += run.step;
+    if (!run.steady) {
+        for (int x = x0; x < x1; x++, at++) {
+            int64_t z = tia_depth_at(job->polygon, x, y);
+            if (order_at(job, z, x, y, at) > 0)
+                put_depth(job, z, at);
+        }
+        return;
     }
+    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
+        int64_t difference = (int64_t)(run.z - there[at]);
+        if (is_unsure(difference)) {
+            if (exact_order(job, x, y, at) > 0)
+                put_depth(job, (int64_t)run.z, at);
+        } else if (difference > 0) {
+            there[at] = run.z;
+            job->target->face[at] = job->face;
+        }
+    }
+}
+
+/* Counts where the polygon is nearer, or where it is not: what shadow volumes do all the time. */
+static void counting_run(void *ctx, int y, int x0, int x1)
+{
+    const struct job *job = ctx;
+    const struct tia_stencil *s = stencil_of(job);
+    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+    size_t at = place_of(job->target, x0, y);
+    bool nearer = s->zfail == TIA_KEEP;
+    uint8_t step = (nearer ? s->zpass : s->zfail) == TIA_INCR_WRAP ? 1 : 255, *stencil = job->target->stencil;
+
+    if (!run.steady) {
+        for (int x = x0; x < x1; x++, at++)
+            if ((order_at(job, tia_depth_at(job->polygon, x, y), x, y, at) > 0) == nearer)
+                stencil[at] = (uint8_t)(stencil[at] + step);
+        return;
+    }
+    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
+        int64_t difference = (int64_t)(run.z - job->target->nearness[at]);
+        bool is_nearer = difference > 0;
+        if (is_unsure(difference))
+            is_nearer = exact_order(job, x, y, at) > 0;
+        stencil[at] = (uint8_t)(stencil[at] + (is_nearer == nearer ? step : 0));
+    }
+}
+
+static bool counts(enum tia_stencil_op op)
+{
+    return op == TIA_INCR_WRAP || op == TIA_DECR_WRAP;
+}
+
+static bool is_counting(const struct job *job)
+{
+    const struct tia_raster_target *t = job->target;
+    const struct tia_raster_state *state = job->state;
+    const struct tia_stencil *s = stencil_of(job);
+    bool one = (s->zfail == TIA_KEEP && counts(s->zpass)) || (s->zpass == TIA_KEEP && counts(s->zfail));
+
+    return one && s->test == TIA_ALWAYS && s->write == 255 && state->depth == TIA_LESS && !state->depth_write &&
+           t->stencil && t->face &&
+           (!t->colour || !(state->colour_write[0] || state->colour_write[1] || state->colour_write[2]));
 }
 
 static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_raster_state *s)
@@ -179,7 +242,11 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
         tia_polygon_cut_ahead(&p);
     if (state->depth_write && target->face && !target->planes_known)
         tia_depth_plane(&p, &target->planes[face]);
-    tia_polygon_rows(&p, is_depth_alone(target, state) ? nearest_run : general_run, &job);
+    tia_polygon_rows(&p,
+                     is_depth_alone(target, state) ? nearest_run
+                     : is_counting(&job)           ? counting_run
+                                                   : general_run,
+                     &job);
     return TIA_OK;
 }
 
