@@ -3,6 +3,7 @@
  *   fixed.h   number formats and status codes
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
+ *   shadow.h  techniques for shadows
  *   scene.h   the scene
  *   bvh.h     bounding volume hierarchy for scenes of many objects
  *   motion.h  keyframe animation

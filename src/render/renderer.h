@@ -74,8 +74,8 @@ extern const struct renderer span_renderer;
 /* Rays, after Whitted: any scene. no_rays.c has one that prepares nothing, for boards without the room. */
 extern const struct renderer whitted_renderer;
 
-/* Flat faces through the rasteriser, for what is seen directly and its shadows; rays for the rest. no_rays.c has one that
- * draws nothing. */
+/* Flat faces through the rasteriser, for what is seen directly and its shadows; rays for the rest. no_rays.c has one
+ * that draws nothing. */
 extern const struct renderer raster_renderer;
 
 /* The renderer for a scene; it depends on nothing but the scene. */

@@ -38,8 +38,8 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
 
 static bool are_acceptable(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    struct tia_scene alone = {.camera = view->scene->camera, .lights = lights, .light_count = count,
-                              .shadows = view->scene->shadows};
+    struct tia_scene alone = {
+        .camera = view->scene->camera, .lights = lights, .light_count = count, .shadows = view->scene->shadows};
 
     return !tia_scene_check(&alone, NULL) && view->renderer->draws(&alone);
 }
