@@ -19,7 +19,7 @@ static void read_bytes(const char *bytes, size_t length)
 #define M "material m\n"
 #define STATEMENTS                                                                                                     \
     "sphere, plane, disc, cylinder, cone, box, triangle, instance, mesh, grid, material, texture, light, key, "        \
-    "animate, group, end, include, define, camera, background, samples or depth"
+    "animate, group, end, include, define, camera, background, samples, depth or shadows"
 
 TEST(statements)
 {
