@@ -35,6 +35,17 @@ static enum inside inside_of(const struct tia_scene *scene, const struct tia_sha
     }
 }
 
+/* Whether one of its materials, a grid's are up to 255, has an opacity texture. */
+static bool is_layered(const struct tia_scene *scene, const struct tia_shape *given)
+{
+    uint32_t end = given->material + (given->kind == TIA_GRID ? UINT8_MAX : 1);
+    bool found = false;
+
+    for (uint32_t m = given->material; m < end && m < scene->material_count; m++)
+        found = found || scene->materials[m].opacity;
+    return found;
+}
+
 /* False: the shape has no transform. */
 static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
 {
@@ -58,6 +69,7 @@ static void prepare_shapes(struct ray_view *view)
 
         shape->material = given->material;
         shape->inside = inside_of(scene, given);
+        shape->layered = is_layered(scene, given);
         shape->instance = NULL;
         shape_prepare(shape, scene, given);
         if (place(scene, given, instance))
