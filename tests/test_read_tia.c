@@ -6,13 +6,18 @@
 
 static struct reading now;
 static int (*fetching)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
+static int (*fetching_opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                               const char **why);
 static const struct tia_scene *const scene = &now.scene;
 
 static void read_text(const char *text)
 {
     read_end(&now);
-    now =
-        (struct reading){.reader = {.format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .image = fetching}};
+    now = (struct reading){.reader = {.format = TIA_FORMAT_TIA,
+                                      .text = text,
+                                      .length = strlen(text),
+                                      .image = fetching,
+                                      .opacity = fetching_opacity}};
     read_begin(&now);
 }
 
@@ -119,6 +124,15 @@ static int fetch(void *ctx, const char *name, struct tia_texture *texture, const
     return TIA_OK;
 }
 
+static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                         const char **why)
+{
+    int status = fetch(ctx, name, texture, why);
+    CHECK_EQ(channel, TIA_CHANNEL_OPACITY);
+    texture->texels = texels + 3;
+    return status;
+}
+
 TEST(images)
 {
     const struct tia_texture *t;
@@ -131,8 +145,16 @@ TEST(images)
     CHECK(scene->texture_count == 2 && t[0].kind == TIA_IMAGE && t[0].bilinear && !t[1].bilinear);
     CHECK(t[0].repeat[0] == TIA_Q16(2) && t[0].repeat[1] == TIA_Q16(0.5) && t[1].repeat[1] == TIA_Q16_ONE);
     CHECK(t[1].width == 2 && t[1].height == 1 && t[1].texels == texels && fetched == 2);
+    check_refused("texture a opacity x.png", "1:19: 'x.png' cannot be fetched here, expected a scene without images");
+    fetching_opacity = fetch_opacity;
+    check_reads("material m opacity holes texture a\ntexture a image \"two words.png\"\n"
+                "texture holes opacity \"two words.png\" bilinear offset 0.5 0 scale 0.5\n");
+    t = scene->textures;
+    CHECK(scene->materials[0].texture == 1 && scene->materials[0].opacity == 2 && t[1].kind == TIA_OPACITY);
+    CHECK(t[1].bilinear && t[1].repeat[1] == TIA_Q16(2) && t[1].offset[0] == TIA_Q16(0.5) && t[1].texels == texels + 3);
     check_refused("\ntexture a image x.png", "2:17: 'x.png': no such file, expected a picture");
     fetching = NULL;
+    fetching_opacity = NULL;
 }
 
 TEST(spheres)
