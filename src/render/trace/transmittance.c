@@ -123,7 +123,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
 
     if (object < filters->from)
         return true;
-    if (ray_is_layered(view, object))
+    if (view->layered && ray_is_layered(view, object))
         return layers_transmit(view, ray, object, limit, filters);
     if (!ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
         return true;

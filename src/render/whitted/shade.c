@@ -150,8 +150,11 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
         own[c] += num_times(facing[c], s->facing);
     for (uint32_t n = 0; n < path->view->light_count; n++)
         add_light(path, s, n, own);
-    for (int c = 0; c < 3; c++)
-        colour[c] = num_sum_within(colour[c], num_product_within(own[c], num_product(throughput[c], s->opacity)));
+    for (int c = 0; c < 3; c++) {
+        if (s->opacity < NUM_LENGTH_ONE)
+            own[c] = num_product_within(own[c], s->opacity);
+        colour[c] = num_sum_within(colour[c], num_product_within(own[c], throughput[c]));
+    }
 }
 
 /* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
