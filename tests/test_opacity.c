@@ -168,6 +168,19 @@ TEST(shadows_surface_by_surface)
     see(0, 0, -3, 0, 0);
 }
 
+/* Of a ball around the light only the surface before the light counts, and nothing of it from within. */
+TEST(shadows_end_in_the_light)
+{
+    begin_shadow(51);
+    shapes[1] = (struct tia_shape){.kind = TIA_SPHERE, .material = PANE};
+    shapes[1].sphere.centre.z = TIA_Q16(-1);
+    shapes[1].sphere.radius = TIA_Q16(0.5);
+    scene.shape_count = 2;
+    see(0, 0, -3, 0, grey(0.8));
+    shapes[1].sphere.radius = TIA_Q16(9);
+    see(0, 0, -3, 0, 0xffff);
+}
+
 /* The shadow of a screen: full light where its lower half has holes. */
 TEST(shadows_have_holes)
 {
@@ -231,6 +244,7 @@ int main(void)
     RUN(three_ways);
     RUN(media);
     RUN(shadows_surface_by_surface);
+    RUN(shadows_end_in_the_light);
     RUN(shadows_have_holes);
     RUN(shadows_of_cells);
     RUN(shadows_of_many_layers);
