@@ -51,14 +51,17 @@ static inline int fetch_image(void *ctx, const char *name, struct tia_texture *t
     return TIA_OK;
 }
 
-/* That of "half.ppm" is 1/2, others are opaque. */
-static inline int fetch_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+/* The number of the channel, and in "whole.ppm" all 255. */
+static inline int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                                const char **why)
 {
+    static const uint8_t texels[] = {0, 1, 2, 3, 4, 5, 255, 255, 255, 255, 255, 255};
     struct files *files = ctx;
 
     files->opacities++;
     *why = "no such picture";
-    *mean = strstr(name, "half") ? TIA_Q30_ONE / 2 : TIA_Q30_ONE;
+    texture->width = texture->height = 1;
+    texture->texels = texels + (int)channel + (strstr(name, "whole") ? 6 : 0);
     return strstr(name, ".ppm") ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 

@@ -185,16 +185,25 @@ TEST(materials)
     material.texture = 1;
     check_accepted();
     material.texture = 2;
-    check_refused("material", 0, "texture", "must be 0 or the number of a texture");
+    check_refused("material", 0, "texture", "must be 0 or the number of a checker or an image");
+    material.texture = 0;
+    for (material.opacity = 1; material.opacity < 3; material.opacity++)
+        check_refused("material", 0, "opacity", "must be 0 or the number of an opacity texture");
+    texture.kind = TIA_OPACITY;
+    check_refused("material", 0, "opacity", "must be 0 or the number of an opacity texture");
+    material.opacity = 1;
+    check_accepted();
+    material.texture = 1;
+    check_refused("material", 0, "texture", "must be 0 or the number of a checker or an image");
 }
 
 TEST(textures)
 {
     set_up();
-    texture.kind = (enum tia_texture_kind)2;
-    check_refused("texture", 0, "kind", "must be a checker or an image");
-    for (int kind = 0; kind < 2; kind++) {
-        texture.kind = kind ? TIA_IMAGE : TIA_CHECKER;
+    texture.kind = (enum tia_texture_kind)3;
+    check_refused("texture", 0, "kind", "must be a checker, an image or an opacity");
+    for (int kind = 0; kind < 3; kind++) {
+        texture.kind = (enum tia_texture_kind)kind;
         for (int i = 0; i < 2; i++)
             check_range(&texture.repeat[i], 64, 1024 * ONE, "texture", 0, "repeat", "must be in 1/1024..1024");
     }

@@ -13,6 +13,9 @@ TEST(every_scene_is_accepted)
         corpus_random_rays(&c, 1 + i % 7, i);
         CHECK_MSG(!tia_scene_check(&c.scene, &fault), "scene %u: %s %u: %s: %s", i, fault.thing, fault.index,
                   fault.field, fault.rule);
+        corpus_add_opacity(&c, i);
+        CHECK_MSG(!tia_scene_check(&c.scene, &fault), "scene %u: %s %u: %s: %s", i, fault.thing, fault.index,
+                  fault.field, fault.rule);
     }
 }
 

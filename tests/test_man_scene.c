@@ -11,6 +11,13 @@ static int fetch(void *ctx, const char *name, struct tia_texture *texture, const
     return TIA_OK;
 }
 
+static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                         const char **why)
+{
+    (void)channel;
+    return fetch(ctx, name, texture, why);
+}
+
 /* What the page's scenes include. */
 static int fetch_chair(void *ctx, const char *name, const char **text, size_t *length, const char **why)
 {
@@ -36,7 +43,11 @@ static char *copy_line(char *to, const char *line, size_t length)
 
 static void check_example(const char *example)
 {
-    struct reading r = {.reader = {.text = example, .length = strlen(example), .library = fetch_chair, .image = fetch}};
+    struct reading r = {.reader = {.text = example,
+                                   .length = strlen(example),
+                                   .library = fetch_chair,
+                                   .image = fetch,
+                                   .opacity = fetch_opacity}};
 
     read_begin(&r);
     CHECK_MSG(!r.status, "%u:%u: %s: %.60s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
@@ -82,6 +93,7 @@ TEST(examples_are_scenes)
         (void)snprintf(line, sizeof line, "\n%s ", words[i]);
         CHECK_MSG(strstr(examples, line), "no example of %s", words[i]);
     }
+    CHECK(strstr(examples, " opacity leaf.png") && strstr(examples, " opacity holes\n"));
     free(page);
 }
 

@@ -55,6 +55,9 @@ TEST(random_scenes_by_their_hierarchies)
     for (unsigned i = 0; i < 30; i++) {
         corpus_random_rays(&random, 29, i);
         draw_all(&random.scene, 20, 15);
+        random.scene.bvh = NULL;
+        corpus_add_opacity(&random, i);
+        draw_all(&random.scene, 20, 15);
     }
 }
 

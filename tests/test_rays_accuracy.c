@@ -20,12 +20,15 @@ static struct threads *pool;
 static unsigned scene_count = 16, width = 48;
 static uint64_t seed = 1;
 
-/* Scene number i, every other one with a hierarchy, and the height of its picture. */
+/* Scene number i, after scene_count those again with holes, every other one with a hierarchy, and the height of its
+ * picture. */
 static unsigned scene_at(struct corpus_rays *c, unsigned i)
 {
     static uint64_t memory[1 << 13];
 
-    corpus_random_rays(c, seed, i);
+    corpus_random_rays(c, seed, i % scene_count);
+    if (i >= scene_count)
+        corpus_add_opacity(c, i);
     if (i % 2 > 0)
         CHECK_EQ(tia_bvh_build(&c->scene.bvh, memory, sizeof memory, NULL, &c->scene), TIA_OK);
     return width * c->height / c->width;
@@ -35,12 +38,12 @@ static unsigned scene_at(struct corpus_rays *c, unsigned i)
  * highlight's exponent of 200 and 63 levels make 1e-4 of that at worst. */
 #define F64_MARGIN 1e-4
 
-TEST(f64_draws_what_the_oracle_draws)
+static void check_f64(unsigned first)
 {
     struct against sum = {0}, a;
     const struct tally *t = &sum.tally;
 
-    for (unsigned i = 0; i < scene_count; i++) {
+    for (unsigned i = first; i < first + scene_count; i++) {
         struct corpus_rays c;
         char name[32];
         unsigned height = scene_at(&c, i);
@@ -56,6 +59,16 @@ TEST(f64_draws_what_the_oracle_draws)
            (uintmax_t)t->pixels, (uintmax_t)t->identical, (uintmax_t)t->flips, (uintmax_t)sum.undecided,
            (uintmax_t)t->stray, sum.margin);
     CHECK(t->flips * 10000 <= t->pixels);
+}
+
+TEST(f64_draws_what_the_oracle_draws)
+{
+    check_f64(0);
+}
+
+TEST(f64_draws_holes_as_the_oracle_does)
+{
+    check_f64(scene_count);
 }
 
 static int compare(const struct tia_scene *scene, unsigned height, struct tally tallies[2])
@@ -80,11 +93,11 @@ static void tell(const char *name, const struct tally *t)
            (uintmax_t)t->flips, (uintmax_t)t->stray, (uintmax_t)t->astray);
 }
 
-TEST(q16_draws_what_f64_draws)
+static void check_q16(unsigned first)
 {
     struct tally sums[2] = {{0}}, tallies[2];
 
-    for (unsigned i = 0; i < scene_count; i++) {
+    for (unsigned i = first; i < first + scene_count; i++) {
         struct corpus_rays c;
         unsigned height = scene_at(&c, i);
         CHECK_EQ(compare(&c.scene, height, tallies), TIA_OK);
@@ -98,6 +111,16 @@ TEST(q16_draws_what_f64_draws)
     CHECK_MSG(tally_percent(&sums[0]) >= 99.99, "%.5f %% identical", tally_percent(&sums[0]));
 }
 
+TEST(q16_draws_what_f64_draws)
+{
+    check_q16(0);
+}
+
+TEST(q16_draws_holes_as_f64_does)
+{
+    check_q16(scene_count);
+}
+
 int main(int argc, char **argv)
 {
     if (argc > 1)
@@ -108,7 +131,9 @@ int main(int argc, char **argv)
         width = (unsigned)strtoul(argv[3], NULL, 10);
     pool = threads_create(threads_processors());
     RUN(f64_draws_what_the_oracle_draws);
+    RUN(f64_draws_holes_as_the_oracle_does);
     RUN(q16_draws_what_f64_draws);
+    RUN(q16_draws_holes_as_f64_does);
     threads_destroy(pool);
     return check_status();
 }

@@ -45,7 +45,7 @@ TEST(images)
 {
     struct files files = {
         .names = {"m", "n"},
-        .texts = {"newmtl a\nmap_Kd -clamp on -s 2 0.5 1 -o 1 1 my wood.ppm\nnewmtl b\nmap_Kd \"my wood.ppm\"\n",
+        .texts = {"newmtl a\nmap_Kd -clamp off -s 2 0.5 1 -o 1 -7 my wood.ppm\nnewmtl b\nmap_Kd \"my wood.ppm\"\n",
                   "newmtl c\nmap_Kd other.ppm\nnewmtl a\nKd 0.125\n"}};
     struct reading r;
 
@@ -55,7 +55,48 @@ TEST(images)
     const struct tia_material *a = &r.scene.materials[r.scene.shapes[0].material];
     CHECK(a->colour.r == TIA_Q30(0.8) && a->texture == 1 && r.scene.materials[r.scene.shapes[1].material].texture == 2);
     CHECK(r.scene.textures[0].repeat[0] == TIA_Q16(2) && r.scene.textures[0].repeat[1] == TIA_Q16(0.5));
+    CHECK(!r.scene.textures[0].offset[0] && !r.scene.textures[0].offset[1]); /* an image repeats */
     CHECK(r.scene.textures[1].repeat[0] == TIA_Q16_ONE && r.scene.textures[1].width == 2 && r.scene.textures[1].texels);
+    finish(&r, &files);
+}
+
+/* A texture's place is repeat (u - offset), the format's s u + o. */
+TEST(offsets)
+{
+    struct files files = {.names = {"m"},
+                          .texts = {"newmtl m\nmap_Kd -o 0.5 0.25 -s 2 0.5 a.ppm\nmap_d -o -0.25 -s 1024 b.ppm\n"}};
+    struct reading r;
+
+    read_model(&r, &files, "mtllib m\nusemtl m\n" TRIANGLE "f 1 2 3\n");
+    CHECK_EQ(r.scene.texture_count, 2);
+    const struct tia_texture *t = r.scene.textures;
+    CHECK(t[0].offset[0] == TIA_Q16(-0.25) && t[0].offset[1] == TIA_Q16(-0.5)); /* 2 (u + 1/4), 1/2 (v + 1/2) */
+    CHECK(t[1].offset[0] == TIA_Q16(-0.75 / 1024) && !t[1].offset[1] && t[1].repeat[1] == TIA_Q16_ONE);
+    finish(&r, &files);
+}
+
+/* Each channel is fetched once, as a texture of its own; the colour's texture is another one. */
+TEST(opacities)
+{
+    struct files files = {
+        .names = {"m"},
+        .texts = {"newmtl a\nmap_Kd x.ppm\nmap_d -s 3 2 x.ppm\nd 0.5\nKd 1 1 1\nTf 1 0.5 1\n"
+                  "newmtl b\nmap_d x.ppm\nnewmtl c\nmap_d -imfchan r x.ppm\nnewmtl d\nmap_d -imfchan g x.ppm\n"
+                  "newmtl e\nmap_d -imfchan b x.ppm\nnewmtl f\nmap_d -imfchan m x.ppm\n"
+                  "newmtl g\nmap_d -imfchan l x.ppm\nnewmtl h\nmap_d whole.ppm\nnewmtl i\nmap_d none\n"}};
+    struct reading r;
+
+    read_model(&r, &files, "mtllib m\nusemtl a\n" TRIANGLE "f 1 2 3\n");
+    CHECK(r.scene.texture_count == 10 && r.scene.material_count == 10 && files.images == 1);
+    CHECK_EQ(files.opacities, 8);
+    const struct tia_material *m = r.scene.materials + 1;
+    const struct tia_texture *t = r.scene.textures;
+    CHECK(m[0].texture == 1 && m[0].opacity == 2 && t[0].kind == TIA_IMAGE && t[1].kind == TIA_OPACITY);
+    CHECK(t[1].repeat[0] == TIA_Q16(3) && t[1].repeat[1] == TIA_Q16(2) && t[1].bilinear && t[1].texels == t[2].texels);
+    CHECK(m[0].colour.r == TIA_Q30(0.5) && m[0].refraction.g == TIA_Q30(0.25) && m[0].transmission.g == TIA_Q30(0.25));
+    for (uint32_t i = 1; i < 7; i++) /* the channels in their order, the first one's number is 0 */
+        CHECK(!m[i].texture && m[i].opacity == i + 2 && *t[i + 1].texels == i - 1);
+    CHECK(!m[7].opacity && !m[8].opacity); /* opaque; missing */
     finish(&r, &files);
 }
 
@@ -73,6 +114,13 @@ TEST(errors_of_libraries)
         {"newmtl m\nwhat 1\n",
          "m:2:1: 'what' is no statement of a material, expected newmtl, Kd, Ks, Ns, d or the like"},
         {"newmtl m\nmap_Kd -s 2000 a.ppm\n", "m:2:11: '2000' is out of range, expected a number from 1/1024 to 1024"},
+        {"newmtl m\nmap_Kd -clamp on a.ppm\n", "m:2:8: '-clamp' has no effect here, expected -s, -o or -imfchan"},
+        {"newmtl m\nmap_d -imfchan z a.ppm\n", "m:2:7: '-imfchan' has no effect here, expected -s, -o or -imfchan"},
+        {"newmtl m\nmap_d -mm 0.1 1 a.ppm\n", "m:2:7: '-mm' has no effect here, expected -s, -o or -imfchan"},
+        {"newmtl m\nmap_d -t 0 0 1 a.ppm\n", "m:2:7: '-t' has no effect here, expected -s, -o or -imfchan"},
+        {"newmtl m\nmap_d -blendv off a.ppm\n", "m:2:7: '-blendv' has no effect here, expected -s, -o or -imfchan"},
+        {"newmtl m\nmap_d -mm 0 1 -t 0 -cc off -blendu on -texres 64 no.jpg\n",
+         "m:2:50: 'no.jpg' cannot be read: no such picture, expected an image"},
         {"newmtl m\nmap_Kd -s 2\n", "m:2:12: the line ends here, expected an image's file name"},
         {"newmtl m\nmap_Kd no.jpg\n", "m:2:8: 'no.jpg' cannot be read: no such picture, expected an image"},
     };
@@ -90,6 +138,8 @@ int main(void)
 {
     RUN(materials);
     RUN(images);
+    RUN(offsets);
+    RUN(opacities);
     RUN(errors_of_libraries);
     return check_status();
 }

@@ -188,19 +188,17 @@ TEST(mistakes_of_libraries)
                   "m:2:8: 'none.jpg' cannot be read: no such picture, expected an image; left out");
 }
 
-TEST(opacity_maps)
+TEST(options_of_images)
 {
     struct files files = {.libraries = 0};
-    struct tia_material m = material_of("Kd 1 1 1\nd 0.5\nmap_d -clamp on half.ppm\n", &files);
+    struct tia_material m =
+        material_of("Kd 1 1 1\nmap_d -clamp on -mm 0.5 2 -s 2 half.ppm\nmap_Kd -cc on -blendu off a.ppm\n", &files);
 
-    CHECK(m.colour.r == TIA_Q30(0.25) && m.refraction.g == TIA_Q30(0.75) && m.transmission.b == TIA_Q30(0.75));
-    CHECK_EQ(m.index, TIA_Q16_ONE);
-    check_warning(&files, TIA_WARN_OPACITY, 1,
-                  "m:4:17: 'half.ppm' is partly transparent, expected an opaque image; the mean is used");
-    m = material_of("Kd 1 1 1\nmap_d whole.ppm\n", &files);
-    CHECK(m.colour.r == TIA_Q30_ONE && !m.refraction.r && !files.warnings[TIA_WARN_OPACITY].count);
+    CHECK(m.opacity == 1 && m.texture == 2 && m.colour.r == TIA_Q30_ONE);
+    check_warning(&files, TIA_WARN_OPTION, 4,
+                  "m:3:7: '-clamp' has no effect here, expected -s, -o or -imfchan; ignored");
     m = material_of("Kd 1 1 1\nmap_d none\n", &files);
-    CHECK(m.colour.r == TIA_Q30_ONE);
+    CHECK(m.colour.r == TIA_Q30_ONE && !m.opacity);
     check_warning(&files, TIA_WARN_IMAGE, 1,
                   "m:3:7: 'none' cannot be read: no such picture, expected an image; left out");
 }
@@ -212,6 +210,6 @@ int main(void)
     RUN(refused_in_the_second_pass);
     RUN(texts_of_other_systems);
     RUN(mistakes_of_libraries);
-    RUN(opacity_maps);
+    RUN(options_of_images);
     return check_status();
 }

@@ -5,14 +5,12 @@
 #include <tia/tia.h>
 
 static struct reading now;
-static int (*fetching)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
 static const struct tia_scene *const scene = &now.scene;
 
 static void read_text(const char *text)
 {
     read_end(&now);
-    now =
-        (struct reading){.reader = {.format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .image = fetching}};
+    now = (struct reading){.reader = {.format = TIA_FORMAT_TIA, .text = text, .length = strlen(text)}};
     read_begin(&now);
 }
 
@@ -21,12 +19,6 @@ static void check_reads(const char *text)
     read_text(text);
     CHECK_MSG(!now.status, "%d, %u:%u: %s", now.status, (unsigned)now.reader.error.line,
               (unsigned)now.reader.error.column, now.reader.error.text);
-}
-
-static void check_refused(const char *text, const char *error)
-{
-    read_text(text);
-    check_read_error(&now, error);
 }
 
 #define SOME "material m colour 0.5\n"
@@ -100,39 +92,6 @@ TEST(materials)
     CHECK(!scene->textures[1].offset[0] && !scene->textures[1].offset[1]);
     CHECK(scene->textures[2].offset[0] == TIA_Q16(0.5) && scene->textures[2].offset[1] == TIA_Q16(-2));
     CHECK(scene->textures[2].repeat[0] == TIA_Q16(0.25) && scene->textures[2].repeat[1] == 218451); /* 2^32/19661 */
-}
-
-static const uint8_t texels[6] = {1, 2, 3, 4, 5, 6};
-static int fetched;
-
-static int fetch(void *ctx, const char *name, struct tia_texture *texture, const char **why)
-{
-    (void)ctx;
-    fetched++;
-    if (strcmp(name, "two words.png") != 0) {
-        *why = "no such file";
-        return TIA_ERR_DEVICE;
-    }
-    texture->width = 2;
-    texture->height = 1;
-    texture->texels = texels;
-    return TIA_OK;
-}
-
-TEST(images)
-{
-    const struct tia_texture *t;
-
-    check_refused("texture a image x.png", "1:17: 'x.png' cannot be fetched here, expected a scene without images");
-    fetching = fetch;
-    fetched = 0;
-    check_reads("texture a image \"two words.png\" bilinear repeat 2 0.5\ntexture b image \"two words.png\"");
-    t = scene->textures;
-    CHECK(scene->texture_count == 2 && t[0].kind == TIA_IMAGE && t[0].bilinear && !t[1].bilinear);
-    CHECK(t[0].repeat[0] == TIA_Q16(2) && t[0].repeat[1] == TIA_Q16(0.5) && t[1].repeat[1] == TIA_Q16_ONE);
-    CHECK(t[1].width == 2 && t[1].height == 1 && t[1].texels == texels && fetched == 2);
-    check_refused("\ntexture a image x.png", "2:17: 'x.png': no such file, expected a picture");
-    fetching = NULL;
 }
 
 TEST(spheres)
@@ -375,7 +334,6 @@ int main(void)
     RUN(nothing_is_a_scene);
     RUN(cameras);
     RUN(materials);
-    RUN(images);
     RUN(spheres);
     RUN(shapes);
     RUN(meshes);

@@ -57,13 +57,13 @@ TEST(names)
 TEST(looks)
 {
     check_refused("material m color 1",
-                  "1:12: 'color' is nothing that a material has, expected colour, texture, specular, "
+                  "1:12: 'color' is nothing that a material has, expected colour, texture, opacity, specular, "
                   "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
     check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is here for a second time, expected it once");
     check_refused(M "material n colour 0.5 1.5 0", "2:23: '1.5' is out of range, expected a number from 0 to 1");
     check_refused("texture t checker odd 1 1 -1", "1:27: '-1' is out of range, expected a number from 0 to 1");
-    check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker or image");
-    check_refused("texture t", "1:10: the line ends here, expected checker or image");
+    check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker, image or opacity");
+    check_refused("texture t", "1:10: the line ends here, expected checker, image or opacity");
     check_refused("texture t checker repeat 1 2 3",
                   "1:30: '3' is nothing that a checker has, expected repeat, scale, offset, even or odd");
     check_refused("texture t checker repeat 2 scale 3",
@@ -190,6 +190,8 @@ TEST(faults_of_the_scene)
     check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
                   "4:1: triangle: must not be on one line");
     check_refused("texture a checker\ntexture t checker repeat 0", "2:19: texture: repeat: must be in 1/1024..1024");
+    check_refused("texture a checker\nmaterial m texture a opacity a",
+                  "2:22: material: opacity: must be 0 or the number of an opacity texture");
     check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",
                   "4:19: grid: cell: must be at least 2^-10");
     check_refused("light name l at 0 0 0\nanimate l at 0: 0 0 0\nanimate l at 0: 32000 32000 0",

@@ -196,7 +196,10 @@ static void check_fault(const struct tia_scene *s, const char *thing, const char
 TEST(refuses)
 {
     static const struct tia_sphere sphere = {.radius = Q(1)};
-    static const struct tia_material glass = {.transmission = {0, 1, 0}};
+    static const struct tia_material glass = {.transmission = {0, 1, 0}}, leaf = {.opacity = 1};
+    static const uint8_t texel;
+    static const struct tia_texture hole = {
+        .kind = TIA_OPACITY, .repeat = {Q(1), Q(1)}, .width = 1, .height = 1, .texels = &texel};
     struct tia_light lights[2] = {sun,
                                   {.kind = TIA_RECTANGLE_LIGHT, .side = {{Q(1), 0, 0}, {0, Q(1), 0}}, .samples = 63}};
     struct tia_shape cone = {.kind = TIA_CONE, .cone = {{0, 0, 0}, {0, Q(1), 0}, Q(1), 0, true}};
@@ -213,6 +216,10 @@ TEST(refuses)
     lights[1].direction = sun.direction;
     check_fault(&s, "light", "kind");
     bad = s;
+    bad.textures = &hole;
+    bad.texture_count = 1;
+    bad.materials = &leaf;
+    check_fault(&bad, "material", "opacity");
     bad.materials = &glass;
     check_fault(&bad, "material", "transmission");
     bad.shapes = &cone;

@@ -13,7 +13,7 @@ static const char *why;
 
 static int decode(const void *bytes, size_t length, unsigned side, size_t most)
 {
-    texels = (struct image_texels){0, 0, NULL};
+    texels = (struct image_texels){0, 0, NULL, NULL};
     why = "";
     return image_decode(&texels, bytes, length, side, most, &why);
 }
@@ -25,7 +25,7 @@ static void check_ppm(const char *text, size_t length, unsigned width, unsigned 
     CHECK_EQ(texels.height, height);
     if (texels.rgb)
         CHECK_MSG(!memcmp(texels.rgb, want, (size_t)width * height * 3), "%s", text);
-    free(texels.rgb);
+    image_free(&texels);
 }
 
 #define PPM(text, width, height, want) check_ppm(text, sizeof(text) - 1, width, height, want)
@@ -76,6 +76,33 @@ TEST(what_is_no_picture)
     REFUSED("\x89PNG and no more");
 }
 
+static void check_channel(enum tia_channel channel, bool alpha, unsigned char first, unsigned char second)
+{
+    static const char rgb[] = "\144\310\062\377\377\377"; /* 100, 200, 50 and white */
+
+    texels = (struct image_texels){2, 1, malloc(6), alpha ? malloc(2) : NULL};
+    memcpy(texels.rgb, rgb, 6);
+    if (alpha)
+        memcpy(texels.alpha, "\7\11", 2);
+    image_channel(&texels, channel);
+    CHECK_MSG(!texels.rgb && texels.alpha[0] == first && texels.alpha[1] == second, "channel %d%s: %u and %u", channel,
+              alpha ? " with alpha" : "", texels.alpha[0], texels.alpha[1]);
+    image_free(&texels);
+}
+
+/* 0.299 100 + 0.587 200 + 0.114 50 is 153. */
+TEST(channels)
+{
+    for (int alpha = 0; alpha < 2; alpha++) {
+        check_channel(TIA_CHANNEL_RED, alpha, 100, 255);
+        check_channel(TIA_CHANNEL_GREEN, alpha, 200, 255);
+        check_channel(TIA_CHANNEL_BLUE, alpha, 50, 255);
+        check_channel(TIA_CHANNEL_LUMINANCE, alpha, 153, 255);
+        check_channel(TIA_CHANNEL_ALPHA, alpha, alpha ? 7 : 255, alpha ? 9 : 255);
+        check_channel(TIA_CHANNEL_OPACITY, alpha, alpha ? 7 : 153, alpha ? 9 : 255);
+    }
+}
+
 /* Refused by size before anything is read or allocated. */
 TEST(too_large_a_picture)
 {
@@ -117,7 +144,7 @@ TEST(png)
 
     CHECK_EQ(decode(file, length, 3, sizeof want), TIA_OK);
     CHECK(texels.width == 3 && texels.height == 2 && texels.rgb && !memcmp(texels.rgb, want, sizeof want));
-    free(texels.rgb);
+    image_free(&texels);
     CHECK_EQ(decode(file, length, 2, sizeof want), TIA_ERR_RANGE);
     CHECK_EQ(decode(file, length, 3, sizeof want - 1), TIA_ERR_RANGE);
     for (size_t cut = 0; cut < length - 12; cut++) /* without its last chunk a picture is still whole */
@@ -134,6 +161,7 @@ int main(void)
 {
     RUN(ppm);
     RUN(what_is_no_picture);
+    RUN(channels);
     RUN(too_large_a_picture);
     RUN(png);
     return check_status();

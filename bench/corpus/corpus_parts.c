@@ -155,6 +155,30 @@ void parts_random_textures(uint64_t *state, struct corpus_rays *out)
         out->texels[i] = (uint8_t)dice_between(state, 0, 255);
 }
 
+/* A third of the texels are holes, a third is opaque. */
+void parts_random_opacities(uint64_t *state, struct corpus_rays *out)
+{
+    for (int i = 3; i < 5; i++) {
+        struct tia_texture *t = &out->textures[i];
+        t->kind = TIA_OPACITY;
+        t->repeat[0] = dice_between(state, TIA_Q16(0.5), TIA_Q16(3));
+        t->repeat[1] = dice_between(state, TIA_Q16(0.5), TIA_Q16(3));
+        t->offset[0] = dice_between(state, TIA_Q16(-1), TIA_Q16(1));
+        t->bilinear = i == 4;
+        t->width = (uint16_t)dice_between(state, 1, CORPUS_RAYS_TEXELS);
+        t->height = (uint16_t)dice_between(state, 1, CORPUS_RAYS_TEXELS);
+        t->texels = out->opacities;
+    }
+    for (size_t i = 0; i < sizeof out->opacities; i++) {
+        int32_t value = dice_between(state, -255, 510);
+        out->opacities[i] = (uint8_t)(value < 0 ? 0 : value > 255 ? 255 : value);
+    }
+    for (uint32_t i = 0; i < out->scene.material_count; i++)
+        if (dice_one_in(state, 2))
+            out->materials[i].opacity = 4 + (uint32_t)(dice_next(state) % 2);
+    out->scene.texture_count = 5;
+}
+
 /* A height field from -1 to 1, at most 0.2 high. A cell is 0.4 wide, so slopes are below 1/2, and so are x and z of the
  * normals, whose y is 1. */
 static void random_land(uint64_t *state, struct corpus_rays *out)

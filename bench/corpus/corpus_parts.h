@@ -21,7 +21,7 @@ struct corpus_rays {
     struct tia_shape shapes[CORPUS_RAYS_OBJECTS + 1 + CORPUS_RAYS_NESTED];
     struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED];
     struct tia_light lights[CORPUS_RAYS_LIGHTS];
-    struct tia_texture textures[3];
+    struct tia_texture textures[5]; /* the last two: opacities */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
     struct tia_vec3 heights[CORPUS_RAYS_LAND_POINTS];
@@ -31,6 +31,7 @@ struct corpus_rays {
     uint32_t groups[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND]; /* of faces */
     uint8_t cells[CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS];
     uint8_t texels[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS * 3];
+    uint8_t opacities[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS];
 };
 
 /* p + sign v */
@@ -41,6 +42,9 @@ struct tia_dir3 parts_random_direction(uint64_t *state);
 
 void parts_random_material(uint64_t *state, struct tia_material *material);
 void parts_random_light(uint64_t *state, struct tia_light *light);
+/* Gives every other material an opacity. */
+void parts_random_opacities(uint64_t *state, struct corpus_rays *out);
+
 void parts_random_textures(uint64_t *state, struct corpus_rays *out);
 
 /* A smooth ball of 32 faces, and a height field of 50. */

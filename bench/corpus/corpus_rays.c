@@ -210,6 +210,13 @@ static void connect(struct corpus_rays *out)
     s->grid_count = 1;
 }
 
+void corpus_add_opacity(struct corpus_rays *out, uint64_t seed)
+{
+    uint64_t state = seed;
+
+    parts_random_opacities(&state, out);
+}
+
 void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index)
 {
     uint64_t state = seed;

@@ -11,4 +11,7 @@
  * to 640x480. tia_scene_check accepts all of them. */
 void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 
+/* Gives materials of such a scene opacity textures, half of them on average: holes, and texels that are half there. */
+void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
+
 #endif

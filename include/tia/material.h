@@ -22,6 +22,12 @@
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
  * hits, a mesh that has groups once for each group that is hit.
  *
+ * An opacity texture, whose value at P is o, says how much of the surface is there: the colour is o times the one
+ * above plus 1 - o times what is seen past it, by a ray that goes straight on from P - 2^-13 V. Where the refracted
+ * ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such surface
+ * that it crosses, by o transmission + 1 - o at that place, and goes on 2^-13 behind it; T is 0 behind more than
+ * TIA_LAYERS of them in one object. Other cells of a grid count once, by the first.
+ *
  * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
  * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty
  * list, wherever the eye is. When a refracted ray hits
@@ -34,11 +40,13 @@
  * A reflected ray keeps the list. Objects without an inside are never added: discs, triangles, cylinders and
  * cones without caps, and open meshes. A mesh is closed when for each edge from one corner of a face to the
  * next there is one that runs back, corners being equal when their coordinates are. Nor is an object added
- * to a full list. A ray may miss one of two surfaces less than 2^-13 apart, so objects that touch should
+ * where it has an opacity texture, or to a full list. A ray past an opacity has the list that a refracted ray
+ * would have. A ray may miss one of two surfaces less than 2^-13 apart, so objects that touch should
  * overlap instead.
  *
  * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
- * straight on from P - 2^-13 V. Such layers do not count as bounces; a path may have TIA_LAYERS of them.
+ * straight on from P - 2^-13 V. Such layers, and those that rays go past, do not count as bounces; a path may have
+ * TIA_LAYERS of them.
  *
  * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
  * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS layers, or when TIA_RAYS rays of
@@ -71,13 +79,13 @@ struct tia_material {
                                     is 1); ignored when refraction is black */
     bool fresnel;
     struct tia_rgb facing; /* weight of the facing ratio N.V */
-    uint32_t texture;      /* 0: none; n: the scene's texture n - 1 */
+    uint32_t texture;      /* of the colour. 0: none; n: the scene's texture n - 1, a checker or an image */
+    uint32_t opacity;      /* 0: opaque; n: the scene's texture n - 1, of the kind TIA_OPACITY */
 };
 
-enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE };
+enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY };
 
-/* Multiplies a material's colour at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see
- * shape.h. */
+/* Its value at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see shape.h. */
 struct tia_texture {
     enum tia_texture_kind kind;
     tia_q16 repeat[2]; /* of u and v, TIA_Q16(1/1024)..TIA_Q16(1024) */
@@ -86,11 +94,11 @@ struct tia_texture {
     /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */
     struct tia_rgb cells[2];
 
-    /* TIA_IMAGE: covers 1 x 1 and repeats, its first row at the top, v = 1. The centre of texel (x, y), counted from
-     * the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
+    /* TIA_IMAGE, TIA_OPACITY: covers 1 x 1 and repeats, its first row at the top, v = 1. The centre of texel (x, y),
+     * counted from the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
     bool bilinear;          /* false: nearest texel */
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
-    const uint8_t *texels;  /* red, green, blue; row by row; 255 is 1.0 */
+    const uint8_t *texels;  /* row by row: red, green, blue, or of TIA_OPACITY one byte; 255 is 1.0 */
 };
 
 #define TIA_TEXTURE_MAX 16384

@@ -16,6 +16,17 @@ enum tia_format {
     TIA_FORMAT_OBJ  /* Wavefront, with .mtl */
 };
 
+/* What of an image is an opacity. */
+enum tia_channel {
+    TIA_CHANNEL_OPACITY, /* alpha, or luminance where there is none */
+    TIA_CHANNEL_RED,
+    TIA_CHANNEL_GREEN,
+    TIA_CHANNEL_BLUE,
+    TIA_CHANNEL_ALPHA, /* opaque where there is none */
+    TIA_CHANNEL_LUMINANCE,
+    TIA_CHANNELS
+};
+
 #define TIA_NAME_MAX 255 /* bytes of the name of a file, material, texture, ... */
 
 /* An error in the text, to be printed as "FILE:LINE:COLUMN: what is wrong, what was expected". */
@@ -31,7 +42,7 @@ enum tia_read_warning_kind {
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
     TIA_WARN_MATERIAL,  /* a material that is nowhere defined: grey */
     TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
-    TIA_WARN_OPACITY,   /* an image of opacities: its mean is used everywhere */
+    TIA_WARN_OPTION,    /* an option of an image that is not supported: ignored */
     TIA_WARN_RANGE,     /* a number out of range: the nearest that is in range */
     TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
     TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
@@ -55,11 +66,12 @@ struct tia_reader {
      * and set *why to a static string. The loaded memory stays the caller's and must outlive the scene. With NULL, a
      * scene that refers to such files is an error. The text is read in several passes: `library` may be called again
      * for the same name and must then return the same text. `image` is called once for each texture, and only when the
-     * memory is known to suffice. */
+     * memory is known to suffice; it sets the width, height and texels. `opacity` does so for one channel of an image.
+     */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
-    /* The mean opacity of an image, 0..1: of its alpha channel or, without one, of its grey. NULL: opaque. */
-    int (*opacity)(void *ctx, const char *name, tia_q30 *mean, const char **why);
+    int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                   const char **why);
     void *ctx;
 
     bool strict;                       /* what deserves a warning is an error */

@@ -44,15 +44,16 @@ struct tia_options {
  *
  * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
  * words, lowest byte first. For each sample in order, for each of its rays, depth first, reflection before
- * refraction, the words are: the index of the object hit, TIA_NO_OBJECT for the background, or
- * TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
+ * refraction before what is seen past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for
+ * the background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
  *   - the part hit: of a box the face, 2 axis + 1 on the side of its maximum; of a cylinder or cone 0 for the
  *     side, 1 for the base, 2 for the top; of a mesh the face; of a grid 6 times the cell, plus the face;
  *     otherwise 0;
  *   - when the material's colour is not black: of a checker 0 or 1, of an image without `bilinear` the texel,
  *     counted row by row from 0;
- *   - for each sample of each light, ambient ones excepted, in order: 1 when it arrives (G.L > 0 and N.L > 0,
- *     see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
+ *   - with an opacity texture without `bilinear`, its texel;
+ *   - unless the opacity is 0, for each sample of each light, ambient ones excepted, in order: 1 when it arrives
+ *     (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */

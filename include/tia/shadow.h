@@ -2,9 +2,10 @@
  * triangles and meshes by the rasteriser, see raster.h, whose vertices are rounded once and whose depths are exact.
  * There each technique gives the same picture, but for those that are known not to be exact.
  *
- * What else such a scene needs: opaque materials (transmission 0), one sample a pixel, no disc and sphere lights, and
- * at most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample points at
- * each pixel, those of b = 0 in light.h. Only what is seen directly has these shadows; in mirrors they are traced.
+ * What else such a scene needs: opaque materials (transmission 0, no opacity), one sample a pixel, no disc and sphere
+ * lights, and at most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample
+ * points at each pixel, those of b = 0 in light.h. Only what is seen directly has these shadows; in mirrors they are
+ * traced.
  */
 #ifndef TIA_SHADOW_H
 #define TIA_SHADOW_H

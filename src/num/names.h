@@ -97,6 +97,8 @@
 #define ray_intersect_lights NAMES(ray_intersect_lights)
 #define ray_occluded_by NAMES(ray_occluded_by)
 #define ray_groups_met NAMES(ray_groups_met)
+#define ray_is_layered NAMES(ray_is_layered)
+#define ray_meets NAMES(ray_meets)
 #define ray_inside NAMES(ray_inside)
 #define ray_transmittance NAMES(ray_transmittance)
 #define ray_surface NAMES(ray_surface)

@@ -6,6 +6,19 @@
 
 #define RULE "must be none: this program draws spheres alone"
 
+bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity)
+{
+    (void)check;
+    (void)number;
+    (void)opacity;
+    return false;
+}
+
+int tia_check_texture(const struct check *check)
+{
+    return tia_check_refuse(check, "count", RULE);
+}
+
 int tia_check_transform(const struct check *check)
 {
     return tia_check_refuse(check, "count", RULE);

@@ -14,6 +14,7 @@
 
 #define FRAMES_RANDOM 20
 #define FRAMES_RAYS 20
+#define FRAMES_HOLES 8
 
 /* Told each frame's name and CRC-32. */
 typedef void frames_report(void *ctx, const char *name, uint32_t crc);
@@ -147,8 +148,9 @@ static inline void frames_random(struct frames_canvas *c, unsigned index)
     frames_close(c);
 }
 
-/* General rays: shapes, materials, lights and cameras by chance, every other scene by its hierarchy. */
-static inline void frames_rays(struct frames_canvas *c, unsigned index)
+/* General rays: shapes, materials, lights and cameras by chance, every other scene by its hierarchy; with opacities in
+ * the materials if `holes`. */
+static inline void frames_rays(struct frames_canvas *c, unsigned index, bool holes)
 {
     static struct corpus_rays scene;
     const unsigned width = 12 + index % 5, height = 9 + index % 4;
@@ -156,6 +158,8 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index)
     char name[40];
 
     corpus_random_rays(&scene, 565, index);
+    if (holes)
+        corpus_add_opacity(&scene, index);
     if (index % 2 == 1) {
         size_t size = tia_bvh_size(&scene.scene);
         memory = malloc(size);
@@ -165,7 +169,7 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index)
     if (!frames_open(c, &scene.scene, width, height))
         abort();
     frames_draw(c, 8, 5, true, index % 4 == 3);
-    (void)snprintf(name, sizeof name, "rays-%u-%ux%u", index, width, height);
+    (void)snprintf(name, sizeof name, "%s-%u-%ux%u", holes ? "holes" : "rays", index, width, height);
     frames_tell(c, name);
     frames_close(c);
     free(memory);
@@ -191,7 +195,9 @@ static inline void frames_all(const struct tia_core *core, frames_report *report
     for (unsigned i = 0; i < FRAMES_RANDOM; i++)
         frames_random(&c, i);
     for (unsigned i = 0; i < FRAMES_RAYS; i++)
-        frames_rays(&c, i);
+        frames_rays(&c, i, false);
+    for (unsigned i = 0; i < FRAMES_HOLES; i++)
+        frames_rays(&c, i, true);
 }
 
 #endif

@@ -45,6 +45,8 @@ static inline void make_material(struct bytes *b, struct tia_material *m)
     }
     if (kind & 32)
         m->texture = 1 + (take_byte(b) & 1);
+    if (kind % 5 == 4)
+        m->opacity = 3;
     if (kind & 64)
         m->emission = take_colour(b, TIA_Q30_ONE);
     if (kind & 128)
@@ -225,7 +227,8 @@ static inline void connect(struct made *m, uint8_t counts)
     s->grids = &m->grid;
     s->tracks = &m->track;
     s->material_count = MADE_MATERIALS;
-    s->transform_count = s->texture_count = s->mesh_count = 2;
+    s->transform_count = s->mesh_count = 2;
+    s->texture_count = 3;
     s->grid_count = 1;
     s->sphere_count = counts % (MADE_SPHERES + 1);
     s->shape_count = counts / 4 % (MADE_SHAPES + 1);
@@ -281,6 +284,9 @@ static inline void make_scene(struct bytes *b, struct made *m)
     make_grid(b, m);
     make_texture(b, m, &m->textures[0]);
     make_texture(b, m, &m->textures[1]);
+    make_texture(b, m, &m->textures[2]);
+    m->textures[2].kind = TIA_OPACITY;
+    m->textures[2].texels = m->texels + sizeof m->texels - (size_t)m->textures[2].width * m->textures[2].height;
     for (size_t i = sizeof m->texels - 64; i < sizeof m->texels; i++)
         m->texels[i] = (uint8_t)(i * 77);
 }

@@ -159,7 +159,9 @@ static inline void take_material_rest(struct bytes *b, struct tia_material *m)
     m->exponent = take_number(b);
     m->index = take_number(b);
     m->texture = take_index(b, 3);
-    m->fresnel = take_byte(b) & 1;
+    uint8_t flags = take_byte(b);
+    m->fresnel = flags & 1;
+    m->opacity = flags >> 1 & 3;
 }
 
 static inline void take_camera_rest(struct bytes *b, struct tia_camera *c)
@@ -202,7 +204,7 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
         const struct tia_transform unit = {{0, 0, 0}, {0, 0, 0}, {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
         g->textures[i] = (struct tia_texture){.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}, .width = 2, .height = 2};
         g->textures[i].texels = g->texels;
-        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 2) : 0);
+        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 3) : 0);
         g->transforms[i] = unit;
         if (what & 64) {
             g->transforms[i].position = take_vec3(b);

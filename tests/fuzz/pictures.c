@@ -11,13 +11,12 @@
 
 static void must_decode(const uint8_t *data, size_t size)
 {
-    struct image_texels texels = {0, 0, NULL};
+    struct image_texels texels = {0, 0, NULL, NULL};
     const char *why = NULL;
     uint32_t sum = 0;
-    tia_q30 mean;
 
     if (image_decode(&texels, data, size, SIDE, MOST, &why)) {
-        MUST(why && *why && !texels.rgb);
+        MUST(why && *why && !texels.rgb && !texels.alpha);
         return;
     }
     MUST(texels.width >= 1 && texels.width <= SIDE && texels.height >= 1 && texels.height <= SIDE);
@@ -25,8 +24,12 @@ static void must_decode(const uint8_t *data, size_t size)
     for (unsigned i = 0; i < texels.width * texels.height * 3; i++)
         sum += texels.rgb[i];
     MUST(sum <= 255 * MOST);
-    free(texels.rgb);
-    MUST(!image_opacity(&mean, data, size, SIDE, MOST, &why) && mean >= 0 && mean <= TIA_Q30_ONE);
+    image_channel(&texels, (enum tia_channel)(data[size - 1] % TIA_CHANNELS));
+    MUST(!texels.rgb);
+    for (unsigned i = 0; i < texels.width * texels.height; i++)
+        sum += texels.alpha[i];
+    MUST(sum <= 255 * 2 * MOST);
+    image_free(&texels);
 }
 
 static void must_be_whole(const struct image_film *film, size_t line, size_t size)

@@ -33,12 +33,11 @@ static int fetch_image(void *ctx, const char *name, struct tia_texture *texture,
     return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
 }
 
-static int fetch_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
+                         const char **why)
 {
-    (void)ctx;
-    *why = "no such file";
-    *mean = TIA_Q30_ONE / 2;
-    return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
+    MUST(channel >= TIA_CHANNEL_OPACITY && channel < TIA_CHANNELS);
+    return fetch_image(ctx, name, texture, why);
 }
 
 /* A warning has a text and a place in one of the texts. */

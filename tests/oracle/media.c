@@ -84,15 +84,16 @@ static void enter(struct media *media, uint32_t object, tia_q16 index)
 }
 
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
-                            tia_q16 index)
+                            const struct tia_material *material)
 {
+    tia_q16 index = material->index;
     struct crossing c = {last(media), index};
     int at = entry(media, object);
 
     if (front) {
         if (at >= 0 && is_grid(scene, object))
             leave(media, at);
-        if (media_has_inside(scene, object))
+        if (media_has_inside(scene, object) && material->opacity == 0)
             enter(media, object, index);
         return c;
     }

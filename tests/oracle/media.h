@@ -16,10 +16,10 @@ struct crossing {
     tia_q16 from, to;
 };
 
-/* What a refracted ray goes through where it meets the front or back of an object, there of that index, and
+/* What a refracted ray goes through where it meets the front or back of an object, there of that material, and
  * what it is in behind it. */
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
-                            tia_q16 index);
+                            const struct tia_material *material);
 
 /* Whether the object can be entered. */
 bool media_has_inside(const struct tia_scene *scene, uint32_t object);

@@ -3,7 +3,6 @@
 #include "light.h"
 #include "media.h"
 
-#define BIAS (1.0 / 8192.0)
 #define FAINT (1.0 / 65536.0)
 
 /* A sample being looked at. */
@@ -27,9 +26,10 @@ struct surface {
     struct oracle_vec p, g, n, v; /* the point, the normals and the direction to the viewer */
     double cosine;                /* N.V */
     struct colour colour;         /* with its texture */
+    double opacity;
     bool front;
     uint32_t object;
-    uint32_t cell; /* of the texture */
+    uint32_t cell, opaque_cell; /* of the textures */
 };
 
 static struct colour trace(struct look *look, struct ray ray, const struct way *way);
@@ -38,13 +38,6 @@ static void feed(uint32_t *path, uint32_t word)
 {
     for (int i = 0; i < 4; i++)
         *path = (*path ^ (word >> 8 * i & 255)) * UINT32_C(16777619);
-}
-
-static struct colour product(struct colour a, struct colour b)
-{
-    for (int i = 0; i < 3; i++)
-        a.channel[i] *= b.channel[i];
-    return a;
 }
 
 /* a += s b */
@@ -88,21 +81,6 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* What is left of white light on its way to the ray's origin from `distance` along it. */
-static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance)
-{
-    struct colour left = {{1, 1, 1}};
-    struct hit h;
-
-    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
-        if (!object_hit(scene, i, ray, &h) || h.t >= distance)
-            continue;
-        for (unsigned n = groups_hit(scene, i, ray, distance); n > 0; n--)
-            left = product(left, rgb(scene->materials[h.material].transmission));
-    }
-    return left;
-}
-
 /* max(0, R.L)^exponent, R being V's mirror image */
 static double highlight(const struct surface *s, struct oracle_vec l)
 {
@@ -127,7 +105,7 @@ static bool add_beam(const struct look *look, const struct tia_light *light, con
         distance = length(way);
         shadow.direction = divide(way, distance);
     }
-    struct colour left = distance > 0 ? transmission(look->scene, shadow, distance) : (struct colour){{1, 1, 1}};
+    struct colour left = distance > 0 ? oracle_transmission(look->scene, shadow, distance) : (struct colour){{1, 1, 1}};
     struct colour arrives = product(left, rgb(light->emission));
     add(sum, beam->strength * cosine, product(arrives, s->colour));
     if (!is_black(rgb(s->material->specular)))
@@ -191,10 +169,10 @@ static void bend(const struct tia_scene *scene, const struct surface *s, struct 
                  struct colour *kr, struct colour *kt)
 {
     const struct tia_material *m = s->material;
-    struct crossing c = media_cross(scene, &way->media, s->object, s->front, m->index);
+    struct crossing c = media_cross(scene, &way->media, s->object, s->front, m);
     double n1 = q16(c.from), n2 = q16(c.to);
 
-    if (c.from == c.to) {
+    if (c.from == c.to || is_black(rgb(m->refraction))) {
         *ray = (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)};
         way->layers++;
         return;
@@ -211,13 +189,20 @@ static void add_secondary(struct look *look, const struct surface *s, const stru
     struct ray mirrored = {along(s->p, BIAS, s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
     struct ray on = {along(s->p, -BIAS, s->g), {0, 0, 0}};
     struct colour kr = rgb(s->material->mirror), kt = rgb(s->material->refraction);
-    struct way reflected = *way, refracted = *way;
+    struct way reflected = *way, refracted = *way, past = *way;
 
     reflected.bounces++;
-    if (!is_black(kt))
+    if (!is_black(kt) || s->opacity < 1)
         bend(look->scene, s, &refracted, &on, &kr, &kt);
-    add_ray(look, mirrored, kr, reflected, sum);
-    add_ray(look, on, kt, refracted, sum);
+    bool straight = refracted.layers > way->layers;
+    double o = s->opacity;
+    add_ray(look, mirrored, product(grey(o), kr), reflected, sum);
+    add_ray(look, on, straight ? mixed(o, kt) : product(grey(o), kt), refracted, sum);
+    if (straight || !(o < 1))
+        return;
+    past.layers++;
+    past.media = refracted.media;
+    add_ray(look, (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)}, grey(1 - o), past, sum);
 }
 
 static struct surface surface_at(const struct tia_scene *scene, struct ray ray, uint32_t object, const struct hit *hit)
@@ -234,6 +219,7 @@ static struct surface surface_at(const struct tia_scene *scene, struct ray ray, 
     if (s.material->texture != 0 && !is_black(s.colour))
         s.colour =
             product(s.colour, oracle_texture(&scene->textures[s.material->texture - 1], hit->u, hit->v, &s.cell));
+    s.opacity = oracle_opacity(scene, hit, &s.opaque_cell);
     return s;
 }
 
@@ -246,8 +232,12 @@ static struct colour shade(struct look *look, struct ray ray, uint32_t object, c
     feed(&look->path, hit->part);
     if (s.cell != ORACLE_BLENDED)
         feed(&look->path, s.cell);
+    if (s.opaque_cell != ORACLE_BLENDED)
+        feed(&look->path, s.opaque_cell);
     add(&sum, s.cosine > 0 ? s.cosine : 0, rgb(s.material->facing));
-    add_lights(look, &s, &sum);
+    if (s.opacity > 0)
+        add_lights(look, &s, &sum);
+    sum = product(grey(s.opacity), sum);
     add_secondary(look, &s, way, &sum);
     return sum;
 }
@@ -320,8 +310,8 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
 
 static bool is_plain_material(const struct tia_material *m)
 {
-    return m->texture == 0 && is_black(rgb(m->specular)) && is_black(rgb(m->mirror)) && is_black(rgb(m->refraction)) &&
-           is_black(rgb(m->facing));
+    return m->texture == 0 && m->opacity == 0 && is_black(rgb(m->specular)) && is_black(rgb(m->mirror)) &&
+           is_black(rgb(m->refraction)) && is_black(rgb(m->facing));
 }
 
 static bool is_plain_light(const struct tia_light *l)

@@ -4,7 +4,9 @@
 #ifndef TESTS_ORACLE_RAYS_H
 #define TESTS_ORACLE_RAYS_H
 
-#include "vec.h"
+#include "shape.h"
+
+#define BIAS (1.0 / 8192.0) /* between a surface and the rays that start there */
 
 /* Whether a scene asks for general rays, see tia/scene.h. */
 bool oracle_needs_rays(const struct tia_scene *scene);
@@ -19,9 +21,16 @@ struct ray oracle_camera(const struct tia_camera *camera, unsigned width, unsign
 /* Sample n of a pixel whose upper left corner is (0, 0), of samples a pixel, 1, 4 or 16. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
 
-/* The texture at surface coordinates u, v; *cell is the texel, the checker's colour, or ORACLE_BLENDED. */
+/* The texture at surface coordinates u, v, an opacity as a grey; *cell is the texel, the checker's colour, or
+ * ORACLE_BLENDED. */
 #define ORACLE_BLENDED UINT32_MAX
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
+
+/* The opacity of a hit's material; *cell as above. */
+double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell);
+
+/* What is left of white light on its way to the ray's origin from `distance` along it. */
+struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray, double distance);
 
 /* The part of unpolarised light that is reflected where it passes, at an angle of that cosine, from index n1
  * to n2; 1 when it cannot pass. */

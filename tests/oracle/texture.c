@@ -1,4 +1,4 @@
-/* texture.c - what a texture multiplies a colour with. */
+/* texture.c - the value of a texture. */
 #include "rays.h"
 
 /* The index of a texel, wherever the whole numbers x and y, from the upper left, are. */
@@ -14,23 +14,32 @@ static struct colour texel(const struct tia_texture *texture, uint32_t index)
 {
     const uint8_t *p = texture->texels + 3 * (size_t)index;
 
+    if (texture->kind == TIA_OPACITY) {
+        double grey = texture->texels[index] / 255.0;
+        return (struct colour){{grey, grey, grey}};
+    }
     return (struct colour){{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0}};
+}
+
+/* a to b, exactly a where they are equal: opaque texels must not let 1e-16 of the light past. */
+static struct colour between(struct colour a, struct colour b, double part)
+{
+    for (int i = 0; i < 3; i++)
+        a.channel[i] += part * (b.channel[i] - a.channel[i]);
+    return a;
 }
 
 /* The four texels around (x, y), where whole numbers are the centres of texels. */
 static struct colour bilinear(const struct tia_texture *texture, double x, double y)
 {
     double left = floor(x), top = floor(y);
-    struct colour sum = {{0, 0, 0}};
+    struct colour row[2];
 
-    for (int i = 0; i < 4; i++) {
-        double right = i % 2, down = i / 2;
-        struct colour c = texel(texture, texel_index(texture, left + right, top + down));
-        double weight = (1 - fabs(x - left - right)) * (1 - fabs(y - top - down));
-        for (int k = 0; k < 3; k++)
-            sum.channel[k] += weight * c.channel[k];
+    for (int i = 0; i < 2; i++) {
+        struct colour first = texel(texture, texel_index(texture, left, top + i));
+        row[i] = between(first, texel(texture, texel_index(texture, left + 1, top + i)), x - left);
     }
-    return sum;
+    return between(row[0], row[1], y - top);
 }
 
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell)

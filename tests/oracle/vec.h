@@ -46,6 +46,26 @@ static inline bool is_black(struct colour c)
     return !(c.channel[0] > 0) && !(c.channel[1] > 0) && !(c.channel[2] > 0);
 }
 
+static inline struct colour grey(double x)
+{
+    return (struct colour){{x, x, x}};
+}
+
+static inline struct colour product(struct colour a, struct colour b)
+{
+    for (int i = 0; i < 3; i++)
+        a.channel[i] *= b.channel[i];
+    return a;
+}
+
+/* o c + 1 - o */
+static inline struct colour mixed(double o, struct colour c)
+{
+    for (int i = 0; i < 3; i++)
+        c.channel[i] = o * c.channel[i] + 1 - o;
+    return c;
+}
+
 static inline struct oracle_vec sub(struct oracle_vec a, struct oracle_vec b)
 {
     return (struct oracle_vec){a.x - b.x, a.y - b.y, a.z - b.z};

@@ -12,7 +12,7 @@ static uint32_t first_with_texels(const struct tia_scene *scene, uint32_t index)
     const struct tia_texture *t = scene->textures;
     uint32_t first = 0;
 
-    while (t[first].kind != TIA_IMAGE || t[first].texels != t[index].texels || t[first].width != t[index].width ||
+    while (t[first].kind != t[index].kind || t[first].texels != t[index].texels || t[first].width != t[index].width ||
            t[first].height != t[index].height)
         first++;
     return first;
@@ -22,25 +22,26 @@ static void write_texels(struct unit *unit, uint32_t index)
 {
     const struct tia_texture *t = &unit->scene->textures[index];
 
-    if (t->kind != TIA_IMAGE || first_with_texels(unit->scene, index) != index)
+    if (t->kind == TIA_CHECKER || first_with_texels(unit->scene, index) != index)
         return;
     table_begin(unit, "uint8_t", "texels_%u", index);
-    write_bytes(unit, t->texels, (size_t)3 * t->width * t->height);
+    write_bytes(unit, t->texels, (size_t)(t->kind == TIA_IMAGE ? 3 : 1) * t->width * t->height);
     table_end(unit);
 }
 
 static void write_texture(struct unit *unit, uint32_t index)
 {
+    static const char *const kinds[] = {"TIA_CHECKER", "TIA_IMAGE", "TIA_OPACITY"};
     const struct tia_texture *t = &unit->scene->textures[index];
 
-    text_word(&unit->text, "{.kind = %s,", t->kind == TIA_IMAGE ? "TIA_IMAGE" : "TIA_CHECKER");
+    text_word(&unit->text, "{.kind = %s,", kinds[t->kind]);
     field_number(unit, "repeat[0]", t->repeat[0]);
     field_number(unit, "repeat[1]", t->repeat[1]);
     field_number(unit, "offset[0]", t->offset[0]);
     field_number(unit, "offset[1]", t->offset[1]);
     field_rgb(unit, "cells[0]", t->cells[0]);
     field_rgb(unit, "cells[1]", t->cells[1]);
-    if (t->kind == TIA_IMAGE) {
+    if (t->kind != TIA_CHECKER) {
         if (t->bilinear)
             text_word(&unit->text, ".bilinear = true,");
         field_number(unit, "width", t->width);

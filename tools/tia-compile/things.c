@@ -15,6 +15,7 @@ static void write_material(struct unit *unit, const struct tia_material *m)
         text_word(&unit->text, ".fresnel = true,");
     field_rgb(unit, "facing", m->facing);
     field_unsigned(unit, "texture", m->texture);
+    field_unsigned(unit, "opacity", m->opacity);
     text_print(&unit->text, "},\n");
 }
 

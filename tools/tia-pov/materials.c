@@ -100,6 +100,10 @@ static void note_material(struct pov *pov, uint32_t index, const struct tia_mate
         pov_note(pov, "material %u: what it emits takes the texture here", index);
     if (glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction)))
         pov_note(pov, "material %u: what is reflected totally within it is not tinted here", index);
+    if (m->opacity != 0 && !pov_has_opacity(pov, index))
+        pov_note(pov, "material %u: opaque here: a picture needs a file beside the scene's", index);
+    if (m->opacity != 0 && glass && m->index != TIA_Q16_ONE)
+        pov_note(pov, "material %u: what is seen past it is refracted here", index);
     if (m->fresnel && glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction) || !pov_black(m->mirror)))
         pov_note(pov, "material %u: what Fresnel's equations let through is mixed otherwise here", index);
 }
@@ -110,11 +114,13 @@ static void declare_material(struct pov *pov, uint32_t i, const struct tia_mater
     write_finish(pov, m);
     text_print(&pov->text, "\n#declare Interior_%u = interior { ior %.10g }\n#declare Pigment_%u =\n", i,
                pov_black(m->refraction) ? 1 : pov_q16(m->index), i);
-    if (!pov_textured(pov, i) || !pov_texture(pov, i, transmit_of(m)))
+    if (!pov_coloured(pov, i) || !pov_texture(pov, i, transmit_of(m)))
         write_pigment(pov, m);
     text_print(&pov->text, "\n#declare Material_%u = material {\n", i);
     text_word(&pov->text, "texture { pigment { Pigment_%u } finish { Finish_%u } }", i, i);
     text_word(&pov->text, "interior { Interior_%u }\n}\n", i);
+    if (pov_has_opacity(pov, i))
+        pov_write_opacity(pov, i);
 }
 
 void pov_materials(struct pov *pov)
@@ -126,15 +132,31 @@ void pov_materials(struct pov *pov)
     text_print(&pov->text, "\n");
 }
 
+/* The texture that follows is there to the part of the opacity. */
+static void begin_opacity(struct pov *pov, uint32_t material, const struct tia_shape *shape)
+{
+    text_word(&pov->text, "texture {%s pigment_pattern { Opacity_%u", pov_plain(shape) ? "" : " uv_mapping", material);
+    pov_mapping(pov, material, shape);
+    text_word(&pov->text, "} texture_map { [0 pigment { rgbt 1 } finish { ambient 0 diffuse 0 }] [1");
+}
+
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
+    const char *uv = pov_plain(shape) ? "" : " uv_mapping";
+    bool opacity = pov_has_opacity(pov, material);
+
     if (!pov_textured(pov, material)) {
         text_word(&pov->text, "material { Material_%u }", material);
         return;
     }
-    text_word(&pov->text, "texture {%s pigment { Pigment_%u", pov_flat(shape) ? "" : " uv_mapping", material);
+    if (opacity)
+        begin_opacity(pov, material, shape);
+    else
+        text_word(&pov->text, "texture {%s", uv);
+    text_word(&pov->text, "pigment { Pigment_%u", material);
     pov_mapping(pov, material, shape);
-    text_word(&pov->text, "} finish { Finish_%u } } interior { Interior_%u }", material, material);
+    text_word(&pov->text, "} finish { Finish_%u } %s}", material, opacity ? "] } " : "");
+    text_word(&pov->text, "interior { Interior_%u }", material);
 }
 
 /* POV-Ray's shadow rays are filtered by the pigment, at each surface. tia has a separate colour for them, applied once
@@ -148,13 +170,17 @@ bool pov_has_shadow(const struct pov *pov, uint32_t material)
     return !(pov_black(t) && pov_black(r)) && !all;
 }
 
-void pov_shadow_material(struct pov *pov, uint32_t material, bool closed)
+/* Of a closed object half of the filter at each of two surfaces; of one with opacity tia has all of it at each, too. */
+void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
     struct point t = pov_rgb(pov->scene->materials[material].transmission);
+    bool opacity = pov_has_opacity(pov, material);
 
-    if (closed)
+    if (!opacity && pov_closed(pov->scene, shape))
         t = (struct point){sqrt(t.x), sqrt(t.y), sqrt(t.z)};
     text_word(&pov->text, "no_image no_reflection");
+    if (opacity)
+        begin_opacity(pov, material, shape);
     pov_triple(pov, "pigment { rgb", t);
-    text_word(&pov->text, "filter %d }", t.x + t.y + t.z > 0);
+    text_word(&pov->text, "filter %d }%s", t.x + t.y + t.z > 0, opacity ? " ] } }" : "");
 }

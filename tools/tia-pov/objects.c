@@ -11,18 +11,32 @@ static void write_transform(struct pov *pov, uint32_t transform)
     pov_triple(pov, "translate", pov_vec3(t->position));
 }
 
+/* Leaves the block open, for a transform. */
+static void write_part(struct pov *pov, const struct tia_shape *s, bool unseen)
+{
+    pov_geometry(pov, s);
+    if (unseen) {
+        pov_shadow_material(pov, s->material, s);
+    } else {
+        text_word(&pov->text, pov_has_shadow(pov, s->material) ? "no_shadow" : "");
+        pov_material(pov, s->material, s);
+    }
+}
+
 static void write_object(struct pov *pov, const struct tia_shape *s)
 {
+    struct tia_shape parts[3];
+    unsigned count = pov_parts(pov, s, parts);
     bool shadow = pov_has_shadow(pov, s->material);
 
     for (int unseen = 0; unseen <= shadow; unseen++) {
-        pov_geometry(pov, s);
-        if (unseen) {
-            pov_shadow_material(pov, s->material, pov_closed(pov->scene, s));
-        } else {
-            text_word(&pov->text, shadow ? "no_shadow" : "");
-            pov_material(pov, s->material, s);
+        text_word(&pov->text, count > 0 ? "union {" : "");
+        for (unsigned i = 0; i < count; i++) {
+            write_part(pov, &parts[i], unseen);
+            text_print(&pov->text, " }\n");
         }
+        if (count == 0)
+            write_part(pov, s, unseen);
         write_transform(pov, s->transform);
         text_print(&pov->text, " }\n");
     }
@@ -80,8 +94,27 @@ static void note_grid(struct pov *pov, uint32_t index, const struct tia_shape *s
         if (g->cells[i] == 0 || !pov_has_shadow(pov, s->material + g->cells[i] - 1))
             continue;
         pov_note(pov, "shape %u: what its cells let through, they let through cell by cell here", index);
+        break;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (g->cells[i] == 0 || pov->scene->materials[s->material + g->cells[i] - 1].opacity == 0)
+            continue;
+        pov_note(pov, "shape %u: past its opacity, faces between equal cells are seen here", index);
         return;
     }
+}
+
+/* Each filters a shadow ray once in tia, where POV-Ray does at each face or part. */
+static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape *s)
+{
+    struct tia_shape parts[3];
+
+    if (s->kind == TIA_GRID || !pov_has_shadow(pov, s->material) || pov->scene->materials[s->material].opacity != 0)
+        return;
+    if (s->kind == TIA_MESH && pov->scene->meshes[s->mesh].groups)
+        pov_note(pov, "shape %u: what its groups of faces let through, they let through face by face here", index);
+    else if (pov_parts(pov, s, parts) > 0)
+        pov_note(pov, "shape %u: what it lets through, its side and caps let through one by one here", index);
 }
 
 void pov_shapes(struct pov *pov)
@@ -94,6 +127,7 @@ void pov_shapes(struct pov *pov)
         write_object(pov, &shape);
     }
     for (uint32_t i = 0; i < scene->shape_count; i++) {
+        note_shadow(pov, i, &scene->shapes[i]);
         if (scene->shapes[i].kind != TIA_GRID) {
             write_object(pov, &scene->shapes[i]);
             continue;

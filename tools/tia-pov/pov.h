@@ -37,18 +37,27 @@ void pov_shapes(struct pov *pov);
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 /* Whether the right shadow needs a separate, invisible object; writes the material of that object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
-void pov_shadow_material(struct pov *pov, uint32_t material, bool closed);
+void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* Whether a material has a texture; writes its pigment in tia's u, v, with the given `transmit`, and returns false if
- * POV-Ray cannot express it. */
+/* Whether a material has a texture, of its colour or as its opacity. */
 bool pov_textured(const struct pov *pov, uint32_t material);
+/* Whether its colour has one; writes the pigment in tia's u, v, with the given `transmit`, and returns false if POV-Ray
+ * cannot express it. */
+bool pov_coloured(const struct pov *pov, uint32_t material);
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
+/* Whether it has an opacity that can be written; declares that as a pigment, white where it is 1. */
+bool pov_has_opacity(const struct pov *pov, uint32_t material);
+void pov_write_opacity(struct pov *pov, uint32_t material);
 /* Whether the texture closes around a sphere: it repeats a whole number of times; a checker, an even number. */
 bool pov_closes(const struct pov *pov, uint32_t material);
-/* Whether POV-Ray evaluates a shape's pigment at the point itself, as on flat shapes, or in the coordinates of its own
- * uv_mapping; writes the mapping from u, v to those. */
-bool pov_flat(const struct tia_shape *shape);
+/* Whether POV-Ray evaluates a shape's pigment at the point itself, or in the coordinates of its own uv_mapping, which
+ * not all shapes have; writes the mapping from u, v to those. */
+bool pov_plain(const struct tia_shape *shape);
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
+
+/* The side and the caps of a textured cylinder or cone that has caps, whose coordinates differ; their number, 0 for
+ * other shapes. */
+unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct tia_shape parts[3]);
 
 /* A shape without its material, not for grids; and whether it has an inside. */
 void pov_geometry(struct pov *pov, const struct tia_shape *shape);

@@ -1,6 +1,8 @@
 /* shapes.c - each shape, and how a texture lies on it. */
 #include "pov.h"
 
+#include <math.h>
+
 static void write_plane(struct pov *pov, const struct tia_plane *p)
 {
     struct point n = pov_dir3(p->normal), at = pov_vec3(p->point);
@@ -79,9 +81,9 @@ bool pov_closed(const struct tia_scene *scene, const struct tia_shape *s)
            (s->kind == TIA_CONE && s->cone.capped);
 }
 
-bool pov_flat(const struct tia_shape *s)
+bool pov_plain(const struct tia_shape *s)
 {
-    return s && (s->kind == TIA_PLANE || s->kind == TIA_DISC);
+    return s && (s->kind == TIA_PLANE || s->kind == TIA_DISC || s->kind == TIA_CYLINDER || s->kind == TIA_CONE);
 }
 
 /* tia/shape.h's tangents of a unit normal. */
@@ -104,6 +106,59 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
               origin.z);
 }
 
+/* Wraps the unit square of the pattern around an axis. POV-Ray's own unit goes from x to z around y; the distance from
+ * that becomes z, which patterns must not notice: checkers are cubes. */
+static void write_around(struct pov *pov, struct tia_vec3 base, struct tia_vec3 top)
+{
+    struct point from = pov_vec3(base), axis = pov_sum(pov_vec3(top), pov_scaled(from, -1)), a, b;
+    struct point n = pov_unit(axis);
+
+    tangents(n, &a, &b);
+    text_word(&pov->text,
+              "scale <-1, 1, 1000000> translate <0.5, 0, 0> warp { cylindrical } matrix <%.10g, %.10g, %.10g,", a.x,
+              a.y, a.z);
+    text_word(&pov->text, "%.10g, %.10g, %.10g, %.10g, %.10g, %.10g,", axis.x, axis.y, axis.z, -b.x, -b.y, -b.z);
+    text_word(&pov->text, "%.10g, %.10g, %.10g>", from.x, from.y, from.z);
+}
+
+static void note_seam(struct pov *pov, uint32_t material)
+{
+    if (!pov_closes(pov, material))
+        pov_note(pov, "material %u: half of its texture is shifted on spheres, cylinders and cones here", material);
+}
+
+static struct tia_shape cap(const struct tia_shape *s, struct tia_vec3 centre, struct tia_vec3 other, tia_q16 radius)
+{
+    struct point n = pov_unit(pov_sum(pov_vec3(centre), pov_scaled(pov_vec3(other), -1)));
+    struct tia_dir3 normal = {(tia_q30)lround(n.x * TIA_Q30_ONE), (tia_q30)lround(n.y * TIA_Q30_ONE),
+                              (tia_q30)lround(n.z * TIA_Q30_ONE)};
+
+    return (struct tia_shape){.kind = TIA_DISC, .material = s->material, .disc = {centre, normal, radius}};
+}
+
+unsigned pov_parts(const struct pov *pov, const struct tia_shape *s, struct tia_shape parts[3])
+{
+    unsigned count = 0;
+
+    if (!pov_textured(pov, s->material))
+        return 0;
+    parts[0] = *s;
+    if (s->kind == TIA_CYLINDER && s->cylinder.capped) {
+        parts[0].cylinder.capped = false;
+        parts[1] = cap(s, s->cylinder.base, s->cylinder.top, s->cylinder.radius);
+        parts[2] = cap(s, s->cylinder.top, s->cylinder.base, s->cylinder.radius);
+        return 3;
+    }
+    if (s->kind != TIA_CONE || !s->cone.capped)
+        return 0;
+    parts[count++].cone.capped = false;
+    if (s->cone.base_radius > 0)
+        parts[count++] = cap(s, s->cone.base, s->cone.top, s->cone.base_radius);
+    if (s->cone.top_radius > 0)
+        parts[count++] = cap(s, s->cone.top, s->cone.base, s->cone.top_radius);
+    return count;
+}
+
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
 {
     if (!s)
@@ -111,8 +166,7 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
     switch (s->kind) {
     case TIA_SPHERE:
         text_word(&pov->text, "scale <-1, 1, 1> translate <0.5, 0, 0>");
-        if (!pov_closes(pov, material))
-            pov_note(pov, "material %u: half of its texture is shifted on spheres here", material);
+        note_seam(pov, material);
         break;
     case TIA_PLANE:
         write_frame(pov, pov_dir3(s->plane.normal), pov_vec3(s->plane.point), 1, false);
@@ -121,8 +175,12 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
         write_frame(pov, pov_dir3(s->disc.normal), pov_vec3(s->disc.centre), 2 * pov_q16(s->disc.radius), true);
         break;
     case TIA_CYLINDER:
+        write_around(pov, s->cylinder.base, s->cylinder.top);
+        note_seam(pov, material);
+        break;
     case TIA_CONE:
-        pov_note(pov, "material %u: its texture lies otherwise on cylinders and cones here", material);
+        write_around(pov, s->cone.base, s->cone.top);
+        note_seam(pov, material);
         break;
     case TIA_BOX:
     case TIA_TRIANGLE:

@@ -4,11 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool pov_textured(const struct pov *pov, uint32_t material)
+bool pov_coloured(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];
 
     return m->texture != 0 && !pov_black(m->colour);
+}
+
+bool pov_has_opacity(const struct pov *pov, uint32_t material)
+{
+    return pov->scene->materials[material].opacity != 0 && strcmp(pov->path, "-") != 0;
+}
+
+bool pov_textured(const struct pov *pov, uint32_t material)
+{
+    return pov_coloured(pov, material) || pov_has_opacity(pov, material);
 }
 
 static const struct tia_texture *texture_of(const struct pov *pov, uint32_t material)
@@ -16,22 +26,36 @@ static const struct tia_texture *texture_of(const struct pov *pov, uint32_t mate
     return &pov->scene->textures[pov->scene->materials[material].texture - 1];
 }
 
-/* Writes the picture for a material: the texels times its colour, 16 bits per channel. */
+static const struct tia_texture *opacity_of(const struct pov *pov, uint32_t material)
+{
+    return &pov->scene->textures[pov->scene->materials[material].opacity - 1];
+}
+
+/* Where the unit square of a texture's pattern lies in u, v. */
+static void write_place(struct pov *pov, const struct tia_texture *t)
+{
+    text_word(&pov->text, "scale <%.10g, %.10g, 1>", 1 / pov_q16(t->repeat[0]), 1 / pov_q16(t->repeat[1]));
+    if (t->offset[0] != 0 || t->offset[1] != 0)
+        pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]), pov_q16(t->offset[1]), 0});
+}
+
+/* Writes the picture for a material: the texels times its colour, 16 bits per channel; of an opacity there is one. */
 static int write_texels(struct text *text, const struct tia_texture *t, struct point colour)
 {
     const double factor[3] = {colour.x * 257, colour.y * 257, colour.z * 257};
+    size_t channels = t->kind == TIA_OPACITY ? 1 : 3;
 
-    text_print(text, "P6\n%d %d\n65535\n", t->width, t->height);
-    for (size_t i = 0; i < (size_t)3 * t->width * t->height; i++) {
-        unsigned value = (unsigned)(t->texels[i] * factor[i % 3] + 0.5);
+    text_print(text, "P%d\n%d %d\n65535\n", t->kind == TIA_OPACITY ? 5 : 6, t->width, t->height);
+    for (size_t i = 0; i < channels * t->width * t->height; i++) {
+        unsigned value = (unsigned)(t->texels[i] * factor[i % channels] + 0.5);
         const unsigned char bytes[2] = {(unsigned char)(value >> 8), (unsigned char)value};
         (void)sink_write(&text->sink, bytes, sizeof bytes);
     }
     return text_close(text);
 }
 
-/* FILE-N.ppm for FILE.pov. */
-static char *picture_path(const struct pov *pov, uint32_t material)
+/* FILE-N.ppm for FILE.pov; .pgm is its opacity. */
+static char *picture_path(const struct pov *pov, uint32_t material, const char *ending)
 {
     size_t length = strlen(pov->path);
     char *path = malloc(length + 16);
@@ -39,7 +63,7 @@ static char *picture_path(const struct pov *pov, uint32_t material)
     if (length > 4 && strcmp(pov->path + length - 4, ".pov") == 0)
         length -= 4;
     if (path)
-        (void)snprintf(path, length + 16, "%.*s-%u.ppm", (int)length, pov->path, material);
+        (void)snprintf(path, length + 16, "%.*s-%u.%s", (int)length, pov->path, material, ending);
     return path;
 }
 
@@ -52,22 +76,29 @@ static void write_string(struct text *text, const char *string)
     text_print(text, "\"");
 }
 
-static void write_image(struct pov *pov, uint32_t material, double transmit)
+/* Writes a picture beside the scene, and its name there. */
+static void write_picture(struct pov *pov, uint32_t material, const struct tia_texture *t, struct point colour)
 {
-    const struct tia_texture *t = texture_of(pov, material);
-    char *path = picture_path(pov, material);
+    const char *ending = t->kind == TIA_OPACITY ? "pgm" : "ppm";
+    char *path = picture_path(pov, material, ending);
     struct text picture;
 
-    if (!path || text_open(&picture, path, pov->why) ||
-        write_texels(&picture, t, pov_rgb(pov->scene->materials[material].colour))) {
+    if (!path || text_open(&picture, path, pov->why) || write_texels(&picture, t, colour)) {
         pov->failed = true;
     } else {
         const char *slash = strrchr(path, '/');
-        text_word(&pov->text, "image_map { ppm ");
+        text_word(&pov->text, "%s ", ending);
         write_string(&pov->text, slash ? slash + 1 : path);
-        text_word(&pov->text, "gamma 1.0 %s transmit all %.10g }", t->bilinear ? "interpolate 2" : "", transmit);
+        text_word(&pov->text, "gamma 1.0 %s", t->bilinear ? "interpolate 2" : "");
     }
     free(path);
+}
+
+static void write_image(struct pov *pov, uint32_t material, double transmit)
+{
+    text_word(&pov->text, "image_map { ");
+    write_picture(pov, material, texture_of(pov, material), pov_rgb(pov->scene->materials[material].colour));
+    text_word(&pov->text, "transmit all %.10g }", transmit);
 }
 
 static void write_checker(struct pov *pov, uint32_t material, double transmit)
@@ -98,17 +129,30 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
         write_image(pov, material, transmit);
     else
         write_checker(pov, material, transmit);
-    text_word(&pov->text, "scale <%.10g, %.10g, 1>", 1 / pov_q16(t->repeat[0]), 1 / pov_q16(t->repeat[1]));
-    if (t->offset[0] != 0 || t->offset[1] != 0)
-        pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]), pov_q16(t->offset[1]), 0});
+    write_place(pov, t);
     text_word(&pov->text, "}");
     return true;
 }
 
-bool pov_closes(const struct pov *pov, uint32_t material)
+static bool closes(const struct tia_texture *t)
 {
-    const struct tia_texture *t = texture_of(pov, material);
     int32_t period = t->kind == TIA_CHECKER ? 2 * TIA_Q16_ONE : TIA_Q16_ONE;
 
     return t->repeat[0] % period == 0;
+}
+
+bool pov_closes(const struct pov *pov, uint32_t material)
+{
+    return (!pov_coloured(pov, material) || closes(texture_of(pov, material))) &&
+           (!pov_has_opacity(pov, material) || closes(opacity_of(pov, material)));
+}
+
+void pov_write_opacity(struct pov *pov, uint32_t material)
+{
+    text_print(&pov->text, "#declare Opacity_%u =\n", material);
+    text_word(&pov->text, "pigment { image_map {");
+    write_picture(pov, material, opacity_of(pov, material), (struct point){1, 1, 1});
+    text_word(&pov->text, "}");
+    write_place(pov, opacity_of(pov, material));
+    text_print(&pov->text, " }\n");
 }

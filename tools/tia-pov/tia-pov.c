@@ -4,7 +4,7 @@
 
 static const char usage[] = "Usage: tia-pov SCENE -o FILE.pov\n"
                             "Writes a scene in POV-Ray's language, version 3.7. What that cannot say is a comment\n"
-                            "there and a line on standard error. Textures of pictures become FILE-N.ppm beside it.\n"
+                            "there and a line on standard error. Pictures become FILE-N.ppm or .pgm beside it.\n"
                             "\n"
                             "  -o, --output FILE.pov    - is standard output, without pictures\n"
                             "      --scene-format tia|nff|obj   when the scene's name does not say\n"

@@ -7,8 +7,9 @@
  *     Tf              1 by default; with illum 4, 6, 7, 9 and neither d nor Tr the opacity is 0
  *     Ni              index of refraction with illum 4, 6, 7, 9; else light goes straight through
  *     illum           2 by default; 0 is 1; Fresnel's equations with 5 and 7
- *     map_Kd          an image, bilinear; -s U V repeats it; other options are read and not used
- *     map_d           an image of opacities, of which the mean multiplies the opacity: see mtl_map.c
+ *     map_Kd          an image, bilinear
+ *     map_d           the material's opacity texture, see mtl_map.c. Where it is 0 nothing is there, not even a filter
+ * of Tf: the format says of dissolving that it has no colour
  *
  * Ka, the other maps and what newer programs add are skipped without a word. What is wrong is a warning, see obj.c.
  */
@@ -28,13 +29,13 @@ static bool is_one_of(int64_t illum, unsigned set)
 
 static void close_material(struct mtl *m)
 {
-    struct tia_material made = {.emission = m->ke, .index = TIA_Q16_ONE, .texture = m->texture};
+    struct tia_material made = {
+        .emission = m->ke, .index = TIA_Q16_ONE, .texture = m->texture, .opacity = m->opacity_texture};
     bool bends = is_one_of(m->illum, BENDS);
     tia_q30 opacity = m->has_d || m->has_tr ? m->opacity : bends && m->has_filter ? 0 : TIA_Q30_ONE;
 
     if (!m->open)
         return;
-    opacity = tia_q30_product(opacity, m->mean_opacity);
     made.colour = tia_rgb_product(m->kd, opacity);
     made.refraction = made.transmission = tia_rgb_product(m->tf, TIA_Q30_ONE - opacity);
     if (bends && m->index)
@@ -54,7 +55,6 @@ static void open_material(struct mtl *m)
                       .kd = tia_grey(TIA_Q30(0.8)),
                       .tf = tia_grey(TIA_Q30_ONE),
                       .opacity = TIA_Q30_ONE,
-                      .mean_opacity = TIA_Q30_ONE,
                       .index = TIA_Q16_ONE,
                       .illum = 2};
 }

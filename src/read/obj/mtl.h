@@ -10,11 +10,10 @@ struct mtl {
     bool open;
     struct tia_rgb kd, ks, ke, tf;
     tia_q30 opacity;
-    tia_q30 mean_opacity; /* of its map */
     bool has_d, has_tr, has_filter;
     tia_q16 exponent, index;
     int64_t illum;
-    uint32_t texture;
+    uint32_t texture, opacity_texture;
 };
 
 /* mtl_map.c */

@@ -15,7 +15,8 @@ enum obj_pass {
     OBJ_FILL
 };
 
-enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP };
+/* From OBJ_OPACITY on there is one for each enum tia_channel. */
+enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP, OBJ_OPACITY };
 
 struct obj_library {
     struct tia_word name; /* in the text */

@@ -10,7 +10,7 @@ static const struct {
     [TIA_WARN_LIBRARY] = {"its materials are grey", OBJ_COUNT},
     [TIA_WARN_MATERIAL] = {"grey is used", OBJ_MEASURE},
     [TIA_WARN_IMAGE] = {"left out", OBJ_FILL},
-    [TIA_WARN_OPACITY] = {"the mean is used", OBJ_FILL},
+    [TIA_WARN_OPTION] = {"ignored", OBJ_COUNT},
     [TIA_WARN_RANGE] = {"the nearest is used", OBJ_COUNT},
     [TIA_WARN_NUMBER] = {"0 is used", OBJ_COUNT},
     [TIA_WARN_NORMAL] = {"faces that use it are drawn flat", OBJ_COUNT},

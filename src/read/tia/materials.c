@@ -3,7 +3,7 @@
 
 struct material_line {
     struct tia_material material;
-    struct tia_word texture;
+    struct tia_word texture, opacity;
 };
 
 #define COLOUR(name)                                                                                                   \
@@ -15,10 +15,11 @@ struct material_line {
         .word = #name, .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct material_line, material.name)        \
     }
 
-enum { COLOUR_FIELD, TEXTURE_FIELD, SPECULAR_FIELD, EXPONENT_FIELD, REFRACTION_FIELD, INDEX_FIELD };
+enum { COLOUR_FIELD, TEXTURE_FIELD, OPACITY_FIELD, SPECULAR_FIELD, EXPONENT_FIELD, REFRACTION_FIELD, INDEX_FIELD };
 static const struct tia_field material_fields[] = {
     COLOUR(colour),
     {.word = "texture", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, texture)},
+    {.word = "opacity", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, opacity)},
     COLOUR(specular),
     NUMBER(exponent),
     COLOUR(refraction),
@@ -35,9 +36,17 @@ static bool has(uint32_t given, unsigned field)
     return given >> field & 1;
 }
 
+static int find_texture(struct tia_job *job, const struct tia_word *name, uint32_t *number)
+{
+    int status = tia_job_find(job, TIA_NAMED_TEXTURE, name, "the name of a texture", number);
+
+    ++*number;
+    return status;
+}
+
 int tia_line_material(struct tia_job *job)
 {
-    struct material_line line = {.texture = {NULL, 0, 0, 0}};
+    struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}};
     struct tia_material *material = &line.material;
     uint32_t given = 0;
     int status = tia_job_define(job, TIA_NAMED_MATERIAL, tia_job_count(job, TIA_OF_MATERIALS));
@@ -45,10 +54,10 @@ int tia_line_material(struct tia_job *job)
     status = status
                  ? status
                  : tia_fields(&job->text, "a material", material_fields, TIA_COUNT_OF(material_fields), &line, &given);
-    if (!status && has(given, TEXTURE_FIELD)) {
-        status = tia_job_find(job, TIA_NAMED_TEXTURE, &line.texture, "the name of a texture", &material->texture);
-        material->texture++;
-    }
+    if (!status && has(given, TEXTURE_FIELD))
+        status = find_texture(job, &line.texture, &material->texture);
+    if (!status && has(given, OPACITY_FIELD))
+        status = find_texture(job, &line.opacity, &material->opacity);
     if (has(given, SPECULAR_FIELD) && !has(given, EXPONENT_FIELD))
         material->exponent = TIA_Q16(32);
     if (has(given, REFRACTION_FIELD) && !has(given, INDEX_FIELD))
@@ -105,16 +114,18 @@ static int set_repeat(struct tia_text *t, struct texture_line *line, uint32_t gi
 static int fetch_image(struct tia_job *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;
-    struct tia_texture image = {.kind = TIA_IMAGE};
+    bool is_image = texture->kind == TIA_IMAGE;
+    struct tia_texture image = {.kind = texture->kind};
     char path[TIA_NAME_MAX + 1];
     const char *why = "cannot be read";
 
-    if (!reader->image)
+    if (is_image ? !reader->image : !reader->opacity)
         return tia_text_error(&job->text, file, "cannot be fetched here", "a scene without images");
     int status = tia_include_path(job, file, path);
     if (status || job->pass != TIA_FILLING || job->seeking)
         return status;
-    if (reader->image(reader->ctx, path, &image, &why))
+    if (is_image ? reader->image(reader->ctx, path, &image, &why)
+                 : reader->opacity(reader->ctx, path, TIA_CHANNEL_OPACITY, &image, &why))
         return tia_job_missing(job, file, why, "a picture");
     texture->width = image.width;
     texture->height = image.height;
@@ -122,13 +133,13 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     return TIA_OK;
 }
 
-static int read_image(struct tia_job *job, struct texture_line *line)
+static int read_image(struct tia_job *job, struct texture_line *line, enum tia_texture_kind kind)
 {
     uint32_t given = 0;
     struct tia_word file;
     int status = tia_text_file(&job->text, &file, "an image's file");
 
-    line->texture.kind = TIA_IMAGE;
+    line->texture.kind = kind;
     if (!status)
         status = tia_fields(&job->text, "an image", image_fields, TIA_COUNT_OF(image_fields), line, &given);
     status = status ? status : set_repeat(&job->text, line, given);
@@ -156,9 +167,11 @@ int tia_line_texture(struct tia_job *job)
     if (tia_word_is(&kind, "checker"))
         status = read_checker(job, &line);
     else if (tia_word_is(&kind, "image"))
-        status = read_image(job, &line);
+        status = read_image(job, &line, TIA_IMAGE);
+    else if (tia_word_is(&kind, "opacity"))
+        status = read_image(job, &line, TIA_OPACITY);
     else
-        return tia_text_error(&job->text, &kind, "is no kind of texture", "checker or image");
+        return tia_text_error(&job->text, &kind, "is no kind of texture", "checker, image or opacity");
     if (!status)
         (void)tia_job_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;

@@ -92,6 +92,7 @@ struct shape {
     const struct instance *instance; /* NULL: the world's axes */
     uint32_t material;
     enum inside inside; /* of shapes that refract */
+    bool layered;       /* it has an opacity texture */
     union {
         struct prepared_sphere sphere;
         struct prepared_plane plane; /* of discs too */

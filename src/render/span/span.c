@@ -5,7 +5,7 @@
 
 static bool is_matt(const struct tia_material *m)
 {
-    return !m->texture && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
+    return !m->texture && !m->opacity && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
            colour_is_black(&m->refraction) && colour_is_black(&m->facing);
 }
 

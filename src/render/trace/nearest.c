@@ -72,6 +72,15 @@ uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint
     return mesh_groups_met(shape, &placed.ray, instance_distance(&placed, limit));
 }
 
+bool ray_is_layered(const struct ray_view *view, uint32_t object)
+{
+    const struct tia_scene *scene = view->scene;
+
+    if (object < scene->sphere_count)
+        return scene->materials[scene->spheres[object].material].opacity;
+    return view->shapes[object - scene->sphere_count].layered;
+}
+
 enum inside ray_inside(const struct ray_view *view, uint32_t object)
 {
     uint32_t spheres = view->scene->sphere_count;
@@ -89,6 +98,16 @@ static void try_object(const struct ray_view *view, const struct ray *ray, uint3
         hit->object = object;
         hit->element = intersection.element;
     }
+}
+
+bool ray_meets(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit, struct hit *hit)
+{
+    struct intersection intersection;
+
+    if (!meet(view, ray, object, limit, &intersection))
+        return false;
+    *hit = (struct hit){intersection.t, object, intersection.element, TIA_NO_OBJECT};
+    return true;
 }
 
 static void clear(struct hit *hit)

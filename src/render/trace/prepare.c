@@ -35,6 +35,16 @@ static enum inside inside_of(const struct tia_scene *scene, const struct tia_sha
     }
 }
 
+/* Whether one of some materials has an opacity texture. */
+static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t count)
+{
+    bool found = false;
+
+    for (uint32_t m = first; m < scene->material_count && m - first < count; m++)
+        found = found || scene->materials[m].opacity;
+    return found;
+}
+
 /* False: the shape has no transform. */
 static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
 {
@@ -58,6 +68,7 @@ static void prepare_shapes(struct ray_view *view)
 
         shape->material = given->material;
         shape->inside = inside_of(scene, given);
+        shape->layered = have_opacity(scene, given->material, given->kind == TIA_GRID ? UINT8_MAX : 1);
         shape->instance = NULL;
         shape_prepare(shape, scene, given);
         if (place(scene, given, instance))
@@ -78,6 +89,7 @@ int ray_prepare(struct tia_view *view)
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
     ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
+    rays->layered = have_opacity(scene, 0, scene->material_count);
     prepare_shapes(rays);
     return TIA_OK;
 }

@@ -10,48 +10,53 @@ static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_
     return colour;
 }
 
+static unsigned channels_of(const struct tia_texture *t)
+{
+    return t->kind == TIA_OPACITY ? 1 : 3;
+}
+
 /* Texel (x, y) from the lower left, at most one beyond the image's edges; rows are stored from the top. */
 static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
 {
     x = x < 0 ? x + t->width : x >= t->width ? x - t->width : x;
     y = y < 0 ? y + t->height : y >= t->height ? y - t->height : y;
-    return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
+    return t->texels + channels_of(t) * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
 /* The four texels around the place, interpolated bilinearly. */
-static void blend(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
+static void blend(const struct tia_texture *t, num_length u, num_length v, num_length value[])
 {
     int32_t x = num_floor(u), y = num_floor(v);
     num_length right = u - num_integer(x), up = v - num_integer(y);
     const uint8_t *lower[2] = {texel(t, x, y), texel(t, x + 1, y)};
     const uint8_t *upper[2] = {texel(t, x, y + 1), texel(t, x + 1, y + 1)};
 
-    for (int c = 0; c < 3; c++) {
+    for (unsigned c = 0; c < channels_of(t); c++) {
         num_length above = num_integer(upper[0][c]) + right * (upper[1][c] - upper[0][c]);
         num_length below = num_integer(lower[0][c]) + right * (lower[1][c] - lower[0][c]);
-        rgb[c] = num_ratio(below + num_product(above - below, up), num_integer(255));
+        value[c] = num_ratio(below + num_product(above - below, up), num_integer(255));
     }
 }
 
-static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v, num_length rgb[3])
+static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v, num_length value[])
 {
-    const uint8_t *colour = texel(t, num_floor(u), num_floor(v));
+    const uint8_t *found = texel(t, num_floor(u), num_floor(v));
 
-    for (int c = 0; c < 3; c++)
-        rgb[c] = num_ratio(num_integer(colour[c]), num_integer(255));
-    return (uint32_t)(colour - t->texels) / 3;
+    for (unsigned c = 0; c < channels_of(t); c++)
+        value[c] = num_ratio(num_integer(found[c]), num_integer(255));
+    return (uint32_t)(found - t->texels) / channels_of(t);
 }
 
-uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], num_length rgb[3])
+uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], num_length value[])
 {
     int32_t cell[2];
     num_length u = num_repeat(uv[0] - num_length_of(t->offset[0]), t->repeat[0], &cell[0]);
     num_length v = num_repeat(uv[1] - num_length_of(t->offset[1]), t->repeat[1], &cell[1]);
 
     if (t->kind == TIA_CHECKER)
-        return checker(t, cell, rgb);
+        return checker(t, cell, value);
     if (!t->bilinear)
-        return nearest(t, u * t->width, v * t->height, rgb);
-    blend(t, u * t->width - NUM_LENGTH_ONE / 2, v * t->height - NUM_LENGTH_ONE / 2, rgb);
+        return nearest(t, u * t->width, v * t->height, value);
+    blend(t, u * t->width - NUM_LENGTH_ONE / 2, v * t->height - NUM_LENGTH_ONE / 2, value);
     return 0;
 }

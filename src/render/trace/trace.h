@@ -16,6 +16,7 @@ struct ray_view {
     struct instance *instances; /* one for each shape that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
+    bool layered; /* some material has an opacity texture */
 };
 
 /* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
@@ -52,6 +53,12 @@ bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_
 
 /* How many groups of faces the ray meets at 0 <= t <= limit, of an object that is a mesh with groups; else 1. */
 uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
+
+/* Whether the object has an opacity texture; of a grid false is certain. */
+bool ray_is_layered(const struct ray_view *view, uint32_t object);
+
+/* Where the ray meets the object at 0 <= t <= limit. */
+bool ray_meets(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit, struct hit *hit);
 
 /* What of an object a refracted ray may enter. */
 enum inside ray_inside(const struct ray_view *view, uint32_t object);

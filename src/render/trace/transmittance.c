@@ -5,36 +5,38 @@
  * lowest few, and if there are more, another one looks for those above. */
 #include "render/geometry/walk.h"
 #include "scene/colour.h"
+#include "texture.h"
 #include "trace.h"
 
 #define KEPT 16
 
+/* An object, and what multiplies the light, so many times. */
+struct filter {
+    uint32_t object, times;
+    num_length through[3];
+};
+
 /* The objects with the lowest indices that let something through, in rising order. */
 struct filters {
-    uint32_t object[KEPT], material[KEPT], times[KEPT];
+    struct filter kept[KEPT];
     uint32_t count, from; /* only objects from this index on */
     uint32_t blocker;     /* the object that takes all light */
     bool more;
 };
 
-static void keep(struct filters *filters, uint32_t object, uint32_t material, uint32_t times)
+static void keep(struct filters *filters, const struct filter *filter)
 {
     uint32_t i = filters->count;
 
     if (i == KEPT) {
         filters->more = true;
-        if (filters->object[KEPT - 1] < object)
+        if (filters->kept[KEPT - 1].object < filter->object)
             return;
         i--;
     }
-    for (; i > 0 && filters->object[i - 1] > object; i--) {
-        filters->object[i] = filters->object[i - 1];
-        filters->material[i] = filters->material[i - 1];
-        filters->times[i] = filters->times[i - 1];
-    }
-    filters->object[i] = object;
-    filters->material[i] = material;
-    filters->times[i] = times;
+    for (; i > 0 && filters->kept[i - 1].object > filter->object; i--)
+        filters->kept[i] = filters->kept[i - 1];
+    filters->kept[i] = *filter;
     filters->count += filters->count < KEPT;
 }
 
@@ -45,22 +47,94 @@ static bool is_grid(const struct ray_view *view, uint32_t object)
     return object >= spheres && view->scene->shapes[object - spheres].kind == TIA_GRID;
 }
 
+/* A shadow ray on its way through an object with an opacity texture. */
+struct crossing {
+    struct ray ray;
+    num_length limit;
+    uint32_t layers;
+    bool counted; /* a grid's cells without opacity count once */
+};
+
+static void multiply(num_length through[3], const num_length factor[3])
+{
+    for (int c = 0; c < 3; c++)
+        through[c] = num_product(through[c], factor[c]);
+}
+
+/* Filters by the surface at the hit, and goes on behind it. */
+static void cross(const struct ray_view *view, struct crossing *crossing, const struct hit *hit, num_length through[3])
+{
+    const struct tia_material *m = &view->scene->materials[ray_material(view, hit->object, hit->element)];
+    struct num_point point = num_point_at(crossing->ray.origin, crossing->ray.direction, hit->t);
+    num_length uv[2], opacity, factor[3];
+
+    ray_rgb(&m->transmission, factor);
+    if (m->opacity) {
+        ray_uv(view, hit, point, uv);
+        (void)ray_texture(&view->scene->textures[m->opacity - 1], uv, &opacity);
+        for (int c = 0; c < 3; c++)
+            factor[c] = num_product(factor[c], opacity) + NUM_LENGTH_ONE - opacity;
+    }
+    if (m->opacity || !crossing->counted)
+        multiply(through, factor);
+    crossing->counted = crossing->counted || !m->opacity;
+    crossing->layers += m->opacity != 0;
+    crossing->ray.origin = num_point_at(point, crossing->ray.direction, NUM_LENGTH_BIAS);
+    crossing->limit -= hit->t + NUM_LENGTH_BIAS;
+}
+
+static bool is_black(const num_length rgb[3])
+{
+    return rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0;
+}
+
+#define PATIENCE 16 /* surfaces, see tia_view_set_stop */
+
+/* False when the object takes all light. */
+static bool layers_transmit(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
+                            struct filters *filters)
+{
+    struct filter filter = {object, 1, {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
+    struct crossing crossing = {*ray, limit, 0, false};
+    struct hit hit;
+    uint32_t met = 0;
+
+    while (crossing.limit >= 0 && ray_meets(view, &crossing.ray, object, crossing.limit, &hit)) {
+        cross(view, &crossing, &hit, filter.through);
+        if (is_black(filter.through) || crossing.layers > TIA_LAYERS ||
+            (++met % PATIENCE == 0 && view_stops(view->view))) {
+            filters->blocker = object;
+            return false;
+        }
+    }
+    if (met)
+        keep(filters, &filter);
+    return true;
+}
+
 /* False when the object takes all light. */
 static bool object_transmits(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                              struct filters *filters)
 {
     const struct tia_material *materials = view->scene->materials;
     bool grid = is_grid(view, object);
+    struct filter filter = {.object = object};
     uint32_t element = 0;
 
-    if (object < filters->from || !ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
+    if (object < filters->from)
         return true;
-    uint32_t material = ray_material(view, object, element);
-    if (colour_is_black(&materials[material].transmission)) {
+    if (view->layered && ray_is_layered(view, object))
+        return layers_transmit(view, ray, object, limit, filters);
+    if (!ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
+        return true;
+    const struct tia_rgb *transmission = &materials[ray_material(view, object, element)].transmission;
+    if (colour_is_black(transmission)) {
         filters->blocker = object;
         return false;
     }
-    keep(filters, object, material, ray_groups_met(view, ray, object, limit));
+    ray_rgb(transmission, filter.through);
+    filter.times = ray_groups_met(view, ray, object, limit);
+    keep(filters, &filter);
     return true;
 }
 
@@ -76,16 +150,11 @@ static bool all_transmit(const struct ray_view *view, const struct ray *ray, num
     return true;
 }
 
-static void multiply(const struct ray_view *view, const struct filters *filters, num_length through[3])
+static void apply(const struct filters *filters, num_length through[3])
 {
-    for (uint32_t i = 0; i < filters->count; i++) {
-        num_length t[3];
-
-        ray_rgb(&view->scene->materials[filters->material[i]].transmission, t);
-        for (uint32_t n = 0; n < filters->times[i]; n++)
-            for (int c = 0; c < 3; c++)
-                through[c] = num_product(through[c], t[c]);
-    }
+    for (uint32_t i = 0; i < filters->count; i++)
+        for (uint32_t n = 0; n < filters->kept[i].times; n++)
+            multiply(through, filters->kept[i].through);
 }
 
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
@@ -103,8 +172,8 @@ bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_l
             *blocker = filters.blocker;
             return false;
         }
-        multiply(view, &filters, through);
-        filters.from = filters.count ? filters.object[filters.count - 1] + 1 : 0;
+        apply(&filters, through);
+        filters.from = filters.count ? filters.kept[filters.count - 1].object + 1 : 0;
     } while (filters.more && !view_stops(view->view));
     return through[0] > 0 || through[1] > 0 || through[2] > 0;
 }

@@ -9,21 +9,33 @@ void path_hash_word(struct path *path, uint32_t word)
         path->hash = (path->hash ^ (word >> (8 * i) & 0xff)) * UINT32_C(16777619);
 }
 
-static void colour_of(struct path *path, const struct hit *hit, struct shading *s)
+static void look_up(struct path *path, uint32_t texture, const num_length uv[2], num_length value[])
+{
+    const struct tia_texture *t = &path->view->scene->textures[texture - 1];
+    uint32_t number = ray_texture(t, uv, value);
+
+    if (ray_texture_is_hashed(t))
+        path_hash_word(path, number);
+}
+
+static void texture(struct path *path, const struct hit *hit, struct shading *s)
 {
     const struct tia_material *m = s->material;
+    bool is_coloured = m->texture && !colour_is_black(&m->colour);
     num_length uv[2], texel[3];
 
     ray_rgb(&m->colour, s->colour);
-    if (!m->texture || colour_is_black(&m->colour))
+    s->opacity = NUM_LENGTH_ONE;
+    if (!is_coloured && !m->opacity)
         return;
-    const struct tia_texture *texture = &path->view->scene->textures[m->texture - 1];
     ray_uv(path->view, hit, s->point, uv);
-    uint32_t number = ray_texture(texture, uv, texel);
-    if (texture->kind == TIA_CHECKER || !texture->bilinear)
-        path_hash_word(path, number);
-    for (int c = 0; c < 3; c++)
-        s->colour[c] = num_product(s->colour[c], texel[c]);
+    if (is_coloured) {
+        look_up(path, m->texture, uv, texel);
+        for (int c = 0; c < 3; c++)
+            s->colour[c] = num_product(s->colour[c], texel[c]);
+    }
+    if (m->opacity)
+        look_up(path, m->opacity, uv, &s->opacity);
 }
 
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s)
@@ -43,7 +55,7 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     s->outside = num_point_at(s->point, s->geometric, NUM_LENGTH_BIAS);
     s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
     s->facing = num_dir_dot(s->normal, s->viewer);
-    colour_of(path, hit, s);
+    texture(path, hit, s);
 }
 
 /* max(0, R.L)^exponent with R = 2 (N.V) N - V. */
@@ -130,14 +142,19 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
 {
     num_length own[3], facing[3];
 
+    if (s->opacity == 0)
+        return;
     ray_rgb(&s->material->emission, own);
     ray_rgb(&s->material->facing, facing);
     for (int c = 0; c < 3 && s->facing > 0; c++)
         own[c] += num_times(facing[c], s->facing);
     for (uint32_t n = 0; n < path->view->light_count; n++)
         add_light(path, s, n, own);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        if (s->opacity < NUM_LENGTH_ONE)
+            own[c] = num_product_within(own[c], s->opacity);
         colour[c] = num_sum_within(colour[c], num_product_within(own[c], throughput[c]));
+    }
 }
 
 /* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
@@ -170,19 +187,37 @@ static num_unit refract(const struct shading *s, struct boundary between, struct
     return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
 }
 
+static struct ray straight_on(const struct shading *s)
+{
+    return (struct ray){num_point_at(s->point, s->viewer, -NUM_LENGTH_BIAS), num_dir_negated(s->viewer)};
+}
+
 /* The refracted ray. Returns how much of it is reflected instead. */
 static num_unit pass(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     const struct tia_material *m = s->material;
     struct boundary between = media_cross(view, &b->media, s->object, m, s->back);
 
-    b->straight = between.from == between.to;
-    b->refracted.direction = num_dir_negated(s->viewer);
-    b->refracted.origin = num_point_at(s->point, b->straight ? s->viewer : s->geometric, -NUM_LENGTH_BIAS);
+    b->straight = between.from == between.to || colour_is_black(&m->refraction);
+    b->refracted = straight_on(s);
     if (b->straight)
         return 0;
+    b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_LENGTH_BIAS);
     num_unit fresnel = refract(s, between, &b->refracted.direction);
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
+}
+
+/* The surface is there to the part of its opacity. */
+static void let_past(const struct shading *s, struct bounces *b)
+{
+    num_length *passes = b->straight ? b->refracts : b->passes;
+
+    b->past = straight_on(s);
+    for (int c = 0; c < 3; c++) {
+        b->reflects[c] = num_product(b->reflects[c], s->opacity);
+        b->refracts[c] = num_product(b->refracts[c], s->opacity);
+        passes[c] += NUM_LENGTH_ONE - s->opacity;
+    }
 }
 
 static bool is_zero(const num_length rgb[3])
@@ -198,7 +233,8 @@ void shade_bounce(const struct ray_view *view, const struct shading *s, const st
     ray_rgb(&m->refraction, b->refracts);
     b->media = *media;
     b->straight = false;
-    if (!colour_is_black(&m->refraction)) {
+    b->passes[0] = b->passes[1] = b->passes[2] = 0;
+    if (!colour_is_black(&m->refraction) || s->opacity < NUM_LENGTH_ONE) {
         num_unit fresnel = pass(view, s, b);
         for (int c = 0; c < 3; c++) {
             num_length back = num_times(b->refracts[c], fresnel);
@@ -206,6 +242,8 @@ void shade_bounce(const struct ray_view *view, const struct shading *s, const st
             b->refracts[c] -= back;
         }
     }
+    if (s->opacity < NUM_LENGTH_ONE)
+        let_past(s, b);
     if (is_zero(b->reflects))
         return;
     b->reflected.origin = s->outside;

@@ -15,20 +15,22 @@ struct shading {
     num_unit facing;                  /* N.V */
     bool back;                        /* the ray meets the surface's back: it leaves the object */
     num_length colour[3];             /* the diffuse one, with the texture */
+    num_length opacity;
 };
 
 /* What one ray meets, prepared. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
 
-/* Adds throughput times what the surface sends along V by itself: emission, facing ratio and lights. */
+/* Adds throughput times opacity times what the surface sends along V by itself: emission, facing ratio and lights. */
 void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3]);
 
-/* The reflected and the refracted ray and their kr and kt; a ray whose throughput is black is not set. */
+/* The reflected and the refracted ray and their kr and kt, and the one past an opacity; a ray whose throughput is
+ * black is not set. */
 struct bounces {
-    struct ray reflected, refracted;
-    num_length reflects[3], refracts[3];
-    struct media media; /* of the refracted ray */
-    bool straight;      /* the refracted ray goes on undeflected */
+    struct ray reflected, refracted, past;
+    num_length reflects[3], refracts[3], passes[3];
+    struct media media; /* of the refracted ray and the one past an opacity */
+    bool straight;      /* the refracted ray goes on undeflected: it is the one past an opacity as well */
 };
 
 /* `media` are those of the incoming ray. */

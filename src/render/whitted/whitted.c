@@ -11,10 +11,11 @@ struct bounce {
     struct media media;
 };
 
-/* Depth-first: the refracted ray waits while the reflected one is followed. So at most one ray waits for each
- * reflection on the way to the current one, and straight layers make the stack no deeper. */
+/* Depth-first: the refracted ray waits while the reflected one is followed, and below both the one past an opacity.
+ * So at most two rays wait for each bounce on the way to the current one, and straight layers, which come last, make
+ * the stack no deeper. */
 struct stack {
-    struct bounce bounces[TIA_DEPTH_MAX + 2];
+    struct bounce bounces[2 * TIA_DEPTH_MAX + 1];
     int count;
 };
 
@@ -59,6 +60,8 @@ static void bounce(const struct ray_view *view, const struct shading *s, const s
     struct bounces next;
 
     shade_bounce(view, s, &b->media, &next);
+    if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS)
+        push(stack, &next.past, next.passes, b, &next.media, true);
     if (next.straight ? b->layers < TIA_LAYERS : bends)
         push(stack, &next.refracted, next.refracts, b, &next.media, next.straight);
     if (bends)

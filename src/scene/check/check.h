@@ -43,6 +43,9 @@ bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *
 
 int tia_check_camera(const struct check *check);
 
+/* Whether a material may have texture `number`, from 1, as its opacity or as that of its colour. */
+bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
+
 /* Each checks number check->index of its kind. */
 int tia_check_material(const struct check *check);
 int tia_check_texture(const struct check *check);

@@ -17,27 +17,9 @@ int tia_check_material(const struct check *check)
             "exponent", "must be in 1..10000");
     REQUIRE(colour_is_black(&m->refraction) || tia_check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX), "index",
             "must be in 0.25..4");
-    REQUIRE(m->texture <= check->scene->texture_count, "texture", "must be 0 or the number of a texture");
-    return TIA_OK;
-}
-
-static bool is_repeat(tia_q16 x)
-{
-    return tia_check_is_between(x, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
-}
-
-int tia_check_texture(const struct check *check)
-{
-    const struct tia_texture *t = &check->scene->textures[check->index];
-
-    REQUIRE(t->kind == TIA_CHECKER || t->kind == TIA_IMAGE, "kind", "must be a checker or an image");
-    REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be in 1/1024..1024");
-    if (t->kind == TIA_CHECKER) {
-        REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
-    } else {
-        REQUIRE(tia_check_is_between(t->width, 1, TIA_TEXTURE_MAX), "width", "must be in 1..16384");
-        REQUIRE(tia_check_is_between(t->height, 1, TIA_TEXTURE_MAX), "height", "must be in 1..16384");
-        REQUIRE(t->texels, "texels", "must not be NULL");
-    }
+    REQUIRE(!m->texture || tia_check_has_texture(check, m->texture, false), "texture",
+            "must be 0 or the number of a checker or an image");
+    REQUIRE(!m->opacity || tia_check_has_texture(check, m->opacity, true), "opacity",
+            "must be 0 or the number of an opacity texture");
     return TIA_OK;
 }

@@ -49,9 +49,11 @@ static int check_shapes(struct check *check)
         REQUIRE(is_flat(scene->shapes[check->index].kind), "kind",
                 "must be a plane, a box, a triangle or a mesh with these shadows");
     check->thing = "material";
-    for (check->index = 0; check->index < scene->material_count; check->index++)
+    for (check->index = 0; check->index < scene->material_count; check->index++) {
         REQUIRE(colour_is_black(&scene->materials[check->index].transmission), "transmission",
                 "must be 0 with these shadows");
+        REQUIRE(!scene->materials[check->index].opacity, "opacity", "must be 0 with these shadows");
+    }
     return TIA_OK;
 }
 

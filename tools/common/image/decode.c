@@ -60,8 +60,7 @@ static int take_values(struct ppm *ppm, bool plain, unsigned full, struct image_
     for (size_t i = 0; i < count; i++) {
         unsigned value = take_value(ppm, plain, full);
         if (value > full) {
-            free(texels->rgb);
-            texels->rgb = NULL;
+            image_free(texels);
             return refuse(why, "a damaged PPM file");
         }
         texels->rgb[i] = (unsigned char)((value * 255u + full / 2) / full);
@@ -113,41 +112,37 @@ int image_decode(struct image_texels *texels, const void *bytes, size_t length, 
 #endif
 }
 
-static unsigned char *decode_alpha(const struct image_texels *texels, const void *bytes, size_t length)
+static unsigned luminance(const unsigned char *rgb)
 {
-    if (is_ppm(bytes, length))
-        return NULL;
-#ifdef TIA_HAVE_PNG
-    if (is_png(bytes, length))
-        return image_alpha_png(texels, bytes, length);
-#endif
-#ifdef TIA_HAVE_STB
-    return image_alpha_stb(texels, bytes, length);
-#else
-    (void)texels;
-    return NULL;
-#endif
+    return (77u * rgb[0] + 150u * rgb[1] + 29u * rgb[2] + 128) / 256; /* of 0.299, 0.587, 0.114, ITU-R BT.601 */
 }
 
-/* Rounds down to a multiple of 2^-16, so that the mean is 1 only if all values are 255. */
-static tia_q30 mean_of(const unsigned char *values, size_t count)
+static unsigned char value_at(const struct image_texels *texels, size_t i, enum tia_channel channel)
 {
-    uint64_t sum = 0;
+    switch (channel) {
+    case TIA_CHANNEL_RED:
+    case TIA_CHANNEL_GREEN:
+    case TIA_CHANNEL_BLUE:
+        return texels->rgb[3 * i + (size_t)(channel - TIA_CHANNEL_RED)];
+    case TIA_CHANNEL_ALPHA:
+        return texels->alpha ? texels->alpha[i] : 255;
+    case TIA_CHANNEL_LUMINANCE:
+    case TIA_CHANNEL_OPACITY:
+    default:
+        return (unsigned char)luminance(texels->rgb + 3 * i);
+    }
+}
+
+/* One byte takes the place of three: what is written lies before what is still to be read. */
+void image_channel(struct image_texels *texels, enum tia_channel channel)
+{
+    size_t count = (size_t)texels->width * texels->height;
+    if (channel == TIA_CHANNEL_OPACITY && texels->alpha)
+        channel = TIA_CHANNEL_ALPHA;
     for (size_t i = 0; i < count; i++)
-        sum += values[i];
-    return (tia_q30)((sum << 16) / (255 * (uint64_t)count) << 14);
-}
-
-int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side, size_t most, const char **why)
-{
-    struct image_texels texels = {0, 0, NULL};
-    int status = image_decode(&texels, bytes, length, side, most, why);
-    if (status)
-        return status;
-    size_t count = (size_t)texels.width * texels.height;
-    unsigned char *alpha = decode_alpha(&texels, bytes, length);
-    *mean = alpha ? mean_of(alpha, count) : mean_of(texels.rgb, 3 * count);
-    free(alpha);
-    free(texels.rgb);
-    return TIA_OK;
+        texels->rgb[i] = value_at(texels, i, channel);
+    free(texels->alpha);
+    unsigned char *plane = realloc(texels->rgb, count);
+    texels->alpha = plane ? plane : texels->rgb;
+    texels->rgb = NULL;
 }

@@ -2,14 +2,17 @@
 #ifndef PORT_IMAGE_DECODE_H
 #define PORT_IMAGE_DECODE_H
 
+#include <tia/read.h>
+
 #include "texels.h"
 
-/* Decodes a picture of at most `side` pixels in each direction and `most` bytes of texels. TIA_ERR_RANGE or
- * TIA_ERR_MEMORY with *why, a static string. Transparent pixels are composited on black. */
+/* Decodes a picture of at most `side` pixels in each direction and `most` bytes of colours. TIA_ERR_RANGE or
+ * TIA_ERR_MEMORY with *why, a static string. The colours are those of the file, also where it is transparent: what
+ * shows through is the alpha channel's to say. */
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why);
 
-/* The mean, 0..1, of a picture's alpha channel or, if it has none, of its three colours. Otherwise as image_decode. */
-int image_opacity(tia_q30 *mean, const void *bytes, size_t length, unsigned side, size_t most, const char **why);
+/* Leaves of a decoded picture one channel, as its alpha. */
+void image_channel(struct image_texels *texels, enum tia_channel channel);
 
 #endif

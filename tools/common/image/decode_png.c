@@ -7,48 +7,43 @@
 
 #include "decode_png.h"
 
+static bool read_rgb(png_image *image, struct image_texels *texels)
+{
+    image->format = PNG_FORMAT_RGB;
+    return png_image_finish_read(image, NULL, texels->rgb, 0, NULL) != 0;
+}
+
+static bool read_rgba(png_image *image, struct image_texels *texels)
+{
+    unsigned char *rgba = malloc((size_t)texels->width * texels->height * 4);
+    image->format = PNG_FORMAT_RGBA;
+    if (!rgba || png_image_finish_read(image, NULL, rgba, 0, NULL) == 0) {
+        free(rgba);
+        return false;
+    }
+    image_split(texels, rgba);
+    return true;
+}
+
 int image_decode_png(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                      const char **why)
 {
-    const png_color black = {0, 0, 0};
     png_image image;
     memset(&image, 0, sizeof image);
     image.version = PNG_IMAGE_VERSION;
     *why = "a damaged PNG file";
     if (png_image_begin_read_from_memory(&image, bytes, length) == 0)
         return TIA_ERR_RANGE;
-    image.format = PNG_FORMAT_RGB;
     image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* like 8-bit files: keep the values, convert no gamma */
     int status = image_room(texels, image.width, image.height, side, most, why);
-    if (!status && png_image_finish_read(&image, &black, texels->rgb, 0, NULL) == 0) {
-        free(texels->rgb);
-        texels->rgb = NULL;
+    bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+    if (!status && !(has_alpha ? read_rgba(&image, texels) : read_rgb(&image, texels))) {
+        image_free(texels);
         *why = "a damaged PNG file";
         status = TIA_ERR_RANGE;
     }
     png_image_free(&image);
     return status;
-}
-
-unsigned char *image_alpha_png(const struct image_texels *texels, const unsigned char *bytes, size_t length)
-{
-    size_t count = (size_t)texels->width * texels->height;
-    png_image image;
-    memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, bytes, length) == 0)
-        return NULL;
-    bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
-    image.format = PNG_FORMAT_GA;
-    unsigned char *alpha = has_alpha ? malloc(count * 2) : NULL;
-    if (alpha && png_image_finish_read(&image, NULL, alpha, 0, NULL) == 0) {
-        free(alpha);
-        alpha = NULL;
-    }
-    for (size_t i = 0; alpha && i < count; i++)
-        alpha[i] = alpha[2 * i + 1];
-    png_image_free(&image);
-    return alpha;
 }
 
 #else

@@ -8,8 +8,6 @@
 /* As image_decode. */
 int image_decode_png(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                      const char **why);
-/* The alpha channel of a picture that was decoded before, one byte per texel; free() it. NULL: there is none. */
-unsigned char *image_alpha_png(const struct image_texels *texels, const unsigned char *bytes, size_t length);
 #endif
 
 #endif

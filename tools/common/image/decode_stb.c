@@ -35,12 +35,13 @@ static int refuse(const char **why, const char *what)
  * zeros, and afterwards the position shows whether some were read. Only the internal functions tell the position. */
 #define SPARE 16
 
-static unsigned char *load_padded(const struct image_texels *texels, const unsigned char *padded, size_t length)
+static unsigned char *load_padded(const struct image_texels *texels, int channels, const unsigned char *padded,
+                                  size_t length)
 {
     stbi__context context;
-    int width, height, channels;
+    int width, height, ignored;
     stbi__start_mem(&context, padded, (int)(length + SPARE));
-    unsigned char *all = stbi__load_and_postprocess_8bit(&context, &width, &height, &channels, 4);
+    unsigned char *all = stbi__load_and_postprocess_8bit(&context, &width, &height, &ignored, channels);
     bool is_whole = context.img_buffer <= padded + length;
     if (all && (!is_whole || width != (int)texels->width || height != (int)texels->height)) {
         free(all);
@@ -49,26 +50,17 @@ static unsigned char *load_padded(const struct image_texels *texels, const unsig
     return all;
 }
 
-/* Red, green, blue and alpha of each texel; free() them. NULL: the picture is damaged, or its size is not that of its
- * header. */
-static unsigned char *load(const struct image_texels *texels, const unsigned char *bytes, size_t length)
+/* So many bytes for each texel; free() them. NULL: the picture is damaged, or its size is not that of its header. */
+static unsigned char *load(const struct image_texels *texels, int channels, const unsigned char *bytes, size_t length)
 {
     unsigned char *padded = calloc(1, length + SPARE);
     unsigned char *all = NULL;
     if (padded) {
         memcpy(padded, bytes, length);
-        all = load_padded(texels, padded, length);
+        all = load_padded(texels, channels, padded, length);
     }
     free(padded);
     return all;
-}
-
-/* Composites on black. */
-static void lay(struct image_texels *texels, const unsigned char *all)
-{
-    for (size_t i = 0; i < (size_t)texels->width * texels->height; i++, all += 4)
-        for (size_t c = 0; c < 3; c++)
-            texels->rgb[3 * i + c] = (unsigned char)((all[c] * all[3] + 127) / 255);
 }
 
 /* The height in a BMP's header is negative if the top row comes first. */
@@ -118,27 +110,19 @@ int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, si
     int status = image_room(texels, magnitude(width), magnitude(height), side, most, why);
     if (status)
         return status;
-    unsigned char *all = load(texels, bytes, length);
+    bool has_alpha = channels % 2 == 0;
+    unsigned char *all = load(texels, has_alpha ? 4 : 3, bytes, length);
     if (!all) {
-        free(texels->rgb);
-        texels->rgb = NULL;
+        image_free(texels);
         return refuse(why, "a damaged JPEG, BMP, TGA or GIF file");
     }
-    lay(texels, all);
-    free(all);
+    if (has_alpha) {
+        image_split(texels, all);
+    } else {
+        free(texels->rgb);
+        texels->rgb = all;
+    }
     return TIA_OK;
-}
-
-unsigned char *image_alpha_stb(const struct image_texels *texels, const unsigned char *bytes, size_t length)
-{
-    int width, height, channels;
-    size_t count = (size_t)texels->width * texels->height;
-    if (stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0 || channels % 2 != 0)
-        return NULL;
-    unsigned char *all = load(texels, bytes, length);
-    for (size_t i = 0; all && i < count; i++)
-        all[i] = all[4 * i + 3];
-    return all;
 }
 
 #else

@@ -19,3 +19,28 @@ int image_room(struct image_texels *texels, uint64_t width, uint64_t height, uns
     *why = "memory: exhausted";
     return texels->rgb ? TIA_OK : TIA_ERR_MEMORY;
 }
+
+void image_drop_alpha(struct image_texels *texels)
+{
+    free(texels->alpha);
+    texels->alpha = NULL;
+}
+
+void image_free(struct image_texels *texels)
+{
+    free(texels->rgb);
+    texels->rgb = NULL;
+    image_drop_alpha(texels);
+}
+
+void image_split(struct image_texels *texels, unsigned char *rgba)
+{
+    size_t count = (size_t)texels->width * texels->height;
+    for (size_t i = 0; i < count; i++)
+        for (size_t c = 0; c < 3; c++)
+            texels->rgb[3 * i + c] = rgba[4 * i + c];
+    for (size_t i = 0; i < count; i++)
+        rgba[i] = rgba[4 * i + 3];
+    unsigned char *alpha = realloc(rgba, count);
+    texels->alpha = alpha ? alpha : rgba;
+}

@@ -8,15 +8,15 @@
 #include "common/image/decode.h"
 #include "whole.h"
 
-enum part_kind { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
+/* From PART_OPACITY on there is one for each enum tia_channel. */
+enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
 
 struct scene_part {
     struct scene_part *next;
-    enum part_kind kind;
+    unsigned kind;
     struct whole text;          /* of a library */
-    struct image_texels texels; /* of an image */
-    tia_q30 opacity;
-    char name[]; /* as in the scene */
+    struct image_texels texels; /* of an image or opacity */
+    char name[];                /* as in the scene */
 };
 
 char *part_path(const struct scene_file *file, const char *name)
@@ -27,7 +27,7 @@ char *part_path(const struct scene_file *file, const char *name)
     return asprintf(&path, "%.*s%s", folder, file->path, name) >= 0 ? path : NULL;
 }
 
-static struct scene_part *find(const struct scene_file *file, const char *name, enum part_kind kind)
+static struct scene_part *find(const struct scene_file *file, const char *name, unsigned kind)
 {
     struct scene_part *part = file->parts;
     while (part && (part->kind != kind || strcmp(part->name, name) != 0))
@@ -38,7 +38,7 @@ static struct scene_part *find(const struct scene_file *file, const char *name, 
 static void release(struct scene_part *part)
 {
     free(part->text.bytes);
-    free(part->texels.rgb);
+    image_free(&part->texels);
     free(part);
 }
 
@@ -46,9 +46,11 @@ static void release(struct scene_part *part)
 static int decode(struct scene_part *part, size_t most, const char **why)
 {
     const struct whole *text = &part->text;
-    int status = part->kind == PART_IMAGE
-                     ? image_decode(&part->texels, text->bytes, text->length, TIA_TEXTURE_MAX, most, why)
-                     : image_opacity(&part->opacity, text->bytes, text->length, TIA_TEXTURE_MAX, most, why);
+    int status = image_decode(&part->texels, text->bytes, text->length, TIA_TEXTURE_MAX, most, why);
+    if (!status && part->kind >= PART_OPACITY)
+        image_channel(&part->texels, (enum tia_channel)(part->kind - PART_OPACITY));
+    else
+        image_drop_alpha(&part->texels);
     free(part->text.bytes);
     part->text = (struct whole){NULL, 0};
     return status;
@@ -77,13 +79,13 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
         file->crc = checksum_bytes(file->crc, part->text.bytes, part->text.length);
     if (!status && part->kind != PART_LIBRARY)
         status = decode(part, left, why);
-    file->named_bytes += part->text.length + (size_t)part->texels.width * part->texels.height * 3;
+    file->named_bytes +=
+        part->text.length + (size_t)part->texels.width * part->texels.height * (part->texels.rgb ? 3 : 1);
     return status;
 }
 
 /* The file called `name`, loaded when it is first needed. */
-static int fetch(struct scene_file *file, const char *name, enum part_kind kind, struct scene_part **found,
-                 const char **why)
+static int fetch(struct scene_file *file, const char *name, unsigned kind, struct scene_part **found, const char **why)
 {
     struct scene_part *part = *found = find(file, name, kind);
     if (part)
@@ -116,25 +118,27 @@ int part_library(void *ctx, const char *name, const char **text, size_t *length,
     return status;
 }
 
-int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
+static int fetch_texels(struct scene_file *file, const char *name, unsigned kind, struct tia_texture *texture,
+                        const char **why)
 {
     struct scene_part *part;
-    int status = fetch(ctx, name, PART_IMAGE, &part, why);
+    int status = fetch(file, name, kind, &part, why);
     if (!status) {
         texture->width = (uint16_t)part->texels.width;
         texture->height = (uint16_t)part->texels.height;
-        texture->texels = part->texels.rgb;
+        texture->texels = kind == PART_IMAGE ? part->texels.rgb : part->texels.alpha;
     }
     return status;
 }
 
-int part_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why)
+int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
 {
-    struct scene_part *part;
-    int status = fetch(ctx, name, PART_OPACITY, &part, why);
-    if (!status)
-        *mean = part->opacity;
-    return status;
+    return fetch_texels(ctx, name, PART_IMAGE, texture, why);
+}
+
+int part_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture, const char **why)
+{
+    return fetch_texels(ctx, name, PART_OPACITY + (unsigned)channel, texture, why);
 }
 
 void part_free_all(struct scene_file *file)

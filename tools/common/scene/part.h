@@ -7,7 +7,7 @@
 /* The reader's callbacks (tia/read.h); ctx is the scene file. */
 int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why);
 int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why);
-int part_opacity(void *ctx, const char *name, tia_q30 *mean, const char **why);
+int part_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture, const char **why);
 
 /* The path of the file that the scene calls `name`; free() it. NULL: no memory. */
 char *part_path(const struct scene_file *file, const char *name);

@@ -1,0 +1,30 @@
+#include "check.h"
+
+bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity)
+{
+    const struct tia_scene *scene = check->scene;
+
+    return number <= scene->texture_count && (scene->textures[number - 1].kind == TIA_OPACITY) == opacity;
+}
+
+static bool is_repeat(tia_q16 x)
+{
+    return tia_check_is_between(x, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+}
+
+int tia_check_texture(const struct check *check)
+{
+    const struct tia_texture *t = &check->scene->textures[check->index];
+
+    REQUIRE(t->kind == TIA_CHECKER || t->kind == TIA_IMAGE || t->kind == TIA_OPACITY, "kind",
+            "must be a checker, an image or an opacity");
+    REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be in 1/1024..1024");
+    if (t->kind == TIA_CHECKER) {
+        REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
+    } else {
+        REQUIRE(tia_check_is_between(t->width, 1, TIA_TEXTURE_MAX), "width", "must be in 1..16384");
+        REQUIRE(tia_check_is_between(t->height, 1, TIA_TEXTURE_MAX), "height", "must be in 1..16384");
+        REQUIRE(t->texels, "texels", "must not be NULL");
+    }
+    return TIA_OK;
+}

@@ -1,0 +1,55 @@
+/* shadow.c - what stands before a light. */
+#include "rays.h"
+
+double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell)
+{
+    uint32_t opacity = scene->materials[hit->material].opacity;
+
+    *cell = ORACLE_BLENDED;
+    return opacity == 0 ? 1 : oracle_texture(&scene->textures[opacity - 1], hit->u, hit->v, cell).channel[0];
+}
+
+/* What an object that is met, and has opacity or cells, leaves of the light: surface by surface. */
+static struct colour surfaces(const struct tia_scene *scene, uint32_t object, struct ray ray, double distance)
+{
+    struct colour left = {{1, 1, 1}};
+    unsigned layers = 0, others = 0;
+    uint32_t cell;
+    struct hit h;
+
+    while (object_hit(scene, object, ray, &h) && h.t < distance) {
+        const struct tia_material *m = &scene->materials[h.material];
+        if (m->opacity != 0)
+            left = product(left, mixed(oracle_opacity(scene, &h, &cell), rgb(m->transmission)));
+        else if (others++ == 0)
+            left = product(left, rgb(m->transmission));
+        layers += m->opacity != 0;
+        if (layers > TIA_LAYERS)
+            return (struct colour){{0, 0, 0}};
+        ray.origin = at(ray, h.t + BIAS);
+        distance -= h.t + BIAS;
+    }
+    return left;
+}
+
+static bool is_grid(const struct tia_scene *scene, uint32_t object)
+{
+    return object >= scene->sphere_count && scene->shapes[object - scene->sphere_count].kind == TIA_GRID;
+}
+
+struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray, double distance)
+{
+    struct colour left = {{1, 1, 1}};
+    struct hit h;
+
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
+        if (!object_hit(scene, i, ray, &h) || h.t >= distance)
+            continue;
+        if (is_grid(scene, i) || scene->materials[h.material].opacity != 0)
+            left = product(left, surfaces(scene, i, ray, distance));
+        else
+            for (unsigned n = groups_hit(scene, i, ray, distance); n > 0; n--)
+                left = product(left, rgb(scene->materials[h.material].transmission));
+    }
+    return left;
+}
