@@ -68,6 +68,8 @@ TEST(point_and_attenuation)
     light.constant = TIA_Q16(2);
     light.linear = TIA_Q16(0.5);
     NEAR(red_at(3, 0), 0.8 / (2 + 2.5 + 25));
+    scene.scale_bits = 1; /* 2.5 of the file's units */
+    NEAR(red_at(3, 0), 0.8 / (2 + 1.25 + 6.25));
 }
 
 /* From (3, 4)/5 above, however far: a box beyond any point light still shadows, and nothing attenuates. */
@@ -150,7 +152,7 @@ static struct oracle_vec sample_at(unsigned pixel_class, unsigned i, struct orac
 {
     struct beam beam;
 
-    CHECK(light_beam(&light, p, pixel_class, i, &beam));
+    CHECK(light_beam(&light, 1, p, pixel_class, i, &beam));
     NEAR(beam.strength, 0.25);
     return along(p, beam.distance, beam.direction);
 }

@@ -277,6 +277,26 @@ TEST(lights_one_by_one)
     }
 }
 
+/* Lights fade by the file's units, and a floor's tiles are as large there. */
+TEST(units)
+{
+    for (uint32_t bits = 0; bits <= TIA_SCALE_BITS_MAX; bits += 4) {
+        begin();
+        scene.scale_bits = bits;
+        lights[0].constant = TIA_Q16(0.25);
+        lights[0].linear = TIA_Q16(0.05);
+        lights[0].quadratic = TIA_Q16(0.125);
+        lights[0].emission = (struct tia_rgb)TIA_RGB(0.5, 0.5, 0.5);
+        texture = (struct tia_texture){.kind = TIA_CHECKER,
+                                       .repeat = {TIA_Q16(0.75) << (bits < 8 ? bits : 8), TIA_Q16(2)},
+                                       .offset = {TIA_Q16(0.3), TIA_Q16(-7.1)},
+                                       .cells = {WHITE, TIA_RGB(0.2, 0.1, 0)}};
+        scene.texture_count = 1;
+        materials[FLOOR].texture = 1;
+        draw("units");
+    }
+}
+
 TEST(cameras)
 {
     begin();
@@ -311,6 +331,7 @@ int main(void)
     RUN(materials_one_by_one);
     RUN(textures);
     RUN(lights_one_by_one);
+    RUN(units);
     RUN(cameras);
     threads_destroy(pool);
     return check_status();

@@ -10,6 +10,10 @@
  * of at most TIA_SPAN_SPHERES spheres and no other shapes, whose materials have only colour, transmission and
  * emission, with point lights without attenuation and a camera that looks along -z with one sample per pixel.
  * The ray renderer draws all other scenes.
+ *
+ * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
+ * digits: what is 1 long in the file is 2^scale_bits long here. Two things are still in the file's units, and the
+ * renderer converts: the attenuation of lights and the surface coordinates of planes.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -23,6 +27,7 @@
 #define TIA_SPAN_SPHERES 256
 #define TIA_DEPTH 5 /* the default */
 #define TIA_DEPTH_MAX 16
+#define TIA_SCALE_BITS_MAX 16
 #define TIA_OBJECTS_MAX (UINT32_C(1) << 24) /* spheres and shapes; also a mesh's faces */
 
 /* A key that sets a light: pressing it sets light number `light` to `state`, or adds the light at the end
@@ -51,6 +56,7 @@ struct tia_scene {
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
     uint32_t depth;            /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
     enum tia_shadows shadows;  /* another technique than rays, see shadow.h */
+    uint32_t scale_bits;       /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
     const struct tia_bvh *bvh; /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */

@@ -65,6 +65,12 @@ static inline struct num_point num_point_sub(struct num_point a, struct num_poin
     return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/* 2^-bits: a unit of a scene with these scale_bits, in units of its file. */
+static inline num_unit num_scene_unit(uint32_t bits)
+{
+    return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
+}
+
 /* t d */
 static inline struct num_point num_point_along(struct num_dir d, num_length t)
 {

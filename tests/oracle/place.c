@@ -110,6 +110,10 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
         if (!shape_hit(scene, s, ray, hit))
             return false;
         hit->material += s->material;
+        if (s->kind == TIA_PLANE) {
+            hit->u = ldexp(hit->u, -(int)scene->scale_bits);
+            hit->v = ldexp(hit->v, -(int)scene->scale_bits);
+        }
     }
     struct oracle_vec p = at(ray, hit->t);
     return fabs(p.x) < FAR && fabs(p.y) < FAR && fabs(p.z) < FAR;

@@ -146,7 +146,8 @@ static void add_lights(struct look *look, const struct surface *s, struct colour
         for (unsigned k = 0; k < light_samples(light); k++) {
             struct beam beam;
             feed(&look->path,
-                 light_beam(light, s->p, look->pixel_class, k, &beam) && add_beam(look, light, &beam, s, sum));
+                 light_beam(light, ldexp(1, (int)look->scene->scale_bits), s->p, look->pixel_class, k, &beam) &&
+                     add_beam(look, light, &beam, s, sum));
         }
     }
 }

@@ -69,6 +69,7 @@ static void write_scene(struct unit *unit)
     write_camera(unit);
     field_rgb(unit, "background", s->background);
     field_unsigned(unit, "depth", s->depth);
+    field_unsigned(unit, "scale_bits", s->scale_bits);
     if (s->bvh)
         text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
     if (unit->text.column > 0)

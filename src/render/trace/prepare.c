@@ -88,5 +88,5 @@ void ray_set_lights(struct tia_view *view)
 
     rays->light_count = view->light_count;
     for (uint32_t i = 0; i < view->light_count; i++)
-        ray_light_prepare(&rays->lights[i], &view->lights[i]);
+        ray_light_prepare(&rays->lights[i], &view->lights[i], view->scene->scale_bits);
 }

@@ -134,5 +134,10 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
 int tia_check_uses(struct check *check)
 {
     int status = check_parts(check, TIA_MESH, check->scene->mesh_count);
-    return status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);
+    status = status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);
+    check->thing = "scene";
+    check->index = 0;
+    if (!status)
+        REQUIRE(check->scene->scale_bits <= TIA_SCALE_BITS_MAX, "scale_bits", "must be in 0..16");
+    return status;
 }
