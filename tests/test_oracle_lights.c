@@ -304,7 +304,7 @@ TEST(image)
 
 static struct oracle_vec towards(const struct tia_camera *camera, double x, double y)
 {
-    return oracle_camera(camera, 4, 2, x, y).direction;
+    return oracle_camera(camera, NULL, 4, 2, x, y).direction;
 }
 
 /* From (0, 0, 5) to +x: n = -x, u = y x -x = z, v = -x x z = y. */
@@ -336,8 +336,8 @@ TEST(orthographic)
                            .eye = TIA_VEC3(10, 0, 0),
                            .window = {TIA_Q16(-1), TIA_Q16(3), TIA_Q16(0), TIA_Q16(2)}};
 
-    NEAR_VEC(oracle_camera(&c, 4, 2, 0.5, 0.5).origin, 9.5, 1.5, 0);
-    NEAR_VEC(oracle_camera(&c, 4, 2, 1.5, 1.5).origin, 10.5, 0.5, 0);
+    NEAR_VEC(oracle_camera(&c, NULL, 4, 2, 0.5, 0.5).origin, 9.5, 1.5, 0);
+    NEAR_VEC(oracle_camera(&c, NULL, 4, 2, 1.5, 1.5).origin, 10.5, 0.5, 0);
     NEAR_VEC(towards(&c, 0.5, 0.5), 0, 0, -1);
 }
 

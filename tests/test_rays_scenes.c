@@ -297,6 +297,32 @@ TEST(units)
     }
 }
 
+/* Digits below those of Q16.16, which mirrors magnify: large ones, so that each would be missed. */
+TEST(fine_digits)
+{
+    static const struct tia_fine_sphere spheres[1] = {{{100, -128, 127}, -90}};
+    static const struct tia_fine_ends ends[3] = {
+        {{0}}, {{127, -100, 90}, {-128, 80, -70}, 120, -110}, {{99, 99, 99}, {99, 99, 99}, 99, 99}};
+    static const struct tia_fine fine = {{-120, 110, 127}, {90, -80, 100}, spheres, ends};
+
+    for (int i = 0; i < 4; i++) {
+        thing(i < 2 ? TIA_CYLINDER : TIA_CONE, i % 2);
+        if (i < 2)
+            shapes[1].cylinder =
+                (struct tia_cylinder){TIA_VEC3(0.6, 0.3, 1), TIA_VEC3(0.3, 1.5, 1.5), TIA_Q16(0.02), false};
+        else
+            shapes[1].cone =
+                (struct tia_cone){TIA_VEC3(0.6, 0.3, 1), TIA_VEC3(0.3, 1.5, 1.5), TIA_Q16(0.03), TIA_Q16(0.01), true};
+        ball.radius = TIA_Q16(0.04);
+        ball.centre = (struct tia_vec3)TIA_VEC3(0.55, 0.7, 1.3);
+        scene.camera.eye = (struct tia_vec3)TIA_VEC3(0.5, 0.8, 1.9);
+        scene.camera.reference = (struct tia_vec3)TIA_VEC3(0.5, 0.7, 1.3);
+        materials[BALL].mirror = materials[THING].mirror = (struct tia_rgb)TIA_RGB(0.9, 0.9, 0.9);
+        scene.fine = &fine;
+        draw("fine digits");
+    }
+}
+
 TEST(cameras)
 {
     begin();
@@ -332,6 +358,7 @@ int main(void)
     RUN(textures);
     RUN(lights_one_by_one);
     RUN(units);
+    RUN(fine_digits);
     RUN(cameras);
     threads_destroy(pool);
     return check_status();

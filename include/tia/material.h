@@ -15,8 +15,9 @@
  * internal reflection F = 1, with or without `fresnel`.
  *
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where
- * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + 2^-13 G,
- * refracted rays at P - 2^-13 G, so that rounding cannot make them hit their own surface. A shadow ray ends
+ * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G,
+ * refracted rays at P - b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have
+ * `fine` 2^-20. A shadow ray ends
  * exactly at the light's sample. A light gives nothing where G.L <= 0 or N.L <= 0. Where an interpolated
  * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
@@ -34,11 +35,11 @@
  * A reflected ray keeps the list. Objects without an inside are never added: discs, triangles, cylinders and
  * cones without caps, and open meshes. A mesh is closed when for each edge from one corner of a face to the
  * next there is one that runs back, corners being equal when their coordinates are. Nor is an object added
- * to a full list. A ray may miss one of two surfaces less than 2^-13 apart, so objects that touch should
+ * to a full list. A ray may miss one of two surfaces less than b apart, so objects that touch should
  * overlap instead.
  *
  * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
- * straight on from P - 2^-13 V. Such layers do not count as bounces; a path may have TIA_LAYERS of them.
+ * straight on from P - b V. Such layers do not count as bounces; a path may have TIA_LAYERS of them.
  *
  * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
  * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS layers, or when TIA_RAYS rays of

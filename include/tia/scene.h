@@ -38,6 +38,26 @@ struct tia_binding {
     struct tia_light state;
 };
 
+/* More digits of lengths, in units of 2^-24: each is the number of that name in the scene plus these. Round mirrors
+ * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
+ * cones and the eye can be placed more finely than Q16.16. The span renderer ignores it. */
+struct tia_fine_sphere {
+    struct tia_fine_place centre;
+    int8_t radius;
+};
+
+struct tia_fine_ends {
+    struct tia_fine_place base, top;
+    int8_t base_radius, top_radius;
+};
+
+struct tia_fine {
+    struct tia_fine_place eye, reference;  /* of the camera */
+    const struct tia_fine_sphere *spheres; /* as many as the scene's */
+    const struct tia_fine_ends *shapes;    /* as many as the scene's; used of cylinders, the base's radius for both
+                                              ends, and of cones, where they have no transform */
+};
+
 struct tia_scene {
     struct tia_camera camera;
     struct tia_rgb background; /* each channel in [0, 1] */
@@ -54,10 +74,11 @@ struct tia_scene {
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
-    uint32_t depth;            /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
-    enum tia_shadows shadows;  /* another technique than rays, see shadow.h */
-    uint32_t scale_bits;       /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
-    const struct tia_bvh *bvh; /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
+    enum tia_shadows shadows; /* another technique than rays, see shadow.h */
+    uint32_t scale_bits;      /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
+    const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;

@@ -3,7 +3,6 @@
 #include "light.h"
 #include "media.h"
 
-#define BIAS (1.0 / 8192.0)
 #define FAINT (1.0 / 65536.0)
 
 /* A sample being looked at. */
@@ -33,6 +32,11 @@ struct surface {
 };
 
 static struct colour trace(struct look *look, struct ray ray, const struct way *way);
+
+static double bias(const struct tia_scene *scene)
+{
+    return scene->fine ? 1.0 / 1048576 : 1.0 / 8192;
+}
 
 static void feed(uint32_t *path, uint32_t word)
 {
@@ -120,7 +124,7 @@ static bool add_beam(const struct look *look, const struct tia_light *light, con
 
     if (!(dot(s->g, beam->direction) > 0) || !(cosine > 0) || !(beam->strength > 0))
         return false;
-    struct ray shadow = {along(s->p, BIAS, s->g), beam->direction};
+    struct ray shadow = {along(s->p, bias(look->scene), s->g), beam->direction};
     double distance = INFINITY;
     if (!isinf(beam->distance)) {
         struct oracle_vec way = sub(beam->source, shadow.origin);
@@ -196,7 +200,7 @@ static void bend(const struct tia_scene *scene, const struct surface *s, struct 
     double n1 = q16(c.from), n2 = q16(c.to);
 
     if (c.from == c.to) {
-        *ray = (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)};
+        *ray = (struct ray){along(s->p, -bias(scene), s->v), scaled(s->v, -1)};
         way->layers++;
         return;
     }
@@ -209,8 +213,8 @@ static void bend(const struct tia_scene *scene, const struct surface *s, struct 
 
 static void add_secondary(struct look *look, const struct surface *s, const struct way *way, struct colour *sum)
 {
-    struct ray mirrored = {along(s->p, BIAS, s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
-    struct ray on = {along(s->p, -BIAS, s->g), {0, 0, 0}};
+    struct ray mirrored = {along(s->p, bias(look->scene), s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
+    struct ray on = {along(s->p, -bias(look->scene), s->g), {0, 0, 0}};
     struct colour kr = rgb(s->material->mirror), kt = rgb(s->material->refraction);
     struct way reflected = *way, refracted = *way;
 
@@ -308,7 +312,7 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
     for (unsigned i = 0; i < samples; i++) {
         double dx, dy;
         oracle_sample(samples, i, &dx, &dy);
-        struct ray ray = oracle_camera(&scene->camera, width, height, x + dx, y + dy);
+        struct ray ray = oracle_camera(&scene->camera, scene->fine, width, height, x + dx, y + dy);
         if (i == 0)
             see_first(scene, ray, &pixel);
         struct colour c = see(&look, ray);

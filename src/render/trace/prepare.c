@@ -77,7 +77,8 @@ int ray_prepare(struct tia_view *view)
     rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
-    ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
+    ray_camera_prepare(&rays->camera, scene, view->width, view->height);
+    rays->bias = num_scene_bias(scene->fine, scene->scale_bits);
     prepare_shapes(rays);
     return TIA_OK;
 }

@@ -40,7 +40,7 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     ray_surface(view, hit, s->point, &surface);
     s->back = num_dir_dot(surface.normal, s->viewer) < 0;
     s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
-    s->outside = num_point_at(s->point, s->geometric, NUM_LENGTH_BIAS);
+    s->outside = num_point_at(s->point, s->geometric, view->bias);
     s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
     s->facing = num_dir_dot(s->normal, s->viewer);
     colour_of(path, hit, s);
@@ -178,7 +178,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
 
     b->straight = between.from == between.to;
     b->refracted.direction = num_dir_negated(s->viewer);
-    b->refracted.origin = num_point_at(s->point, b->straight ? s->viewer : s->geometric, -NUM_LENGTH_BIAS);
+    b->refracted.origin = num_point_at(s->point, b->straight ? s->viewer : s->geometric, -view->bias);
     if (b->straight)
         return 0;
     num_unit fresnel = refract(s, between, &b->refracted.direction);
