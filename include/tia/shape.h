@@ -119,8 +119,8 @@ struct tia_shape {
 
 /* The type of a shape's field. */
 enum tia_shape_value {
-    TIA_SHAPE_Q16,  /* tia_q16 */
-    TIA_SHAPE_VEC3, /* struct tia_vec3 */
+    TIA_SHAPE_Q16,  /* tia_q16, a length */
+    TIA_SHAPE_VEC3, /* struct tia_vec3, a place */
     TIA_SHAPE_DIR3, /* struct tia_dir3 */
     TIA_SHAPE_FLAG  /* bool */
 };

@@ -2,34 +2,46 @@
 
 #include "math/integer.h"
 
-static void cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius)
+void tia_span_begin(struct tia_span *span)
 {
-    const int64_t at[3] = {centre.x, centre.y, centre.z};
-
     for (int i = 0; i < 3; i++) {
-        span->min[i] = at[i] - radius < span->min[i] ? at[i] - radius : span->min[i];
-        span->max[i] = at[i] + radius > span->max[i] ? at[i] + radius : span->max[i];
+        span->min[i] = INT32_MAX;
+        span->max[i] = INT32_MIN;
     }
+}
+
+void tia_span_join(struct tia_span *span, const struct tia_span *more)
+{
+    for (int i = 0; i < 3; i++) {
+        span->min[i] = more->min[i] < span->min[i] ? more->min[i] : span->min[i];
+        span->max[i] = more->max[i] > span->max[i] ? more->max[i] : span->max[i];
+    }
+}
+
+void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius)
+{
+    const struct tia_span ball = {{centre.x - radius, centre.y - radius, centre.z - radius},
+                                  {centre.x + radius, centre.y + radius, centre.z + radius}};
+
+    tia_span_join(span, &ball);
 }
 
 void tia_lengths_begin(struct tia_lengths *l)
 {
     *l = (struct tia_lengths){.scale_bits = 0};
-    for (int i = 0; i < 3; i++) {
-        l->all.min[i] = l->eyes.min[i] = INT32_MAX;
-        l->all.max[i] = l->eyes.max[i] = INT32_MIN;
-    }
+    tia_span_begin(&l->all);
+    tia_span_begin(&l->eyes);
 }
 
 void tia_lengths_cover(struct tia_lengths *l, struct tia_vec3 centre, int64_t radius)
 {
-    cover(&l->all, centre, radius);
+    tia_span_cover(&l->all, centre, radius);
 }
 
 void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
 {
-    cover(&l->all, eye, 0);
-    cover(&l->eyes, eye, 0);
+    tia_span_cover(&l->all, eye, 0);
+    tia_span_cover(&l->eyes, eye, 0);
 }
 
 /* The distance from an eye to the farthest corner, at least 2^32 - 1 where it does not fit; with what rounding to

@@ -21,6 +21,11 @@ struct tia_lengths {
     struct tia_span eyes; /* around the places that the eye may take */
 };
 
+/* An empty span; adds a ball to one, or another span. */
+void tia_span_begin(struct tia_span *span);
+void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius);
+void tia_span_join(struct tia_span *span, const struct tia_span *more);
+
 /* Nothing measured yet, read as it is. */
 void tia_lengths_begin(struct tia_lengths *lengths);
 
