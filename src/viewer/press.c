@@ -30,9 +30,9 @@ static const struct tia_binding *find_binding(const struct tia_scene *scene, uin
 }
 
 /* False when the coordinate would leave Q16.16. */
-static bool add(tia_q16 *coordinate, int64_t step)
+static bool add(tia_q16 *coordinate, int step, int32_t unit)
 {
-    int64_t sum = *coordinate + step;
+    int64_t sum = (int64_t)*coordinate + (int64_t)step * unit;
 
     if (sum < INT32_MIN || sum > INT32_MAX)
         return false;
@@ -40,12 +40,13 @@ static bool add(tia_q16 *coordinate, int64_t step)
     return true;
 }
 
-/* By a unit of the scene's file. A program for spheres alone does not check scale_bits: they are cut. */
+/* By a unit of the scene's file, which is too long where Q16.16 does not have it. */
 static bool move_centre(struct tia_vec3 *centre, const struct move *move, uint32_t scale_bits)
 {
-    int64_t step = INT64_C(1) << (16 + (scale_bits & 31));
-
-    return add(&centre->x, move->x * step) && add(&centre->y, move->y * step) && add(&centre->z, move->z * step);
+    if (scale_bits > 14)
+        return false;
+    int32_t unit = TIA_Q16_ONE << scale_bits;
+    return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
 /* Moves the point -direction, at the distance 1, where the light shines from, by 1/16: about 3.6 degrees. The sum's
