@@ -202,10 +202,13 @@ TEST(as_fine_as_there_is_room)
     CHECK_EQ(bits_of(M TENTH "camera look 0 0 -200\n"), 7);
     CHECK_EQ(bits_of(M TENTH "box min -1 -1 -1 max 1 1 1 at 0 0 -200 material m\n"), 7);
     CHECK_EQ(bits_of(M TENTH "group at 0 0 -100 scale 0.5\nsphere radius 1 at 0 0 -200 material m\nend\n"), 7);
+    CHECK_EQ(bits_of(M TENTH "camera eye 140 0 0\ngroup at 100 0 0\ngroup at 100 0 0\n"
+                             "sphere radius 1 at 90 0 0 material m\nend\nend\n"),
+             6);
     CHECK_EQ(bits_of(M TENTH "sphere radius 1 scale 100 at 0 0 -9 material m\n"), 7);
     CHECK_EQ(bits_of(M TENTH "box name b min 0 0 0 max 1 1 1 material m\nanimate b at 0: 0 0 0 1: 0 0 -200\n"), 7);
     CHECK_EQ(bits_of(M TENTH "animate camera eye 0: 0 0 0 1: 0 200 0\n"), 7);
-    CHECK_EQ(bits_of(M TENTH "animate camera look smooth 0: 0 0 -150 1: 0 0 -9\n"), 7);
+    CHECK_EQ(bits_of(M TENTH "animate camera look smooth 0: 0 0 -120 1: 0 0 -9\n"), 7);
     CHECK_EQ(bits_of(M TENTH "plane point 0 -2 0 normal 0 1 0 material m\n"), 2);
     CHECK_EQ(bits_of(M TENTH "plane point 0 -200 0 normal 0 1 0 material m\n"), 0);
     CHECK_EQ(bits_of(M TENTH "plane point 7 -1 9 normal 0 3 0 material m\nanimate camera eye 0: 0 0 0 1: 0 3 0\n"), 1);
