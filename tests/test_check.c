@@ -52,6 +52,15 @@ TEST(depth)
     check_refused("scene", 0, "depth", "must be in 1..16");
 }
 
+TEST(scale_bits)
+{
+    set_up();
+    scene.scale_bits = 16;
+    check_accepted();
+    scene.scale_bits = 17;
+    check_refused("scene", 0, "scale_bits", "must be in 0..16");
+}
+
 /* Of another scene. */
 TEST(bvh)
 {
@@ -234,6 +243,7 @@ int main(void)
 {
     RUN(arrays);
     RUN(depth);
+    RUN(scale_bits);
     RUN(bvh);
     RUN(samples);
     RUN(projections);

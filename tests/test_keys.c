@@ -142,6 +142,20 @@ TEST(no_move_beyond_the_numbers)
     CHECK_EQ(lights[0].centre.x, -most);
 }
 
+/* A step is one unit of the scene's file. */
+TEST(steps_in_the_units_of_the_file)
+{
+    struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}, .scale_bits = 3};
+
+    lights[0] = light_at(ONE, 2 * ONE, 3 * ONE, 0);
+    count = 1;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 1);
+    CHECK(is_at(&lights[0], 9 * ONE, 2 * ONE, 3 * ONE));
+    scene.scale_bits = 15;
+    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
+    CHECK(is_at(&lights[0], 9 * ONE, 2 * ONE, 3 * ONE));
+}
+
 static const struct tia_binding bindings[] = {
     {'0', 0, {{10, 0, 0}, 0, {0, 0, 0}}},
     {'2', 2, {{12, 0, 0}, 0, {0, 0, 0}}},
@@ -265,6 +279,7 @@ int main(void)
     RUN(no_room_for_a_light);
     RUN(no_move_beyond_the_range);
     RUN(no_move_beyond_the_numbers);
+    RUN(steps_in_the_units_of_the_file);
     RUN(several_lights);
     RUN(the_first_light_that_has_a_place);
     RUN(which_light_a_key_puts);

@@ -68,6 +68,8 @@ TEST(point_and_attenuation)
     light.constant = TIA_Q16(2);
     light.linear = TIA_Q16(0.5);
     NEAR(red_at(3, 0), 0.8 / (2 + 2.5 + 25));
+    scene.scale_bits = 1; /* 2.5 of the file's units */
+    NEAR(red_at(3, 0), 0.8 / (2 + 1.25 + 6.25));
 }
 
 /* From (3, 4)/5 above, however far: a box beyond any point light still shadows, and nothing attenuates. */
@@ -150,7 +152,7 @@ static struct oracle_vec sample_at(unsigned pixel_class, unsigned i, struct orac
 {
     struct beam beam;
 
-    CHECK(light_beam(&light, p, pixel_class, i, &beam));
+    CHECK(light_beam(&light, 1, p, pixel_class, i, &beam));
     NEAR(beam.strength, 0.25);
     return along(p, beam.distance, beam.direction);
 }
@@ -302,7 +304,7 @@ TEST(image)
 
 static struct oracle_vec towards(const struct tia_camera *camera, double x, double y)
 {
-    return oracle_camera(camera, 4, 2, x, y).direction;
+    return oracle_camera(camera, NULL, 4, 2, x, y).direction;
 }
 
 /* From (0, 0, 5) to +x: n = -x, u = y x -x = z, v = -x x z = y. */
@@ -334,8 +336,8 @@ TEST(orthographic)
                            .eye = TIA_VEC3(10, 0, 0),
                            .window = {TIA_Q16(-1), TIA_Q16(3), TIA_Q16(0), TIA_Q16(2)}};
 
-    NEAR_VEC(oracle_camera(&c, 4, 2, 0.5, 0.5).origin, 9.5, 1.5, 0);
-    NEAR_VEC(oracle_camera(&c, 4, 2, 1.5, 1.5).origin, 10.5, 0.5, 0);
+    NEAR_VEC(oracle_camera(&c, NULL, 4, 2, 0.5, 0.5).origin, 9.5, 1.5, 0);
+    NEAR_VEC(oracle_camera(&c, NULL, 4, 2, 1.5, 1.5).origin, 10.5, 0.5, 0);
     NEAR_VEC(towards(&c, 0.5, 0.5), 0, 0, -1);
 }
 

@@ -277,6 +277,52 @@ TEST(lights_one_by_one)
     }
 }
 
+/* Lights fade by the file's units, and a floor's tiles are as large there. */
+TEST(units)
+{
+    for (uint32_t bits = 0; bits <= TIA_SCALE_BITS_MAX; bits += 4) {
+        begin();
+        scene.scale_bits = bits;
+        lights[0].constant = TIA_Q16(0.25);
+        lights[0].linear = TIA_Q16(0.05);
+        lights[0].quadratic = TIA_Q16(0.125);
+        lights[0].emission = (struct tia_rgb)TIA_RGB(0.5, 0.5, 0.5);
+        texture = (struct tia_texture){.kind = TIA_CHECKER,
+                                       .repeat = {TIA_Q16(0.75) << (bits < 8 ? bits : 8), TIA_Q16(2)},
+                                       .offset = {TIA_Q16(0.3), TIA_Q16(-7.1)},
+                                       .cells = {WHITE, TIA_RGB(0.2, 0.1, 0)}};
+        scene.texture_count = 1;
+        materials[FLOOR].texture = 1;
+        draw("units");
+    }
+}
+
+/* Digits below those of Q16.16, which mirrors magnify: large ones, so that each would be missed. */
+TEST(fine_digits)
+{
+    static const struct tia_fine_sphere spheres[1] = {{{100, -128, 127}, -90}};
+    static const struct tia_fine_ends ends[3] = {
+        {{0}}, {{127, -100, 90}, {-128, 80, -70}, 120, -110}, {{99, 99, 99}, {99, 99, 99}, 99, 99}};
+    static const struct tia_fine fine = {{-120, 110, 127}, {90, -80, 100}, spheres, ends};
+
+    for (int i = 0; i < 4; i++) {
+        thing(i < 2 ? TIA_CYLINDER : TIA_CONE, i % 2);
+        if (i < 2)
+            shapes[1].cylinder =
+                (struct tia_cylinder){TIA_VEC3(0.6, 0.3, 1), TIA_VEC3(0.3, 1.5, 1.5), TIA_Q16(0.02), false};
+        else
+            shapes[1].cone =
+                (struct tia_cone){TIA_VEC3(0.6, 0.3, 1), TIA_VEC3(0.3, 1.5, 1.5), TIA_Q16(0.03), TIA_Q16(0.01), true};
+        ball.radius = TIA_Q16(0.04);
+        ball.centre = (struct tia_vec3)TIA_VEC3(0.55, 0.7, 1.3);
+        scene.camera.eye = (struct tia_vec3)TIA_VEC3(0.5, 0.8, 1.9);
+        scene.camera.reference = (struct tia_vec3)TIA_VEC3(0.5, 0.7, 1.3);
+        materials[BALL].mirror = materials[THING].mirror = (struct tia_rgb)TIA_RGB(0.9, 0.9, 0.9);
+        scene.fine = &fine;
+        draw("fine digits");
+    }
+}
+
 TEST(cameras)
 {
     begin();
@@ -311,6 +357,8 @@ int main(void)
     RUN(materials_one_by_one);
     RUN(textures);
     RUN(lights_one_by_one);
+    RUN(units);
+    RUN(fine_digits);
     RUN(cameras);
     threads_destroy(pool);
     return check_status();

@@ -172,7 +172,7 @@ TEST(faults_of_the_scene)
                   "3:2: sphere: radius: must be at least 2^-10");
     check_refused("material index index 9 refraction 1", "1:16: material: index: must be in 0.25..4");
     check_refused("samples 4\ncamera fov 200", "2:8: camera: fov: must be in 1..170 degrees");
-    check_refused("key a light 1 at 0 0 0 radius 0.0001", "1:24: key: radius: must be 0 or at least 2^-10");
+    check_refused("key a light 1 at 0 0 0 radius 1e-8", "1:24: key: radius: must be 0 or at least 2^-26");
     check_refused(M "light ambient\nlight at 30000 30000 0",
                   "3:7: light: at: every point must be nearer to the eye than 32768");
     check_refused("light rectangle at 0 5 0 sides 1 0 0 2 0 0",

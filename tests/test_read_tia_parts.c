@@ -242,12 +242,13 @@ static char *say(char *to, const char *what, const struct tia_transform *t)
 
 /* A point, by way of the oracle's transforms one after the other, and by the one that was read. Positions and scales
  * are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the place 1.6e-5. */
-static void check_composed(const struct tia_transform t[3], const struct tia_transform *read)
+static void check_composed(const struct tia_transform t[3], const struct tia_transform *read, int bits)
 {
     for (int i = 0; i < 8; i++) {
         struct oracle_vec v = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
         struct oracle_vec want = transform_point(&t[0], transform_point(&t[1], transform_point(&t[2], v)));
-        double off = length(sub(transform_point(read, v), want));
+        struct oracle_vec got = transform_point(read, scaled(v, ldexp(1, bits)));
+        double off = length(sub(scaled(got, ldexp(1, -bits)), want));
         CHECK_MSG(off < 5e-5, "%g off", off);
     }
 }
@@ -267,7 +268,7 @@ TEST(groups_within_groups)
         (void)sprintf(end, "end\nend\n");
         check_reads(text);
         if (!now.status)
-            check_composed(t, &now.scene.transforms[0]);
+            check_composed(t, &now.scene.transforms[0], (int)now.scene.scale_bits);
     }
 }
 

@@ -40,13 +40,24 @@ static void copy(struct tia_vec3 v, long double out[3])
     out[2] = real(v.z);
 }
 
+/* The eye's and the reference's digits behind Q16.16; 0 without. */
+static struct tia_fine fine;
+
+static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long double out[3])
+{
+    copy(v, out);
+    out[0] += ldexpl(digits.x, -24);
+    out[1] += ldexpl(digits.y, -24);
+    out[2] += ldexpl(digits.z, -24);
+}
+
 /* u, v, n */
 static void find_axes(const struct tia_camera *c, long double axes[3][3])
 {
     long double eye[3], reference[3], up[3];
 
-    copy(c->eye, eye);
-    copy(c->reference, reference);
+    copy_finely(c->eye, fine.eye, eye);
+    copy_finely(c->reference, fine.reference, reference);
     copy(c->up, up);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -93,7 +104,7 @@ static void find_vertex(const struct tia_camera *c, unsigned width, unsigned hei
 
     find_axes(c, axes);
     find_window(c, width, height, window);
-    copy(c->eye, eye);
+    copy_finely(c->eye, fine.eye, eye);
     for (int i = 0; i < 3; i++)
         to[i] = at[i] - (direction ? 0 : eye[i]);
     for (int i = 0; i < 3; i++)
@@ -119,8 +130,8 @@ static bool is_askew(const struct tia_camera *c)
 {
     long double eye[3], reference[3], up[3], n[3], side[3];
 
-    copy(c->eye, eye);
-    copy(c->reference, reference);
+    copy_finely(c->eye, fine.eye, eye);
+    copy_finely(c->reference, fine.reference, reference);
     copy(c->up, up);
     for (int k = 0; k < 3; k++)
         n[k] = eye[k] - reference[k];
@@ -190,14 +201,22 @@ static void check_direction(const struct tia_eye *eye, const int64_t direction[3
         CHECK_MSG(fabsl((long double)own[i] - want[i] * sqrtl(got / length)) <= 2, "%d is %jd", i, (intmax_t)own[i]);
 }
 
+static struct tia_fine_place any_digits(void)
+{
+    return (struct tia_fine_place){(int8_t)(random_bits() & 127), (int8_t)(random_bits() & 127), (int8_t)-128};
+}
+
 static void check_camera(enum tia_projection projection)
 {
-    struct tia_camera c = any_camera(projection);
+    bool finely = random_bits() % 2;
+    fine = finely ? (struct tia_fine){any_digits(), any_digits(), NULL, NULL} : (struct tia_fine){.spheres = NULL};
+    const struct tia_scene scene = {.camera = any_camera(projection), .fine = finely ? &fine : NULL};
+    const struct tia_camera c = scene.camera;
     unsigned width = 1 + (unsigned)random_short(13), height = 1 + (unsigned)random_short(13);
     bool flat = projection == TIA_ORTHOGRAPHIC;
     struct tia_eye eye;
 
-    tia_eye_init(&eye, &c, width, height);
+    tia_eye_init(&eye, &scene, width, height);
     for (int i = 0; i < 20; i++) {
         struct tia_raster_vertex v;
         struct tia_vec3 p = any_point(200);

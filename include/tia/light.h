@@ -1,8 +1,9 @@
 /* light.h - light sources.
  *
  * Except for ambient lights, a light reaches a point at the distance d with the attenuation
- * 1/(constant + linear d + quadratic d^2), as in OpenGL, and casts shadows. When all three factors are 0, and
- * for directional lights, there is no attenuation; where the sum is 2^17 or more, no light arrives.
+ * 1/(constant + linear d + quadratic d^2), as in OpenGL, and casts shadows; d is in the file's units, see scene.h. When
+ * all three factors are 0, and for directional lights, there is no attenuation; where the sum is 2^17 or more, no light
+ * arrives.
  *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which

@@ -15,17 +15,18 @@
  * internal reflection F = 1, with or without `fresnel`.
  *
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where
- * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + 2^-13 G,
- * refracted rays at P - 2^-13 G, so that rounding cannot make them hit their own surface. A shadow ray ends
+ * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G,
+ * refracted rays at P - b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have
+ * `fine` 2^-20. A shadow ray ends
  * exactly at the light's sample. A light gives nothing where G.L <= 0 or N.L <= 0. Where an interpolated
  * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
  * hits, a mesh that has groups once for each group that is hit.
  *
  * An opacity texture, whose value at P is o, says how much of the surface is there: the colour is o times the one
- * above plus 1 - o times what is seen past it, by a ray that goes straight on from P - 2^-13 V. Where the refracted
+ * above plus 1 - o times what is seen past it, by a ray that goes straight on from P - b V. Where the refracted
  * ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such surface
- * that it crosses, by o transmission + 1 - o at that place, and goes on 2^-13 behind it; T is 0 behind more than
+ * that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than
  * TIA_LAYERS of them in one object. Other cells of a grid count once, by the first.
  *
  * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
@@ -41,11 +42,11 @@
  * cones without caps, and open meshes. A mesh is closed when for each edge from one corner of a face to the
  * next there is one that runs back, corners being equal when their coordinates are. Nor is an object added
  * where it has an opacity texture, or to a full list. A ray past an opacity has the list that a refracted ray
- * would have. A ray may miss one of two surfaces less than 2^-13 apart, so objects that touch should
+ * would have. A ray may miss one of two surfaces less than b apart, so objects that touch should
  * overlap instead.
  *
  * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
- * straight on from P - 2^-13 V. Such layers, and those that rays go past, do not count as bounces; a path may have
+ * straight on from P - b V. Such layers, and those that rays go past, do not count as bounces; a path may have
  * TIA_LAYERS of them.
  *
  * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput

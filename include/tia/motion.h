@@ -38,7 +38,8 @@ struct tia_track {
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
- * are shared with `scene`. *out has no tracks and no bvh, since objects moved: build a new one.
+ * are shared with `scene`. *out has no tracks, no bvh, since objects moved: build a new one, and no `fine`
+ * if there were tracks.
  * TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time);
 

@@ -1,8 +1,9 @@
 /* read.h - reads scene files, without floating point and without heap.
  *
  * Decimal numbers are converted to fixed point directly, rounded to nearest, ties away from zero, so that a
- * file means the same scene on every machine. The caller holds the whole text in memory, and loads the files
- * that it refers to (material libraries, included scenes, images) by name.
+ * file means the same scene on every machine. Lengths are read in a unit that uses the range, see scale_bits in
+ * scene.h. The caller holds the whole text in memory, and loads the files that it refers to (material libraries,
+ * included scenes, images) by name.
  */
 #ifndef TIA_READ_H
 #define TIA_READ_H

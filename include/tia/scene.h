@@ -10,6 +10,10 @@
  * of at most TIA_SPAN_SPHERES spheres and no other shapes, whose materials have only colour, transmission and
  * emission, with point lights without attenuation and a camera that looks along -z with one sample per pixel.
  * The ray renderer draws all other scenes.
+ *
+ * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
+ * digits: what is 1 long in the file is 2^scale_bits long here. Two things are still in the file's units, and the
+ * renderer converts: the attenuation of lights and the surface coordinates of planes.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -23,6 +27,7 @@
 #define TIA_SPAN_SPHERES 256
 #define TIA_DEPTH 5 /* the default */
 #define TIA_DEPTH_MAX 16
+#define TIA_SCALE_BITS_MAX 16
 #define TIA_OBJECTS_MAX (UINT32_C(1) << 24) /* spheres and shapes; also a mesh's faces */
 
 /* A key that sets a light: pressing it sets light number `light` to `state`, or adds the light at the end
@@ -31,6 +36,26 @@ struct tia_binding {
     uint16_t key; /* enum tia_key or ASCII, see port.h */
     uint16_t light;
     struct tia_light state;
+};
+
+/* More digits of lengths, in units of 2^-24: each is the number of that name in the scene plus these. Round mirrors
+ * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
+ * cones and the eye can be placed more finely than Q16.16. The span renderer ignores it. */
+struct tia_fine_sphere {
+    struct tia_fine_place centre;
+    int8_t radius;
+};
+
+struct tia_fine_ends {
+    struct tia_fine_place base, top;
+    int8_t base_radius, top_radius;
+};
+
+struct tia_fine {
+    struct tia_fine_place eye, reference;  /* of the camera */
+    const struct tia_fine_sphere *spheres; /* as many as the scene's */
+    const struct tia_fine_ends *shapes;    /* as many as the scene's; used of cylinders, the base's radius for both
+                                              ends, and of cones, where they have no transform */
 };
 
 struct tia_scene {
@@ -49,9 +74,11 @@ struct tia_scene {
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
-    uint32_t depth;            /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
-    enum tia_shadows shadows;  /* another technique than rays, see shadow.h */
-    const struct tia_bvh *bvh; /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
+    enum tia_shadows shadows; /* another technique than rays, see shadow.h */
+    uint32_t scale_bits;      /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
+    const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;

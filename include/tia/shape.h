@@ -9,7 +9,7 @@
  *     shape      u, v, before the transform                                    u = 0         v = 0
  *     sphere     (1/2 - atan2(z, x)/(2 pi), 1 - acos(y/r)/pi), the point       at -x; +z is  at the bottom,
  *                relative to the centre                                        at u = 1/4    -y
- *     plane      (P.U, P.V) of P relative to `point`, in world units           along V       along U
+ *     plane      (P.U, P.V) of P relative to `point`, in the file's units      along V       along U
  *     disc       (1/2 + P.U/(2r), 1/2 + P.V/(2r)), P relative to the centre:   at the left   at the bottom
  *                0..1 on the square around it
  *     cylinder,  u = 1/2 - atan2(-P.V, P.U)/(2 pi) around the axis, with the   at -U         at the base
@@ -119,8 +119,8 @@ struct tia_shape {
 
 /* The type of a shape's field. */
 enum tia_shape_value {
-    TIA_SHAPE_Q16,  /* tia_q16 */
-    TIA_SHAPE_VEC3, /* struct tia_vec3 */
+    TIA_SHAPE_Q16,  /* tia_q16, a length */
+    TIA_SHAPE_VEC3, /* struct tia_vec3, a place */
     TIA_SHAPE_DIR3, /* struct tia_dir3 */
     TIA_SHAPE_FLAG  /* bool */
 };

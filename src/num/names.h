@@ -68,6 +68,7 @@
 #define box_intersect NAMES(box_intersect)
 #define box_surface NAMES(box_surface)
 #define box_uv NAMES(box_uv)
+#define round_fine NAMES(round_fine)
 #define round_prepare NAMES(round_prepare)
 #define round_intersect NAMES(round_intersect)
 #define round_surface NAMES(round_surface)

@@ -7,6 +7,8 @@
  * compare and multiply by small integers with the operators of C. For all else, call:
  *
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
+ *   num_fine(n)                  n 2^-24, see struct tia_fine
+ *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits; `fine`: that has it
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
  *   num_product(x, y)            x y, must be below 2^17; num_product_within(x, y): clamped to 2^17, x, y >= 0
@@ -55,6 +57,11 @@ static inline struct num_point num_point_of(struct tia_vec3 v)
     return (struct num_point){num_length_of(v.x), num_length_of(v.y), num_length_of(v.z)};
 }
 
+static inline struct num_point num_point_fine(struct tia_fine_place v)
+{
+    return (struct num_point){num_fine(v.x), num_fine(v.y), num_fine(v.z)};
+}
+
 static inline struct num_point num_point_add(struct num_point a, struct num_point b)
 {
     return (struct num_point){a.x + b.x, a.y + b.y, a.z + b.z};
@@ -63,6 +70,12 @@ static inline struct num_point num_point_add(struct num_point a, struct num_poin
 static inline struct num_point num_point_sub(struct num_point a, struct num_point b)
 {
     return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/* 2^-bits: a unit of a scene with these scale_bits, in units of its file. */
+static inline num_unit num_scene_unit(uint32_t bits)
+{
+    return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
 }
 
 /* t d */

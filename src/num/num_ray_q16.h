@@ -9,7 +9,7 @@ typedef int64_t num_length;
 typedef int64_t num_unit;
 
 #define NUM_LENGTH_ONE ((num_length)1 << 45)
-#define NUM_LENGTH_BIAS ((num_length)1 << 32) /* 2^-13: secondary rays start this far off the surface */
+#define NUM_LENGTH_BIAS ((num_length)1 << 32) /* 2^-13 */
 #define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: no hits at larger coordinates */
 #define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17: infinity */
 #define NUM_LENGTH_LEAST ((num_length)1)      /* the smallest positive length */
@@ -24,6 +24,17 @@ static inline num_length num_length_of(tia_q16 q)
 static inline num_length num_length_of_q45(int64_t n)
 {
     return n;
+}
+
+static inline num_length num_fine(int8_t digits)
+{
+    return (num_length)digits * ((num_length)1 << 21);
+}
+
+static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
+{
+    (void)scale_bits;
+    return fine ? NUM_LENGTH_BIAS >> 7 : NUM_LENGTH_BIAS;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)

@@ -23,6 +23,23 @@ static inline num_length num_length_of_q45(int64_t n)
     return (num_real)n / (num_real)((int64_t)1 << 45);
 }
 
+static inline num_length num_fine(int8_t digits)
+{
+    return (num_real)digits / (1 << 24);
+}
+
+/* A float has no digits for anything finer than this, whatever the unit. */
+static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
+{
+#ifdef TIA_NUM_F32
+    (void)fine;
+    return NUM_LENGTH_BIAS * (num_real)((int32_t)1 << scale_bits);
+#else
+    (void)scale_bits;
+    return fine ? NUM_LENGTH_BIAS / 128 : NUM_LENGTH_BIAS;
+#endif
+}
+
 static inline num_unit num_unit_of(tia_q30 q)
 {
     return (num_real)q / 1073741824;

@@ -22,6 +22,31 @@ static void locate(struct tia_reader *reader, struct tia_fault *fault, struct ti
         tia_locate_nff(reader, fault);
 }
 
+/* What follows `start` in a string that begins with it; NULL: it does not. */
+static const char *after(const char *string, const char *start)
+{
+    while (*start && *string == *start)
+        string++, start++;
+    return *start ? NULL : string;
+}
+
+/* The rule, its least length, which is 2^-10 in the scene, in the file's unit. */
+static void say_rule(struct tia_read_error *error, const char *rule, unsigned scale_bits)
+{
+    static const char *const starts[] = {"must be at least 2^-", "must be 0 or at least 2^-"};
+
+    for (unsigned i = 0; i < 2; i++) {
+        const char *number = after(rule, starts[i]), *rest = number ? after(number, "10") : NULL;
+        if (!rest)
+            continue;
+        tia_say(error, starts[i]);
+        tia_say_number(error, 10 + (int64_t)scale_bits);
+        tia_say(error, rest);
+        return;
+    }
+    tia_say(error, rule);
+}
+
 /* Runs tia_scene_check and turns its fault into the reader's error. */
 static int check(struct tia_reader *reader, const struct tia_scene *scene, struct tia_arena *arena)
 {
@@ -42,7 +67,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         tia_say(error, fault.field);
     }
     tia_say(error, ": ");
-    tia_say(error, fault.rule);
+    say_rule(error, fault.rule, scene->scale_bits);
     return TIA_ERR_RANGE;
 }
 

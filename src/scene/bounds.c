@@ -3,13 +3,20 @@
 
 #include "scene/shapes/description.h"
 
-static void around_sphere(const struct tia_sphere *s, struct bounds_wide *bounds)
+/* What the scene's fine digits may add to a box, rounded up: half a unit each for a centre and a radius. */
+static int64_t fine_margin(const struct tia_scene *scene)
+{
+    return scene->fine ? 1 : 0;
+}
+
+static void around_sphere(const struct tia_scene *scene, const struct tia_sphere *s, struct bounds_wide *bounds)
 {
     const tia_q16 centre[3] = {s->centre.x, s->centre.y, s->centre.z};
+    int64_t reach = s->radius + fine_margin(scene);
 
     for (int k = 0; k < 3; k++) {
-        bounds->min[k] = (int64_t)centre[k] - s->radius;
-        bounds->max[k] = (int64_t)centre[k] + s->radius;
+        bounds->min[k] = centre[k] - reach;
+        bounds->max[k] = centre[k] + reach;
     }
 }
 
@@ -28,8 +35,8 @@ static bool around_shape(const struct frame *frame, const struct tia_scene *scen
     if (hull.max[0] < hull.min[0])
         return false;
     for (int k = 0; k < 3; k++) {
-        bounds->min[k] = hull.min[k] >> 16;
-        bounds->max[k] = (hull.max[k] + 0xffff) >> 16;
+        bounds->min[k] = (hull.min[k] >> 16) - fine_margin(scene);
+        bounds->max[k] = ((hull.max[k] + 0xffff) >> 16) + fine_margin(scene);
     }
     return true;
 }
@@ -40,7 +47,7 @@ bool tia_bounds_in_world(const struct tia_scene *scene, uint32_t object, const s
     struct frame frame;
 
     if (object < scene->sphere_count) {
-        around_sphere(&scene->spheres[object], bounds);
+        around_sphere(scene, &scene->spheres[object], bounds);
         return true;
     }
     const struct tia_shape *shape = &scene->shapes[object - scene->sphere_count];

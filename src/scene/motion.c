@@ -160,6 +160,7 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
         out->lights = lights;
     if (transforms)
         out->transforms = transforms;
+    out->fine = still.track_count ? NULL : still.fine;
     out->tracks = NULL;
     out->track_count = 0;
     out->bvh = NULL;

@@ -74,11 +74,20 @@ void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3])
     }
 }
 
-/* The rows of axes are u, v and n, Q1.62. */
-static void look(int64_t axes[3][3], const struct tia_camera *c)
+/* Q39.24, with the fine digits if there are any. */
+static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {
-    const int64_t back[3] = {(int64_t)c->eye.x - c->reference.x, (int64_t)c->eye.y - c->reference.y,
-                             (int64_t)c->eye.z - c->reference.z};
+    const tia_q16 at[3] = {place.x, place.y, place.z};
+    const int8_t digits[3] = {fine ? fine->x : 0, fine ? fine->y : 0, fine ? fine->z : 0};
+
+    for (int i = 0; i < 3; i++)
+        out[i] = at[i] * INT64_C(256) + digits[i];
+}
+
+/* The rows of axes are u, v and n, Q1.62. */
+static void look(int64_t axes[3][3], const struct tia_camera *c, const int64_t at[3], const int64_t reference[3])
+{
+    const int64_t back[3] = {at[0] - reference[0], at[1] - reference[1], at[2] - reference[2]};
     const int64_t up[3] = {c->up.x, c->up.y, c->up.z};
     int64_t side[3], towards[3];
 
@@ -156,16 +165,18 @@ static void open_perspective(struct tia_eye *eye, tia_q16 fov, int64_t axes[3][3
     eye->row[1] = scaled(axes[1], cotangent);
 }
 
-void tia_eye_init(struct tia_eye *eye, const struct tia_camera *camera, unsigned width, unsigned height)
+void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height)
 {
     static const struct ratio one = {INT64_C(1) << 60, 60};
-    const tia_q16 at[3] = {camera->eye.x, camera->eye.y, camera->eye.z};
-    int64_t axes[3][3];
+    const struct tia_camera *camera = &scene->camera;
+    int64_t axes[3][3], at[3], reference[3];
 
-    look(axes, camera);
+    finely(camera->eye, scene->fine ? &scene->fine->eye : NULL, at);
+    finely(camera->reference, scene->fine ? &scene->fine->reference : NULL, reference);
+    look(axes, camera, at, reference);
     eye->projection = camera->projection;
     for (int i = 0; i < 3; i++)
-        eye->origin[i] = at[i] * (INT64_C(1) << 16);
+        eye->origin[i] = at[i] * 256;
     eye->row[2] = scaled(axes[2], one);
     if (camera->projection == TIA_ORTHOGRAPHIC)
         open_window(eye, &camera->window, axes, width, height);

@@ -3,6 +3,7 @@
 #define TIA_SHADOW_EYE_H
 
 #include <tia/raster.h>
+#include <tia/scene.h>
 
 /* m[i] 2^-places: what a unit along each axis of the world counts. Points have offset 2^-offset_places
  * more. */
@@ -18,8 +19,8 @@ struct tia_eye {
     struct tia_eye_row row[3];
 };
 
-/* For the camera of a scene that tia_scene_check accepts; its samples are the lattice's. */
-void tia_eye_init(struct tia_eye *eye, const struct tia_camera *camera, unsigned width, unsigned height);
+/* For the camera of a scene that tia_scene_check accepts, with its fine digits; its samples are the lattice's. */
+void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* The smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are Q31.32 and
  * less than 2^17 from the eye in each coordinate. */

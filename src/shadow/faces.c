@@ -311,7 +311,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->planes = (void *)take(&next, (size_t)n.faces * sizeof *flat->planes);
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
-    tia_eye_init(&flat->eye, &scene->camera, width, height);
+    tia_eye_init(&flat->eye, scene, width, height);
     unsigned range = range_of(scene, &flat->eye);
     if (range > 20)
         return TIA_ERR_RANGE;

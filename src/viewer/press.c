@@ -30,9 +30,9 @@ static const struct tia_binding *find_binding(const struct tia_scene *scene, uin
 }
 
 /* False when the coordinate would leave Q16.16. */
-static bool add(tia_q16 *coordinate, int step)
+static bool add(tia_q16 *coordinate, int step, int32_t unit)
 {
-    int64_t sum = (int64_t)*coordinate + (int64_t)step * TIA_Q16_ONE;
+    int64_t sum = (int64_t)*coordinate + (int64_t)step * unit;
 
     if (sum < INT32_MIN || sum > INT32_MAX)
         return false;
@@ -40,9 +40,13 @@ static bool add(tia_q16 *coordinate, int step)
     return true;
 }
 
-static bool move_centre(struct tia_vec3 *centre, const struct move *move)
+/* By a unit of the scene's file, which is too long where Q16.16 does not have it. */
+static bool move_centre(struct tia_vec3 *centre, const struct move *move, uint32_t scale_bits)
 {
-    return add(&centre->x, move->x) && add(&centre->y, move->y) && add(&centre->z, move->z);
+    if (scale_bits > 14)
+        return false;
+    int32_t unit = TIA_Q16_ONE << scale_bits;
+    return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
 /* Moves the point -direction, at the distance 1, where the light shines from, by 1/16: about 3.6 degrees. The sum's
@@ -62,7 +66,8 @@ static int move_light(const struct tia_scene *scene, struct tia_light *light, co
     struct tia_light moved = *light;
     struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
 
-    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move) : !move_centre(&moved.centre, move))
+    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move)
+                                             : !move_centre(&moved.centre, move, scene->scale_bits))
         return 0;
     if (tia_scene_check(&alone, NULL))
         return 0;

@@ -6,13 +6,14 @@ struct frame {
     struct oracle_vec u, v, n;
 };
 
-static struct frame frame_of(const struct tia_camera *camera)
+static struct frame frame_of(const struct tia_camera *camera, const struct tia_fine *fine)
 {
     struct oracle_vec up = position(camera->up);
     struct frame f = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
     if (length(up) > 0) {
-        f.n = unit(sub(position(camera->eye), position(camera->reference)));
+        f.n = unit(sub(finely(camera->eye, fine ? &fine->eye : NULL),
+                       finely(camera->reference, fine ? &fine->reference : NULL)));
         f.u = unit(cross(up, f.n));
         f.v = cross(f.n, f.u);
     }
@@ -37,10 +38,12 @@ static struct oracle_vec window_point(const struct tia_camera *camera, double w,
                                camera->projection == TIA_FRUSTUM ? q16(window->near) : 0.0};
 }
 
-struct ray oracle_camera(const struct tia_camera *camera, unsigned width, unsigned height, double x, double y)
+struct ray oracle_camera(const struct tia_camera *camera, const struct tia_fine *fine, unsigned width, unsigned height,
+                         double x, double y)
 {
-    struct frame f = frame_of(camera);
-    struct oracle_vec p = window_point(camera, width, height, x, y), eye = position(camera->eye);
+    struct frame f = frame_of(camera, fine);
+    struct oracle_vec p = window_point(camera, width, height, x, y),
+                      eye = finely(camera->eye, fine ? &fine->eye : NULL);
     struct oracle_vec aside = along(scaled(f.u, p.x), p.y, f.v);
 
     if (camera->projection == TIA_ORTHOGRAPHIC)

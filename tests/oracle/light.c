@@ -79,7 +79,8 @@ static double spot(const struct tia_light *light, struct oracle_vec way)
     return a >= inner ? 1.0 : a <= outer ? 0.0 : (a - outer) / (inner - outer);
 }
 
-bool light_beam(const struct tia_light *light, struct oracle_vec p, unsigned pixel_class, unsigned i, struct beam *beam)
+bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
+                struct beam *beam)
 {
     if (light->kind == TIA_DIRECTIONAL_LIGHT) {
         *beam =
@@ -90,7 +91,8 @@ bool light_beam(const struct tia_light *light, struct oracle_vec p, unsigned pix
     double distance = length(way);
     if (!(distance > 0))
         return false;
-    *beam = (struct beam){divide(way, distance), from, distance, attenuation(light, distance) / light_samples(light)};
+    *beam = (struct beam){divide(way, distance), from, distance,
+                          attenuation(light, distance / unit) / light_samples(light)};
     if (light->kind == TIA_SPOT_LIGHT)
         beam->strength *= spot(light, beam->direction);
     return true;

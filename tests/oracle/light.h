@@ -16,8 +16,8 @@ struct beam {
 unsigned light_samples(const struct tia_light *light);
 
 /* Sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it is
- * in p itself. */
-bool light_beam(const struct tia_light *light, struct oracle_vec p, unsigned pixel_class, unsigned i,
+ * in p itself. `unit` is that of attenuations. */
+bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
                 struct beam *beam);
 
 /* The pixel's class, and where sample i of n lies in the unit square. */

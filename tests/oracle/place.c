@@ -45,8 +45,20 @@ struct oracle_vec transform_point(const struct tia_transform *transform, struct 
     return along(turned, 1, position(transform->position));
 }
 
+static bool tapered_hit(struct ray ray, const struct tia_vec3 *base, const struct tia_vec3 *top, tia_q16 base_radius,
+                        tia_q16 top_radius, const struct tia_fine_ends *fine, bool capped, struct hit *hit)
+{
+    double more = fine ? ldexp(fine->base_radius, -24) : 0, other = fine ? ldexp(fine->top_radius, -24) : 0;
+
+    return shape_cone(ray, finely(*base, fine ? &fine->base : NULL), finely(*top, fine ? &fine->top : NULL),
+                      q16(base_radius) + more, q16(top_radius) + (base_radius == top_radius ? more : other), capped,
+                      hit);
+}
+
 static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, struct ray ray, struct hit *hit)
 {
+    const struct tia_fine_ends *fine =
+        scene->fine && s->transform == 0 ? &scene->fine->shapes[s - scene->shapes] : NULL;
     struct oracle_vec corner[3];
 
     switch (s->kind) {
@@ -57,11 +69,11 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
     case TIA_DISC:
         return shape_disc(ray, position(s->disc.centre), direction(s->disc.normal), q16(s->disc.radius), hit);
     case TIA_CYLINDER:
-        return shape_cone(ray, position(s->cylinder.base), position(s->cylinder.top), q16(s->cylinder.radius),
-                          q16(s->cylinder.radius), s->cylinder.capped, hit);
+        return tapered_hit(ray, &s->cylinder.base, &s->cylinder.top, s->cylinder.radius, s->cylinder.radius, fine,
+                           s->cylinder.capped, hit);
     case TIA_CONE:
-        return shape_cone(ray, position(s->cone.base), position(s->cone.top), q16(s->cone.base_radius),
-                          q16(s->cone.top_radius), s->cone.capped, hit);
+        return tapered_hit(ray, &s->cone.base, &s->cone.top, s->cone.base_radius, s->cone.top_radius, fine,
+                           s->cone.capped, hit);
     case TIA_BOX:
         return shape_box(ray, position(s->box.min), position(s->box.max), hit);
     case TIA_TRIANGLE:
@@ -102,7 +114,9 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
 {
     if (index < scene->sphere_count) {
         const struct tia_sphere *s = &scene->spheres[index];
-        if (!shape_sphere(ray, position(s->centre), q16(s->radius), hit))
+        const struct tia_fine_sphere *fine = scene->fine ? &scene->fine->spheres[index] : NULL;
+        if (!shape_sphere(ray, finely(s->centre, fine ? &fine->centre : NULL),
+                          q16(s->radius) + (fine ? ldexp(fine->radius, -24) : 0), hit))
             return false;
         hit->material = s->material;
     } else {
@@ -110,6 +124,10 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
         if (!shape_hit(scene, s, ray, hit))
             return false;
         hit->material += s->material;
+        if (s->kind == TIA_PLANE) {
+            hit->u = ldexp(hit->u, -(int)scene->scale_bits);
+            hit->v = ldexp(hit->v, -(int)scene->scale_bits);
+        }
     }
     struct oracle_vec p = at(ray, hit->t);
     return fabs(p.x) < FAR && fabs(p.y) < FAR && fabs(p.z) < FAR;

@@ -98,7 +98,7 @@ static bool add_beam(const struct look *look, const struct tia_light *light, con
 
     if (!(dot(s->g, beam->direction) > 0) || !(cosine > 0) || !(beam->strength > 0))
         return false;
-    struct ray shadow = {along(s->p, BIAS, s->g), beam->direction};
+    struct ray shadow = {along(s->p, oracle_bias(look->scene), s->g), beam->direction};
     double distance = INFINITY;
     if (!isinf(beam->distance)) {
         struct oracle_vec way = sub(beam->source, shadow.origin);
@@ -124,7 +124,8 @@ static void add_lights(struct look *look, const struct surface *s, struct colour
         for (unsigned k = 0; k < light_samples(light); k++) {
             struct beam beam;
             feed(&look->path,
-                 light_beam(light, s->p, look->pixel_class, k, &beam) && add_beam(look, light, &beam, s, sum));
+                 light_beam(light, ldexp(1, (int)look->scene->scale_bits), s->p, look->pixel_class, k, &beam) &&
+                     add_beam(look, light, &beam, s, sum));
         }
     }
 }
@@ -173,7 +174,7 @@ static void bend(const struct tia_scene *scene, const struct surface *s, struct 
     double n1 = q16(c.from), n2 = q16(c.to);
 
     if (c.from == c.to || is_black(rgb(m->refraction))) {
-        *ray = (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)};
+        *ray = (struct ray){along(s->p, -oracle_bias(scene), s->v), scaled(s->v, -1)};
         way->layers++;
         return;
     }
@@ -186,8 +187,8 @@ static void bend(const struct tia_scene *scene, const struct surface *s, struct 
 
 static void add_secondary(struct look *look, const struct surface *s, const struct way *way, struct colour *sum)
 {
-    struct ray mirrored = {along(s->p, BIAS, s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
-    struct ray on = {along(s->p, -BIAS, s->g), {0, 0, 0}};
+    struct ray mirrored = {along(s->p, oracle_bias(look->scene), s->g), along(scaled(s->v, -1), 2.0 * s->cosine, s->n)};
+    struct ray on = {along(s->p, -oracle_bias(look->scene), s->g), {0, 0, 0}};
     struct colour kr = rgb(s->material->mirror), kt = rgb(s->material->refraction);
     struct way reflected = *way, refracted = *way, past = *way;
 
@@ -202,7 +203,7 @@ static void add_secondary(struct look *look, const struct surface *s, const stru
         return;
     past.layers++;
     past.media = refracted.media;
-    add_ray(look, (struct ray){along(s->p, -BIAS, s->v), scaled(s->v, -1)}, grey(1 - o), past, sum);
+    add_ray(look, (struct ray){along(s->p, -oracle_bias(look->scene), s->v), scaled(s->v, -1)}, grey(1 - o), past, sum);
 }
 
 static struct surface surface_at(const struct tia_scene *scene, struct ray ray, uint32_t object, const struct hit *hit)
@@ -297,7 +298,7 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
     for (unsigned i = 0; i < samples; i++) {
         double dx, dy;
         oracle_sample(samples, i, &dx, &dy);
-        struct ray ray = oracle_camera(&scene->camera, width, height, x + dx, y + dy);
+        struct ray ray = oracle_camera(&scene->camera, scene->fine, width, height, x + dx, y + dy);
         if (i == 0)
             see_first(scene, ray, &pixel);
         struct colour c = see(&look, ray);

@@ -6,7 +6,11 @@
 
 #include "shape.h"
 
-#define BIAS (1.0 / 8192.0) /* between a surface and the rays that start there */
+/* Between a surface and the rays that start there. */
+static inline double oracle_bias(const struct tia_scene *scene)
+{
+    return scene->fine ? 1.0 / 1048576 : 1.0 / 8192;
+}
 
 /* Whether a scene asks for general rays, see tia/scene.h. */
 bool oracle_needs_rays(const struct tia_scene *scene);
@@ -16,7 +20,8 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
                                      double y);
 
 /* The camera's ray through the place (x, y) of the image, its upper left corner being (0, 0). */
-struct ray oracle_camera(const struct tia_camera *camera, unsigned width, unsigned height, double x, double y);
+struct ray oracle_camera(const struct tia_camera *camera, const struct tia_fine *fine, unsigned width, unsigned height,
+                         double x, double y);
 
 /* Sample n of a pixel whose upper left corner is (0, 0), of samples a pixel, 1, 4 or 16. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);

@@ -26,8 +26,8 @@ static struct colour surfaces(const struct tia_scene *scene, uint32_t object, st
         layers += m->opacity != 0;
         if (layers > TIA_LAYERS)
             return (struct colour){{0, 0, 0}};
-        ray.origin = at(ray, h.t + BIAS);
-        distance -= h.t + BIAS;
+        ray.origin = at(ray, h.t + oracle_bias(scene));
+        distance -= h.t + oracle_bias(scene);
     }
     return left;
 }

@@ -36,6 +36,15 @@ static inline struct oracle_vec position(struct tia_vec3 v)
     return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
 }
 
+/* With the scene's fine digits. */
+static inline struct oracle_vec finely(struct tia_vec3 v, const struct tia_fine_place *fine)
+{
+    struct oracle_vec p = position(v);
+
+    return fine ? (struct oracle_vec){p.x + ldexp(fine->x, -24), p.y + ldexp(fine->y, -24), p.z + ldexp(fine->z, -24)}
+                : p;
+}
+
 static inline struct colour rgb(struct tia_rgb c)
 {
     return (struct colour){{q30(c.r), q30(c.g), q30(c.b)}};

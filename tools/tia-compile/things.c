@@ -93,6 +93,46 @@ static void write_spheres(struct unit *unit)
     table_end(unit);
 }
 
+static void fine_place(struct unit *unit, const char *field, struct tia_fine_place p)
+{
+    if (p.x != 0 || p.y != 0 || p.z != 0)
+        text_word(&unit->text, ".%s = {%d, %d, %d},", field, p.x, p.y, p.z);
+}
+
+static void write_fine_shape(struct unit *unit, const struct tia_fine_ends *e)
+{
+    text_word(&unit->text, "{{%d, %d, %d}, {%d, %d, %d}, %d, %d},", e->base.x, e->base.y, e->base.z, e->top.x, e->top.y,
+              e->top.z, e->base_radius, e->top_radius);
+}
+
+void unit_fine(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+    const struct tia_fine *fine = scene->fine;
+
+    if (scene->sphere_count > 0) {
+        table_begin(unit, "struct tia_fine_sphere", "fine_spheres");
+        for (uint32_t i = 0; i < scene->sphere_count; i++) {
+            const struct tia_fine_sphere *s = &fine->spheres[i];
+            text_word(&unit->text, "{{%d, %d, %d}, %d},", s->centre.x, s->centre.y, s->centre.z, s->radius);
+        }
+        table_end(unit);
+    }
+    if (scene->shape_count > 0) {
+        table_begin(unit, "struct tia_fine_ends", "fine_shapes");
+        for (uint32_t i = 0; i < scene->shape_count; i++)
+            write_fine_shape(unit, &fine->shapes[i]);
+        table_end(unit);
+    }
+    text_print(&unit->text, "static const struct tia_fine %s_fine = {\n", unit->symbol);
+    unit->text.indent = 4;
+    fine_place(unit, "eye", fine->eye);
+    fine_place(unit, "reference", fine->reference);
+    field_table(unit, "spheres", scene->sphere_count, "fine_spheres");
+    field_table(unit, "shapes", scene->shape_count, "fine_shapes");
+    table_end(unit);
+}
+
 void unit_things(struct unit *unit)
 {
     const struct tia_scene *scene = unit->scene;

@@ -69,6 +69,9 @@ static void write_scene(struct unit *unit)
     write_camera(unit);
     field_rgb(unit, "background", s->background);
     field_unsigned(unit, "depth", s->depth);
+    field_unsigned(unit, "scale_bits", s->scale_bits);
+    if (s->fine)
+        text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);
     if (s->bvh)
         text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
     if (unit->text.column > 0)
@@ -100,6 +103,8 @@ void unit_write(struct unit *unit, const char *source)
     /* The declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on. */
     text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
     unit_things(unit);
+    if (scene->fine)
+        unit_fine(unit);
     unit_shapes(unit);
     unit_images(unit);
     unit_meshes(unit);

@@ -18,6 +18,7 @@ void unit_write(struct unit *unit, const char *source);
 
 /* The parts of the unit: the tables that the scene points to. */
 void unit_things(struct unit *unit); /* materials, spheres, lights, keys */
+void unit_fine(struct unit *unit);   /* their fine digits; only if the scene has them */
 void unit_shapes(struct unit *unit); /* shapes, transforms */
 void unit_images(struct unit *unit); /* textures and grids */
 void unit_meshes(struct unit *unit);

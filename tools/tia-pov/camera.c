@@ -9,13 +9,14 @@ struct axes {
     struct point u, v, n;
 };
 
-static struct axes axes_of(const struct tia_camera *c)
+static struct axes axes_of(const struct pov *pov)
 {
+    const struct tia_camera *c = &pov->scene->camera;
     struct axes axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
     if (c->up.x == 0 && c->up.y == 0 && c->up.z == 0)
         return axes;
-    axes.n = pov_unit(pov_sum(pov_vec3(c->eye), pov_scaled(pov_vec3(c->reference), -1)));
+    axes.n = pov_unit(pov_sum(pov_place(pov, c->eye), pov_scaled(pov_place(pov, c->reference), -1)));
     axes.u = pov_unit(pov_cross(pov_vec3(c->up), axes.n));
     axes.v = pov_cross(axes.n, axes.u);
     return axes;
@@ -27,7 +28,7 @@ static void perspective(struct pov *pov, const struct axes *axes)
     double height = 2 * tan(pov_q16(c->fov) * acos(-1) / 360);
 
     text_print(&pov->text, "camera {\n");
-    pov_triple(pov, "perspective location", pov_vec3(c->eye));
+    pov_triple(pov, "perspective location", pov_place(pov, c->eye));
     pov_triple(pov, "direction", pov_scaled(axes->n, -1));
     pov_triple(pov, "right", pov_scaled(axes->u, height));
     text_word(&pov->text, ASPECT);
@@ -42,14 +43,16 @@ static void window(struct pov *pov, const struct axes *axes)
     const struct tia_camera *c = &pov->scene->camera;
     const struct tia_window *w = &c->window;
     bool frustum = c->projection == TIA_FRUSTUM, wide = w->left == 0 && w->right == 0;
-    double width = pov_q16(w->right) - pov_q16(w->left), height = pov_q16(w->top) - pov_q16(w->bottom);
-    struct point across = pov_scaled(axes->u, (pov_q16(w->left) + pov_q16(w->right)) / 2);
-    struct point centre = pov_sum(across, pov_scaled(axes->v, (pov_q16(w->bottom) + pov_q16(w->top)) / 2));
-    struct point ahead = pov_scaled(axes->n, frustum ? -pov_q16(w->near) : -1);
+    double width = pov_length(pov, w->right) - pov_length(pov, w->left),
+           height = pov_length(pov, w->top) - pov_length(pov, w->bottom);
+    struct point across = pov_scaled(axes->u, (pov_length(pov, w->left) + pov_length(pov, w->right)) / 2);
+    struct point centre =
+        pov_sum(across, pov_scaled(axes->v, (pov_length(pov, w->bottom) + pov_length(pov, w->top)) / 2));
+    struct point ahead = pov_scaled(axes->n, frustum ? -pov_length(pov, w->near) : -1);
 
     text_print(&pov->text, "camera {\n");
     text_word(&pov->text, frustum ? "perspective" : "orthographic");
-    pov_triple(pov, "location", frustum ? pov_vec3(c->eye) : pov_sum(pov_vec3(c->eye), centre));
+    pov_triple(pov, "location", frustum ? pov_place(pov, c->eye) : pov_sum(pov_place(pov, c->eye), centre));
     pov_triple(pov, "direction", frustum ? pov_sum(ahead, centre) : ahead);
     pov_triple(pov, "right", pov_scaled(axes->u, wide ? height : width));
     if (wide)
@@ -60,7 +63,7 @@ static void window(struct pov *pov, const struct axes *axes)
 
 void pov_camera(struct pov *pov)
 {
-    struct axes axes = axes_of(&pov->scene->camera);
+    struct axes axes = axes_of(pov);
 
     if (pov->scene->camera.projection == TIA_PERSPECTIVE)
         perspective(pov, &axes);

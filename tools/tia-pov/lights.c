@@ -54,13 +54,13 @@ static void round_area(struct pov *pov, const struct tia_light *l, struct point 
     struct point a, b;
 
     pov_axes(normal, &a, &b);
-    area(pov, pov_scaled(a, pov_q16(l->radius)), pov_scaled(b, pov_q16(l->radius)), side_of(l), form);
+    area(pov, pov_scaled(a, pov_length(pov, l->radius)), pov_scaled(b, pov_length(pov, l->radius)), side_of(l), form);
 }
 
 static void spot(struct pov *pov, uint32_t index, const struct tia_light *l)
 {
     text_word(&pov->text, "spotlight radius %.10g falloff %.10g tightness 0", pov_q16(l->inner), pov_q16(l->outer));
-    pov_triple(pov, "point_at", pov_sum(pov_vec3(l->centre), pov_dir3(l->direction)));
+    pov_triple(pov, "point_at", pov_sum(pov_place(pov, l->centre), pov_dir3(l->direction)));
     if (l->inner != l->outer)
         pov_note(pov, "light %u: between its cones it falls off along a cubic here, linearly in the cosine in tia",
                  index);
@@ -75,7 +75,7 @@ static void write_kind(struct pov *pov, uint32_t index)
         spot(pov, index, l);
         break;
     case TIA_RECTANGLE_LIGHT:
-        area(pov, pov_vec3(l->side[0]), pov_vec3(l->side[1]), side_of(l), "");
+        area(pov, pov_place(pov, l->side[0]), pov_place(pov, l->side[1]), side_of(l), "");
         break;
     case TIA_DISC_LIGHT:
         round_area(pov, l, pov_dir3(l->direction), "circular");
@@ -101,7 +101,7 @@ static void write_light(struct pov *pov, uint32_t index)
         text_word(&pov->text, "parallel point_at 0");
     } else {
         factor = fade(l, &distance, &power);
-        pov_triple(pov, "", pov_vec3(l->centre));
+        pov_triple(pov, "", pov_place(pov, l->centre));
         pov_triple(pov, "rgb", pov_scaled(pov_rgb(l->emission), factor));
         write_kind(pov, index);
         write_fade(pov, index, distance, power);
@@ -115,9 +115,9 @@ static void rectangle(struct pov *pov, const struct tia_light *l)
 
     text_word(&pov->text, "polygon { 5,");
     for (int i = 0; i < 5; i++) {
-        struct point p =
-            pov_sum(pov_scaled(pov_vec3(l->side[0]), corners[i][0]), pov_scaled(pov_vec3(l->side[1]), corners[i][1]));
-        pov_triple(pov, "", pov_sum(pov_vec3(l->centre), p));
+        struct point p = pov_sum(pov_scaled(pov_place(pov, l->side[0]), corners[i][0]),
+                                 pov_scaled(pov_place(pov, l->side[1]), corners[i][1]));
+        pov_triple(pov, "", pov_sum(pov_place(pov, l->centre), p));
     }
 }
 
@@ -133,12 +133,12 @@ static void write_seen(struct pov *pov, const struct tia_light *l)
     if (sides) {
         rectangle(pov, l);
     } else if (l->kind == TIA_DISC_LIGHT) {
-        pov_triple(pov, "disc {", pov_vec3(l->centre));
+        pov_triple(pov, "disc {", pov_place(pov, l->centre));
         pov_triple(pov, ",", pov_dir3(l->direction));
-        text_word(&pov->text, ", %.10g", pov_q16(l->radius));
+        text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
     } else {
-        pov_triple(pov, "sphere {", pov_vec3(l->centre));
-        text_word(&pov->text, ", %.10g", pov_q16(l->radius));
+        pov_triple(pov, "sphere {", pov_place(pov, l->centre));
+        text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
     }
     pov_triple(pov, "no_shadow pigment { rgb", pov_rgb(l->emission));
     text_word(&pov->text, "} finish { emission 1 diffuse 0 } }");

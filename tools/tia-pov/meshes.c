@@ -118,7 +118,7 @@ static void write_vertices(struct pov *pov, const struct tia_mesh *m)
 {
     begin_list(pov, "vertex_vectors", m->vertex_count);
     for (uint32_t i = 0; i < m->vertex_count; i++)
-        item(pov, pov_vec3(m->vertices[i]));
+        item(pov, pov_place(pov, m->vertices[i]));
     end_list(pov);
 }
 

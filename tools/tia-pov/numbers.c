@@ -17,6 +17,16 @@ struct point pov_vec3(struct tia_vec3 v)
     return (struct point){pov_q16(v.x), pov_q16(v.y), pov_q16(v.z)};
 }
 
+double pov_length(const struct pov *pov, tia_q16 length)
+{
+    return ldexp(pov_q16(length), -(int)pov->scene->scale_bits);
+}
+
+struct point pov_place(const struct pov *pov, struct tia_vec3 v)
+{
+    return (struct point){pov_length(pov, v.x), pov_length(pov, v.y), pov_length(pov, v.z)};
+}
+
 struct point pov_dir3(struct tia_dir3 d)
 {
     return pov_unit((struct point){pov_q30(d.x), pov_q30(d.y), pov_q30(d.z)});

@@ -8,7 +8,7 @@ static void write_transform(struct pov *pov, uint32_t transform)
     const struct tia_transform *t = &pov->scene->transforms[transform - 1];
     pov_triple(pov, "scale", pov_vec3(t->scale));
     pov_triple(pov, "rotate", pov_vec3(t->rotation));
-    pov_triple(pov, "translate", pov_vec3(t->position));
+    pov_triple(pov, "translate", pov_place(pov, t->position));
 }
 
 /* Leaves the block open, for a transform. */

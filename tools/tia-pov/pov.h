@@ -1,7 +1,7 @@
 /* pov.h - writes a scene in the language of POV-Ray 3.7.
  *
- * All coordinates stay the same. POV-Ray is left-handed by default, but its camera defines its own axes; with our u
- * as `right`, the pictures are the same as ours. The numbers of rotations keep their meaning.
+ * All coordinates are those of the scene's file. POV-Ray is left-handed by default, but its camera defines its own
+ * axes; with our u as `right`, the pictures are the same as ours. The numbers of rotations keep their meaning.
  */
 #ifndef TIA_POV_POV_H
 #define TIA_POV_POV_H
@@ -74,6 +74,9 @@ __attribute__((format(printf, 2, 3))) void pov_note(struct pov *pov, const char 
 double pov_q16(tia_q16 value);
 double pov_q30(tia_q30 value);
 struct point pov_vec3(struct tia_vec3 v);
+/* In the units of the scene's file. */
+double pov_length(const struct pov *pov, tia_q16 length);
+struct point pov_place(const struct pov *pov, struct tia_vec3 v);
 struct point pov_dir3(struct tia_dir3 d); /* normalised */
 struct point pov_rgb(struct tia_rgb c);
 struct point pov_scaled(struct point a, double f);

@@ -5,7 +5,7 @@
 
 static void write_plane(struct pov *pov, const struct tia_plane *p)
 {
-    struct point n = pov_dir3(p->normal), at = pov_vec3(p->point);
+    struct point n = pov_dir3(p->normal), at = pov_place(pov, p->point);
 
     pov_triple(pov, "plane {", n);
     text_word(&pov->text, ", %.10g", n.x * at.x + n.y * at.y + n.z * at.z);
@@ -15,17 +15,17 @@ static void write_plane(struct pov *pov, const struct tia_plane *p)
 static void write_tapered(struct pov *pov, const char *name, struct tia_vec3 base, struct tia_vec3 top, double radius,
                           const tia_q16 *base_radius)
 {
-    pov_triple(pov, name, pov_vec3(base));
+    pov_triple(pov, name, pov_place(pov, base));
     if (base_radius)
-        text_word(&pov->text, ", %.10g", pov_q16(*base_radius));
-    pov_triple(pov, ",", pov_vec3(top));
+        text_word(&pov->text, ", %.10g", pov_length(pov, *base_radius));
+    pov_triple(pov, ",", pov_place(pov, top));
     text_word(&pov->text, ", %.10g", radius);
 }
 
 static void write_ball(struct pov *pov, struct tia_vec3 centre, tia_q16 radius)
 {
-    pov_triple(pov, "sphere {", pov_vec3(centre));
-    text_word(&pov->text, ", %.10g", pov_q16(radius));
+    pov_triple(pov, "sphere {", pov_place(pov, centre));
+    text_word(&pov->text, ", %.10g", pov_length(pov, radius));
 }
 
 static void write_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max, uint32_t material)
@@ -34,8 +34,8 @@ static void write_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max,
         pov_box(pov, min, max);
         return;
     }
-    pov_triple(pov, "box {", pov_vec3(min));
-    pov_triple(pov, ",", pov_vec3(max));
+    pov_triple(pov, "box {", pov_place(pov, min));
+    pov_triple(pov, ",", pov_place(pov, max));
 }
 
 void pov_geometry(struct pov *pov, const struct tia_shape *s)
@@ -48,16 +48,17 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
         write_plane(pov, &s->plane);
         break;
     case TIA_DISC:
-        pov_triple(pov, "disc {", pov_vec3(s->disc.centre));
+        pov_triple(pov, "disc {", pov_place(pov, s->disc.centre));
         pov_triple(pov, ",", pov_dir3(s->disc.normal));
-        text_word(&pov->text, ", %.10g", pov_q16(s->disc.radius));
+        text_word(&pov->text, ", %.10g", pov_length(pov, s->disc.radius));
         break;
     case TIA_CYLINDER:
-        write_tapered(pov, "cylinder {", s->cylinder.base, s->cylinder.top, pov_q16(s->cylinder.radius), NULL);
+        write_tapered(pov, "cylinder {", s->cylinder.base, s->cylinder.top, pov_length(pov, s->cylinder.radius), NULL);
         text_word(&pov->text, s->cylinder.capped ? "" : "open");
         break;
     case TIA_CONE:
-        write_tapered(pov, "cone {", s->cone.base, s->cone.top, pov_q16(s->cone.top_radius), &s->cone.base_radius);
+        write_tapered(pov, "cone {", s->cone.base, s->cone.top, pov_length(pov, s->cone.top_radius),
+                      &s->cone.base_radius);
         text_word(&pov->text, s->cone.capped ? "" : "open");
         break;
     case TIA_BOX:
@@ -169,10 +170,11 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
         note_seam(pov, material);
         break;
     case TIA_PLANE:
-        write_frame(pov, pov_dir3(s->plane.normal), pov_vec3(s->plane.point), 1, false);
+        write_frame(pov, pov_dir3(s->plane.normal), pov_place(pov, s->plane.point), 1, false);
         break;
     case TIA_DISC:
-        write_frame(pov, pov_dir3(s->disc.normal), pov_vec3(s->disc.centre), 2 * pov_q16(s->disc.radius), true);
+        write_frame(pov, pov_dir3(s->disc.normal), pov_place(pov, s->disc.centre), 2 * pov_length(pov, s->disc.radius),
+                    true);
         break;
     case TIA_CYLINDER:
         write_around(pov, s->cylinder.base, s->cylinder.top);

@@ -86,6 +86,7 @@ static int print_stats(const struct drawing *drawing)
     stats.format = image_format_name(drawing->options->format);
     stats.width = drawing->picture.rotation.width;
     stats.height = drawing->picture.rotation.height;
+    stats.scale_bits = drawing->options->scene.scale_bits;
     stats.threads = threads_count(drawing->picture.pool);
     return stats_print(&stats) == 0 ? EXIT_FINE : EXIT_RUNNING;
 }

@@ -186,6 +186,7 @@ int session_run(struct session *session)
     session->stats.format = session->format;
     session->stats.width = session->letterbox.rotation.width;
     session->stats.height = session->letterbox.rotation.height;
+    session->stats.scale_bits = session->options->scene.scale_bits;
     session->stats.threads = session->pool ? threads_count(session->pool) : 1;
     if (status < 0 && session->why[0] == '\0')
         (void)snprintf(session->why, PORT_WHY, "%s", fail_reason(status));

@@ -48,7 +48,8 @@ int stats_print(struct stats *stats)
     print_samples("frame_ms", &stats->draw);
     print_samples("input_to_flip_ms", &stats->flip);
     (void)fprintf(stderr,
-                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"isa\": \"%s\", \"threads\": %u}\n",
-                  stats->display, stats->format, stats->width, stats->height, isa(), stats->threads);
+                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"isa\": \"%s\", \"threads\": %u, "
+                  "\"scale_bits\": %u}\n",
+                  stats->display, stats->format, stats->width, stats->height, isa(), stats->threads, stats->scale_bits);
     return fflush(stderr) != 0 || ferror(stderr) != 0 ? -1 : 0;
 }

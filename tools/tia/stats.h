@@ -16,7 +16,7 @@ struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
     const char *display, *format;
-    unsigned width, height, threads;
+    unsigned width, height, threads, scale_bits; /* the last: of the scene */
 };
 
 void stats_add(struct samples *samples, uint64_t us);

@@ -36,13 +36,17 @@ static int read_v(struct nff *n)
 static int read_from(struct nff *n)
 {
     n->view |= VIEW_FROM;
-    return tia_text_vec3(&n->text, &n->scene->camera.eye);
+    int status = tia_text_fine_place(&n->text, &n->scene->camera.eye, &n->fine.eye);
+    tia_lengths_cover_eye(&n->lengths, n->scene->camera.eye);
+    return status;
 }
 
 static int read_at(struct nff *n)
 {
     n->view |= VIEW_AT;
-    return tia_text_vec3(&n->text, &n->scene->camera.reference);
+    int status = tia_text_fine_place(&n->text, &n->scene->camera.reference, &n->fine.reference);
+    tia_lengths_cover(&n->lengths, n->scene->camera.reference, 0);
+    return status;
 }
 
 static int read_up(struct nff *n)
@@ -52,7 +56,7 @@ static int read_up(struct nff *n)
 
     n->view |= VIEW_UP;
     (void)tia_text_peek(&n->text, &first);
-    int status = tia_text_vec3(&n->text, up);
+    int status = tia_text_vector(&n->text, up);
     if (!status && !up->x && !up->y && !up->z)
         return tia_text_error(&n->text, &first, "begins an up vector of no length", "three numbers that are not all 0");
     return status;
@@ -93,8 +97,9 @@ static tia_q30 intensity(uint32_t count)
 static int read_l(struct nff *n)
 {
     struct tia_light light = {.kind = TIA_POINT_LIGHT};
-    int status = tia_text_vec3(&n->text, &light.centre);
+    int status = tia_text_place(&n->text, &light.centre);
 
+    tia_lengths_cover(&n->lengths, light.centre, 0);
     if (!status && tia_text_has_number(&n->text))
         status = tia_text_rgb(&n->text, &light.emission, true);
     else if (n->lights.capacity)
@@ -198,6 +203,7 @@ static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_r
     struct tia_word word;
 
     n->text = tia_text_begin(reader->text, reader->length, "", error);
+    n->text.lengths = &n->lengths;
     while (tia_text_line(&n->text)) {
         (void)tia_text_word(&n->text, &word);
         int status = read_statement(n, &word);
@@ -215,16 +221,21 @@ static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_r
 
 static struct nff begin(struct tia_scene *scene)
 {
-    return (struct nff){.scene = scene,
-                        .materials = {.item = sizeof(struct tia_material)},
-                        .lights = {.item = sizeof(struct tia_light)},
-                        .spheres = {.item = sizeof(struct tia_sphere)},
-                        .shapes = {.item = sizeof(struct tia_shape)},
-                        .meshes = {.item = sizeof(struct tia_mesh)},
-                        .vertices = {.item = sizeof(struct tia_vec3)},
-                        .normals = {.item = sizeof(struct tia_dir3)},
-                        .faces = {.item = sizeof(struct tia_face)},
-                        .groups = {.item = sizeof(uint32_t)}};
+    struct nff n = {.scene = scene,
+                    .materials = {.item = sizeof(struct tia_material)},
+                    .lights = {.item = sizeof(struct tia_light)},
+                    .spheres = {.item = sizeof(struct tia_sphere)},
+                    .shapes = {.item = sizeof(struct tia_shape)},
+                    .meshes = {.item = sizeof(struct tia_mesh)},
+                    .vertices = {.item = sizeof(struct tia_vec3)},
+                    .normals = {.item = sizeof(struct tia_dir3)},
+                    .faces = {.item = sizeof(struct tia_face)},
+                    .groups = {.item = sizeof(uint32_t)},
+                    .fine_spheres = {.item = sizeof(struct tia_fine_sphere)},
+                    .fine_shapes = {.item = sizeof(struct tia_fine_ends)}};
+
+    tia_lengths_begin(&n.lengths);
+    return n;
 }
 
 static void place(struct nff *n, struct tia_arena *arena)
@@ -245,6 +256,8 @@ static void place(struct nff *n, struct tia_arena *arena)
     (void)tia_array_place(arena, &n->normals);
     (void)tia_array_place(arena, &n->faces);
     (void)tia_array_place(arena, &n->groups);
+    n->fine.spheres = tia_array_place(arena, &n->fine_spheres);
+    n->fine.shapes = tia_array_place(arena, &n->fine_shapes);
     n->corners = tia_arena_take(arena, n->most_corners, sizeof *n->corners);
 }
 
@@ -275,7 +288,15 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     if (status)
         return status;
     place(&n, arena);
-    return tia_arena_fits(arena) ? read_all(&n, reader, &reader->error) : TIA_OK;
+    struct tia_fine *fine = tia_arena_take(arena, 1, sizeof *fine);
+    if (!tia_arena_fits(arena))
+        return TIA_OK;
+    n.lengths.filling = true;
+    n.lengths.scale_bits = scene->scale_bits = tia_lengths_room(&n.lengths);
+    status = read_all(&n, reader, &reader->error);
+    *fine = n.fine;
+    scene->fine = fine;
+    return status;
 }
 
 /* The words of a fault: what the file calls its field ("": the whole line), and which word of the line it is. */

@@ -4,13 +4,17 @@
 
 #include "read/polygon.h"
 #include "read/readers.h"
+#include "read/text/length.h"
 
 enum view { VIEW_V = 1, VIEW_FROM = 2, VIEW_AT = 4, VIEW_UP = 8, VIEW_ANGLE = 16, VIEW_ALL = 31 };
 
 struct nff {
     struct tia_text text;
     struct tia_scene *scene;
+    struct tia_lengths lengths;
     struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces, groups;
+    struct tia_array fine_spheres, fine_shapes; /* more digits of the spheres and shapes */
+    struct tia_fine fine;
     struct tia_mesh mesh; /* of the present f; open as long as it has vertices */
     bool transmits;       /* the present f: each of its polygons filters light by itself */
     uint32_t polygons;

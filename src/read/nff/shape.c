@@ -13,22 +13,27 @@ static uint32_t material(struct nff *n)
 }
 
 /* Reads a radius; drops the sign, which marks an inside. */
-static int read_radius(struct tia_text *t, tia_q16 *out)
+static int read_radius(struct tia_text *t, tia_q16 *out, int8_t *digits)
 {
-    int status = tia_text_q16(t, out);
+    int status = tia_text_fine_length(t, out, digits);
 
-    if (!status && *out < 0)
+    if (!status && *out < 0) {
         *out = *out == INT32_MIN ? INT32_MAX : -*out;
+        *digits = *digits == INT8_MIN ? INT8_MAX : (int8_t) - *digits;
+    }
     return status;
 }
 
 int tia_nff_s(struct nff *n)
 {
     struct tia_sphere s = {.material = material(n)};
-    int status = tia_text_vec3(&n->text, &s.centre);
+    struct tia_fine_sphere fine = {{0, 0, 0}, 0};
+    int status = tia_text_fine_place(&n->text, &s.centre, &fine.centre);
 
-    status = status ? status : read_radius(&n->text, &s.radius);
+    status = status ? status : read_radius(&n->text, &s.radius, &fine.radius);
+    tia_lengths_cover(&n->lengths, s.centre, s.radius);
     tia_array_add(&n->spheres, &s);
+    tia_array_add(&n->fine_spheres, &fine);
     return status;
 }
 
@@ -36,17 +41,21 @@ int tia_nff_c(struct nff *n)
 {
     struct tia_shape shape = {.kind = TIA_CONE, .material = material(n)};
     struct tia_cone cone = {.capped = false};
-    int status = tia_text_vec3(&n->text, &cone.base);
+    struct tia_fine_ends fine = {.base_radius = 0};
+    int status = tia_text_fine_place(&n->text, &cone.base, &fine.base);
 
-    status = status ? status : read_radius(&n->text, &cone.base_radius);
-    status = status ? status : tia_text_vec3(&n->text, &cone.top);
-    status = status ? status : read_radius(&n->text, &cone.top_radius);
+    status = status ? status : read_radius(&n->text, &cone.base_radius, &fine.base_radius);
+    status = status ? status : tia_text_fine_place(&n->text, &cone.top, &fine.top);
+    status = status ? status : read_radius(&n->text, &cone.top_radius, &fine.top_radius);
+    tia_lengths_cover(&n->lengths, cone.base, cone.base_radius);
+    tia_lengths_cover(&n->lengths, cone.top, cone.top_radius);
     shape.cone = cone;
     if (cone.base_radius == cone.top_radius) {
         shape.kind = TIA_CYLINDER;
         shape.cylinder = (struct tia_cylinder){.base = cone.base, .top = cone.top, .radius = cone.base_radius};
     }
     tia_array_add(&n->shapes, &shape);
+    tia_array_add(&n->fine_shapes, &fine);
     return status;
 }
 
@@ -65,11 +74,13 @@ static const void *next_item(const struct tia_array *array)
 
 static void open_mesh(struct nff *n)
 {
+    static const struct tia_fine_ends none;
     struct tia_shape shape = {.kind = TIA_MESH, .material = material(n), .mesh = n->meshes.count};
 
     if (n->mesh.vertex_count)
         return;
     tia_array_add(&n->shapes, &shape);
+    tia_array_add(&n->fine_shapes, &none);
     n->mesh = (struct tia_mesh){
         .vertices = next_item(&n->vertices), .normals = next_item(&n->normals), .faces = next_item(&n->faces)};
     if (n->transmits)
@@ -120,7 +131,8 @@ static int read_vertex(struct nff *n, bool has_normal)
 
     if (!tia_text_peek(&n->text, &word))
         (void)tia_text_line(&n->text);
-    int status = tia_text_vec3(&n->text, &vertex);
+    int status = tia_text_place(&n->text, &vertex);
+    tia_lengths_cover(&n->lengths, vertex, 0);
     if (!status && has_normal)
         status = tia_text_dir3(&n->text, &normal);
     tia_array_add(&n->vertices, &vertex);

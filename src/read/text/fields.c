@@ -1,6 +1,8 @@
 /* fields.c - reads a line of fields by a table. */
 #include "fields.h"
 
+#include "length.h"
+
 int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright)
 {
     struct tia_text before = *t;
@@ -13,12 +15,12 @@ int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright)
     return tia_text_rgb(t, out, bright);
 }
 
-static int read_numbers(struct tia_text *t, tia_q16 *out, unsigned count)
+static int read_all(struct tia_text *t, int (*read)(struct tia_text *, tia_q16 *), tia_q16 *out, unsigned count)
 {
     int status = TIA_OK;
 
     for (unsigned i = 0; i < count && !status; i++)
-        status = tia_text_q16(t, &out[i]);
+        status = read(t, &out[i]);
     return status;
 }
 
@@ -27,7 +29,7 @@ int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count)
     int status = tia_text_q16(t, out);
 
     if (!status && tia_text_has_number(t))
-        return read_numbers(t, out + 1, count - 1);
+        return read_all(t, tia_text_q16, out + 1, count - 1);
     for (unsigned i = 1; i < count; i++)
         out[i] = out[0];
     return status;
@@ -49,7 +51,11 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
 {
     switch ((enum tia_field_kind)field->kind) {
     case TIA_NUMBERS:
-        return read_numbers(t, out, field->count);
+        return read_all(t, tia_text_q16, out, field->count);
+    case TIA_LENGTHS:
+        return read_all(t, tia_text_length, out, field->count);
+    case TIA_VECTOR:
+        return tia_text_vector(t, out);
     case TIA_SPREAD:
         return tia_spread(t, out, field->count);
     case TIA_COLOUR:

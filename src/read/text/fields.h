@@ -9,6 +9,8 @@
 
 enum tia_field_kind {
     TIA_NUMBERS,    /* `count` tia_q16 */
+    TIA_LENGTHS,    /* the same, in the scene's unit of length, see length.h */
+    TIA_VECTOR,     /* a tia_vec3 whose length does not matter */
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
     TIA_EMISSION,   /* a light's: below 2 */

@@ -8,7 +8,8 @@
 #include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
-#define LIMBS 4 /* 36 digits; 32 bits and the rounding bit need 33 */
+#define LIMBS 5 /* 45 digits; 40 bits and the rounding bit need 41 */
+#define STEP 32 /* bits at a time */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
 /* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
@@ -87,19 +88,27 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* The fraction times 2^bits, rounded down; bits in 1..33. Multiplies limbs of nine digits from the last to the first.
- * A product plus the carry is at most LIMB 2^33 < 2^63; carries are below 2^33. */
+/* The fraction times 2^bits, rounded down; bits in 1..41. Multiplies limbs of nine digits from the last to the first,
+ * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. What is left in the
+ * limbs is the fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
 {
     uint32_t limbs[LIMBS] = {0};
-    uint64_t carry = 0;
+    uint64_t result = 0;
     int64_t zeros = d->point < 0 ? -d->point : 0;
 
     for (unsigned i = 0; i < LIMBS * 9 && (p < d->end || i % 9); i++)
         limbs[i / 9] = limbs[i / 9] * 10 + (i < zeros ? 0 : next_digit(&p, d->end));
-    for (unsigned i = LIMBS; i-- > 0;)
-        carry = (((uint64_t)limbs[i] << bits) + carry) / LIMB;
-    return carry;
+    for (unsigned step; bits > 0; bits -= step) {
+        uint64_t carry = 0;
+        step = bits < STEP ? bits : STEP;
+        for (unsigned i = LIMBS; i-- > 0; carry /= LIMB) {
+            carry += (uint64_t)limbs[i] << step;
+            limbs[i] = (uint32_t)(carry % LIMB);
+        }
+        result = result << step | carry;
+    }
+    return result;
 }
 
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits)
@@ -165,7 +174,18 @@ static int read_number32(struct tia_text *t, int32_t *out, unsigned bits, int32_
 
 int tia_text_q16(struct tia_text *t, tia_q16 *out)
 {
-    return read_number32(t, out, 16, INT32_MIN, INT32_MAX, "a number from -32768 to below 32768");
+    return tia_text_scaled(t, out, 0);
+}
+
+int tia_text_fine(struct tia_text *t, int64_t *out, unsigned bits)
+{
+    return read_number(t, out, 24 + bits, -(INT64_C(1) << 39), (INT64_C(1) << 39) - 1,
+                       "a number from -32768 to below 32768");
+}
+
+int tia_text_scaled(struct tia_text *t, tia_q16 *out, unsigned bits)
+{
+    return read_number32(t, out, 16 + bits, INT32_MIN, INT32_MAX, "a number from -32768 to below 32768");
 }
 
 int tia_text_q30(struct tia_text *t, tia_q30 *out)

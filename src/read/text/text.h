@@ -32,6 +32,7 @@ struct tia_text {
     uint32_t line;
     const char *file; /* "", or the name of the library being read */
     struct tia_read_error *error;
+    struct tia_lengths *lengths; /* NULL, or what length.h needs */
 
     /* Names for numbers, see constants.h; NULL: none. A use of one is replaced by its numbers: those still to be read
      * come before the next word of the line, with the place of the use. */
@@ -78,14 +79,17 @@ void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 
 enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
 
-/* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..32, the result below 2^63. */
+/* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..40, the result below 2^63. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
 /* Whether the next word of the line is a number, or a name for some. */
 bool tia_text_has_number(const struct tia_text *t);
 
-/* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. */
+/* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. The scaled ones times 2^bits, 0..16, as
+ * Q16.16 and as Q39.24. */
 int tia_text_q16(struct tia_text *t, tia_q16 *out);
+int tia_text_scaled(struct tia_text *t, tia_q16 *out, unsigned bits);
+int tia_text_fine(struct tia_text *t, int64_t *out, unsigned bits);
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
 int tia_text_q32(struct tia_text *t, int64_t *out);
 

@@ -147,13 +147,9 @@ int tia_group_place(struct tia_job *job, struct tia_transform *transform, const 
     return TIA_OK;
 }
 
-#define NUMBERS(field, part)                                                                                           \
-    {                                                                                                                  \
-        .word = field, .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_transform, part)                 \
-    }
 static const struct tia_field group_fields[] = {
-    NUMBERS("at", position),
-    NUMBERS("rotate", rotation),
+    {.word = "at", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_transform, position)},
+    {.word = "rotate", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_transform, rotation)},
     {.word = "scale", .kind = TIA_SPREAD, .count = 3, .offset = offsetof(struct tia_transform, scale)},
 };
 
@@ -176,9 +172,12 @@ int tia_line_group(struct tia_job *job)
         return refuse(job, "is scaled out of range", "1/1024 to 1024");
     struct tia_place place = place_of(&transform);
     status = compose(job, &place);
-    if (!status)
-        job->groups[job->group_count++] = place;
-    return status;
+    if (status)
+        return status;
+    if (job->pass == TIA_COUNTING)
+        tia_reach_group(&job->reach, place.position);
+    job->groups[job->group_count++] = place;
+    return TIA_OK;
 }
 
 int tia_line_end(struct tia_job *job)

@@ -92,6 +92,7 @@ int tia_line_include(struct tia_job *job)
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
     job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
     job->includes.next.constants = &job->constants;
+    job->includes.next.lengths = &job->reach.lengths;
     job->includes.names[job->includes.depth] = name;
     return TIA_OK;
 }

@@ -7,6 +7,7 @@
 #ifndef TIA_READ_TIA_JOB_H
 #define TIA_READ_TIA_JOB_H
 
+#include "reach.h"
 #include "read/text/constants.h"
 #include "read/text/fields.h"
 #include "read/text/names.h"
@@ -73,6 +74,7 @@ struct tia_job {
     struct tia_includes includes;
     struct tia_place groups[TIA_GROUP_DEPTH]; /* each composed with those around it */
     unsigned group_count;
+    struct tia_reach reach;
     struct tia_reader *reader;
     struct tia_scene *scene;
     enum tia_pass pass;

@@ -7,10 +7,11 @@ struct light_line {
     struct tia_light light;
 };
 
-#define NUMBERS(field, n, part, need)                                                                                  \
+#define NUMBERS(field, n, part, need) VALUES(TIA_NUMBERS, field, n, part, need)
+#define LENGTHS(field, n, part, need) VALUES(TIA_LENGTHS, field, n, part, need)
+#define VALUES(type, field, n, part, need)                                                                             \
     {                                                                                                                  \
-        .word = field, .kind = TIA_NUMBERS, .count = n, .offset = offsetof(struct light_line, light.part),             \
-        .needed = need                                                                                                 \
+        .word = field, .kind = type, .count = n, .offset = offsetof(struct light_line, light.part), .needed = need     \
     }
 /* The name comes first, so that keys, whose lights have no name, can start with the second field. */
 #define NAME                                                                                                           \
@@ -22,7 +23,7 @@ struct light_line {
     {                                                                                                                  \
         .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, light.emission)                \
     }
-#define PLACED NAME, EMISSION, NUMBERS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
+#define PLACED NAME, EMISSION, LENGTHS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
 _Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_light, constant) + 2 * sizeof(tia_q16),
                "an attenuation is three numbers");
 #define DIRECTION                                                                                                      \
@@ -36,14 +37,14 @@ _Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_ligh
         .offset = offsetof(struct light_line, light.samples)                                                           \
     }
 
-static const struct tia_field point[] = {PLACED, NUMBERS("radius", 1, radius, false)};
+static const struct tia_field point[] = {PLACED, LENGTHS("radius", 1, radius, false)};
 static const struct tia_field directional[] = {NAME, EMISSION, DIRECTION};
 static const struct tia_field ambient[] = {NAME, EMISSION};
 static const struct tia_field spot[] = {PLACED, DIRECTION, NUMBERS("inner", 1, inner, false),
                                         NUMBERS("outer", 1, outer, true)};
-static const struct tia_field rectangle[] = {PLACED, NUMBERS("sides", 6, side, true), SAMPLES};
-static const struct tia_field disc[] = {PLACED, DIRECTION, NUMBERS("radius", 1, radius, true), SAMPLES};
-static const struct tia_field sphere[] = {PLACED, NUMBERS("radius", 1, radius, true), SAMPLES};
+static const struct tia_field rectangle[] = {PLACED, LENGTHS("sides", 6, side, true), SAMPLES};
+static const struct tia_field disc[] = {PLACED, DIRECTION, LENGTHS("radius", 1, radius, true), SAMPLES};
+static const struct tia_field sphere[] = {PLACED, LENGTHS("radius", 1, radius, true), SAMPLES};
 
 static const struct tia_form kinds[] = {
     {"point", "a point light", TIA_POINT_LIGHT, point, TIA_COUNT_OF(point)},
@@ -62,7 +63,11 @@ static int read_light(struct tia_job *job, struct light_line *line, bool nameabl
 
     line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind,
                                      .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};
-    return tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
+    int status = tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
+    bool has_place = kind->kind != TIA_DIRECTIONAL_LIGHT && kind->kind != TIA_AMBIENT_LIGHT;
+    if (!status && has_place && job->pass == TIA_COUNTING)
+        tia_reach_light(&job->reach, &line->light);
+    return status;
 }
 
 int tia_line_light(struct tia_job *job)

@@ -89,9 +89,11 @@ static int take_keyframe(struct tia_text *t, enum tia_target target, struct tia_
 
     if (status)
         return status;
-    if (target != TIA_SCALES_TRANSFORM)
+    if (target == TIA_SCALES_TRANSFORM)
+        return tia_spread(t, &key->value.x, 3);
+    if (target == TIA_ROTATES_TRANSFORM || target == TIA_ROTATES_LIGHT)
         return tia_text_vec3(t, &key->value);
-    return tia_spread(t, &key->value.x, 3);
+    return tia_text_place(t, &key->value);
 }
 
 int tia_line_animate(struct tia_job *job)
@@ -100,9 +102,11 @@ int tia_line_animate(struct tia_job *job)
     uint32_t first = tia_job_count(job, TIA_OF_KEYS);
     struct tia_track track = {.smooth = false};
     struct tia_keyframe key = {.time = -1};
+    struct tia_span span;
     struct tia_word word;
     int status = take_property(job, &track);
 
+    tia_span_begin(&span);
     (void)tia_text_peek(t, &word);
     if (!status && (tia_word_is(&word, "smooth") || tia_word_is(&word, "linear"))) {
         track.smooth = tia_word_is(&word, "smooth");
@@ -112,8 +116,11 @@ int tia_line_animate(struct tia_job *job)
         status = status ? status : take_keyframe(t, track.target, &key);
         if (status)
             return status;
+        tia_span_cover(&span, key.value, 0);
         (void)tia_job_add(job, TIA_OF_KEYS, &key);
     } while (tia_text_peek(t, &word));
+    if (job->pass == TIA_COUNTING)
+        tia_reach_keys(&job->reach, &track, span);
     track.keys = tia_job_at(job, TIA_OF_KEYS, first);
     track.key_count = tia_job_count(job, TIA_OF_KEYS) - first;
     (void)tia_job_add(job, TIA_OF_TRACKS, &track);

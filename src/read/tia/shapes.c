@@ -15,7 +15,7 @@ enum { MATERIAL_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_F
 static const struct tia_field common_fields[COMMON_FIELDS] = {
     {.word = "material", .kind = TIA_NAME_FIELD, OFFSET(material), .needed = true},
     {.word = "name", .kind = TIA_NAME_FIELD, OFFSET(name)},
-    {.word = "at", .kind = TIA_NUMBERS, .count = 3, OFFSET(transform.position)},
+    {.word = "at", .kind = TIA_LENGTHS, .count = 3, OFFSET(transform.position)},
     {.word = "rotate", .kind = TIA_NUMBERS, .count = 3, OFFSET(transform.rotation)},
     {.word = "scale", .kind = TIA_SPREAD, .count = 3, OFFSET(transform.scale)},
 };
@@ -29,11 +29,11 @@ static struct tia_field field_of(const struct tia_shape_field *f)
 
     switch ((enum tia_shape_value)f->value) {
     case TIA_SHAPE_Q16:
-        field.kind = TIA_NUMBERS;
+        field.kind = TIA_LENGTHS;
         field.count = 1;
         break;
     case TIA_SHAPE_VEC3:
-        field.kind = TIA_NUMBERS;
+        field.kind = TIA_LENGTHS;
         field.count = 3;
         break;
     case TIA_SHAPE_DIR3:
@@ -90,10 +90,20 @@ static void add_sphere(struct tia_job *job, const struct tia_shape *shape)
     (void)tia_job_add(job, TIA_OF_SPHERES, &sphere);
 }
 
+/* What the line says of how far the scene reaches. */
+static void note_reach(struct tia_job *job, const struct shape_line *line, uint32_t given)
+{
+    if (job->pass == TIA_COUNTING)
+        tia_reach_shape(&job->reach, &line->shape, &line->transform, given & PLACED, given & NAMED);
+    if (job->pass == TIA_NAMING && line->shape.kind == TIA_PLANE)
+        tia_reach_plane(&job->reach, &line->shape.plane);
+}
+
 static void add_shape(struct tia_job *job, struct shape_line *line, uint32_t given)
 {
     bool sphere = line->shape.kind == TIA_SPHERE;
 
+    note_reach(job, line, given);
     if (given & NAMED)
         tia_job_name(job, TIA_NAMED_MOVER, &line->name, 0);
     add_transform(job, line, given);

@@ -26,8 +26,10 @@ struct mesh_block {
 static int read_vertex(struct mesh_block *block)
 {
     struct tia_vec3 vertex;
-    int status = tia_text_vec3(&block->job->text, &vertex);
+    int status = tia_text_place(&block->job->text, &vertex);
 
+    if (!status && block->job->pass == TIA_COUNTING)
+        tia_reach_vertex(&block->job->reach, vertex);
     if (!status)
         (void)tia_job_add(block->job, TIA_OF_VERTICES, &vertex);
     return status;
@@ -204,8 +206,8 @@ static const struct tia_field grid_fields[] = {
      .max = TIA_GRID_MAX,
      .offset = offsetof(struct tia_grid, size),
      .needed = true},
-    {.word = "corner", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_grid, corner)},
-    {.word = "cell", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_grid, cell)},
+    {.word = "corner", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_grid, corner)},
+    {.word = "cell", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_grid, cell)},
 };
 
 static int read_row(struct tia_job *job, unsigned cells)
@@ -242,7 +244,7 @@ static int read_rows(struct tia_job *job, const struct tia_grid *grid)
 
 int tia_line_grid(struct tia_job *job)
 {
-    struct tia_grid grid = {.cell = TIA_Q16_ONE};
+    struct tia_grid grid = {.cell = TIA_Q16_ONE << job->reach.lengths.scale_bits};
     uint32_t cells = tia_job_count(job, TIA_OF_CELLS);
     int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_GRIDS) + 1);
 
@@ -250,6 +252,8 @@ int tia_line_grid(struct tia_job *job)
     status = status ? status : read_rows(job, &grid);
     if (status)
         return status;
+    if (job->pass == TIA_COUNTING)
+        tia_reach_grid(&job->reach, &grid);
     grid.cells = tia_job_at(job, TIA_OF_CELLS, cells);
     (void)tia_job_add(job, TIA_OF_GRIDS, &grid);
     return TIA_OK;

@@ -104,9 +104,14 @@ static void begin_pass(struct tia_job *job, enum tia_pass pass)
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
             tia_array_restart(&job->arrays[i]);
-    *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}};
+    if (pass == TIA_COUNTING)
+        tia_reach_begin(&job->reach);
+    job->reach.lengths.filling = pass == TIA_FILLING;
+    job->reach.lengths.scale_bits = pass == TIA_FILLING ? tia_reach_bits(&job->reach) : 0;
+    *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}, .scale_bits = job->reach.lengths.scale_bits};
     job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
     job->text.constants = &job->constants;
+    job->text.lengths = &job->reach.lengths;
 }
 
 /* Goes to the next line, of this file or of one that includes it; false at the end of the scene. */
@@ -248,6 +253,7 @@ int tia_job_read(struct tia_job *job, struct tia_arena *arena)
     int status = read_pass(job, TIA_COUNTING);
     if (status)
         return status;
+    tia_reach_camera(&job->reach, &job->scene->camera);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         (void)tia_array_place(arena, &job->arrays[i]);
     if (!tia_arena_fits(arena))

@@ -2,17 +2,17 @@
 #include "job.h"
 
 #define EYE                                                                                                            \
-    {.word = "eye", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_camera, eye)},                      \
-        {.word = "look", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_camera, reference)},           \
+    {.word = "eye", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_camera, eye)},                      \
+        {.word = "look", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_camera, reference)},           \
     {                                                                                                                  \
-        .word = "up", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_camera, up)                       \
+        .word = "up", .kind = TIA_VECTOR, .offset = offsetof(struct tia_camera, up)                                    \
     }
 #define LOOK_GIVEN 2u
 #define UP_GIVEN 4u
 /* left, right, bottom, top */
 #define WINDOW                                                                                                         \
     {                                                                                                                  \
-        .word = "window", .kind = TIA_NUMBERS, .count = 4, .offset = offsetof(struct tia_camera, window),              \
+        .word = "window", .kind = TIA_LENGTHS, .count = 4, .offset = offsetof(struct tia_camera, window),              \
         .needed = true                                                                                                 \
     }
 _Static_assert(offsetof(struct tia_window, top) == 3 * sizeof(tia_q16), "a window is four numbers");
@@ -26,7 +26,7 @@ static const struct tia_field frustum[] = {
     EYE,
     WINDOW,
     {.word = "near",
-     .kind = TIA_NUMBERS,
+     .kind = TIA_LENGTHS,
      .count = 1,
      .offset = offsetof(struct tia_camera, window.near),
      .needed = true},

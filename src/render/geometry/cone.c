@@ -4,9 +4,8 @@
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
     const struct tia_cone *c = &given->cone;
-    const struct round_ends ends = {c->base, c->top, c->base_radius, c->top_radius};
+    const struct round_ends ends = {c->base, c->top, c->base_radius, c->top_radius, round_fine(scene, given)};
 
-    (void)scene;
     round_prepare(&shape->cone, &ends, c->capped);
 }
 

@@ -4,9 +4,9 @@
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
     const struct tia_cylinder *c = &given->cylinder;
-    const struct round_ends ends = {c->base, c->top, c->radius, c->radius};
+    struct round_ends ends = {c->base, c->top, c->radius, c->radius, round_fine(scene, given)};
 
-    (void)scene;
+    ends.fine.top_radius = ends.fine.base_radius;
     round_prepare(&shape->cone, &ends, c->capped);
 }
 

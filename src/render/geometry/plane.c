@@ -20,13 +20,15 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
 {
     (void)element;
     flat_uv(&shape->plane, point, uv);
+    uv[0] = num_times(uv[0], shape->plane.unit);
+    uv[1] = num_times(uv[1], shape->plane.unit);
 }
 
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
-    (void)scene;
     flat_prepare(&shape->plane, given->plane.point, given->plane.normal);
     shape->plane.radius = 0;
+    shape->plane.unit = num_scene_unit(scene->scale_bits);
 }
 
 const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at};

@@ -235,22 +235,29 @@ static void set_anchor(struct prepared_cone *cone, struct num_point top)
     cone->reach = (far > here ? far : here) + NUM_LENGTH_BIAS;
 }
 
+struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_shape *given)
+{
+    static const struct tia_fine_ends none;
+
+    return scene->fine && !given->transform ? scene->fine->shapes[given - scene->shapes] : none;
+}
+
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped)
 {
-    struct num_point top = num_point_of(ends->top), along;
+    struct num_point top = num_point_add(num_point_of(ends->top), num_point_fine(ends->fine.top)), along;
     struct num_dir tangents[2];
     num_unit none;
 
     cone->capped = capped;
-    cone->base = num_point_of(ends->base);
+    cone->base = num_point_add(num_point_of(ends->base), num_point_fine(ends->fine.base));
     along = num_point_sub(top, cone->base);
     (void)num_normalise(along, &cone->axis);
     shape_tangents(cone->axis, tangents);
     cone->across[0] = tangents[0];
     cone->across[1] = num_dir_negated(tangents[1]);
     cone->length = num_norm(along);
-    cone->base_radius = num_length_of(ends->base_radius);
-    cone->top_radius = num_length_of(ends->top_radius);
+    cone->base_radius = num_length_of(ends->base_radius) + num_fine(ends->fine.base_radius);
+    cone->top_radius = num_length_of(ends->top_radius) + num_fine(ends->fine.top_radius);
     (void)num_normalise3(cone->length, cone->top_radius - cone->base_radius, 0, &cone->slope_cosine, &cone->slope_sine,
                          &none);
     set_anchor(cone, top);

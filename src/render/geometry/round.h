@@ -11,7 +11,11 @@ enum { ROUND_SIDE, ROUND_BASE, ROUND_TOP };
 struct round_ends {
     struct tia_vec3 base, top;
     tia_q16 base_radius, top_radius;
+    struct tia_fine_ends fine;
 };
+
+/* The fine digits of a shape, 0 without any. */
+struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_shape *given);
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
 

@@ -2,9 +2,17 @@
 
 #include "math/trig.h"
 
-static void look(struct ray_camera *c, const struct tia_camera *given)
+static struct num_point finely(struct tia_vec3 place, const struct tia_fine_place *fine)
 {
-    struct num_point back = num_point_sub(c->eye, num_point_of(given->reference)), up = num_point_of(given->up);
+    struct num_point p = num_point_of(place);
+
+    return fine ? num_point_add(p, num_point_fine(*fine)) : p;
+}
+
+static void look(struct ray_camera *c, const struct tia_camera *given, const struct tia_fine *fine)
+{
+    struct num_point reference = finely(given->reference, fine ? &fine->reference : NULL);
+    struct num_point back = num_point_sub(c->eye, reference), up = num_point_of(given->up);
     struct num_dir towards;
 
     c->u = (struct num_dir){NUM_UNIT_ONE, 0, 0};
@@ -44,14 +52,17 @@ static void open_window(struct ray_camera *c, const struct tia_camera *given)
     }
 }
 
-void ray_camera_prepare(struct ray_camera *c, const struct tia_camera *given, int width, int height)
+void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int width, int height)
 {
-    c->eye = num_point_of(given->eye);
+    const struct tia_camera *given = &scene->camera;
+    const struct tia_fine *fine = scene->fine;
+
+    c->eye = finely(given->eye, fine ? &fine->eye : NULL);
     c->projection = given->projection;
     c->width = width;
     c->height = height;
     c->side = given->samples == 16 ? 4 : given->samples == 4 ? 2 : 1;
-    look(c, given);
+    look(c, given, fine);
     open_window(c, given);
 }
 

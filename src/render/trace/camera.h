@@ -13,7 +13,7 @@ struct ray_camera {
     num_length left, bottom, across, upward; /* the window and its sizes */
 };
 
-void ray_camera_prepare(struct ray_camera *camera, const struct tia_camera *given, int width, int height);
+void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);
 
 /* Sample number `sample` of pixel (x, y). */
 void ray_camera_ray(const struct ray_camera *camera, int x, int y, int sample, struct ray *ray);

@@ -40,7 +40,7 @@ static void prepare_shape(struct ray_light *l, const struct tia_light *given)
     }
 }
 
-void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
+void ray_light_prepare(struct ray_light *l, const struct tia_light *given, uint32_t scale_bits)
 {
     bool area = given->kind >= TIA_RECTANGLE_LIGHT;
 
@@ -53,6 +53,7 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given)
     l->constant = num_length_of(given->constant);
     l->linear = num_length_of(given->linear);
     l->quadratic = num_length_of(given->quadratic);
+    l->unit = num_scene_unit(scale_bits);
     l->fades = given->constant || given->linear || given->quadratic;
     prepare_shape(l, given);
 }
@@ -137,7 +138,7 @@ static struct num_point source(const struct ray_aim *aim, unsigned i)
     return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
 }
 
-/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more. */
+/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in the file's units. */
 static num_length attenuation(const struct ray_light *l, num_length d)
 {
     num_length slope = l->linear + num_product_within(l->quadratic, d);
@@ -171,7 +172,7 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
         return false;
     s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_LENGTH_ONE;
     if (s->factor > 0 && l->fades)
-        s->factor = num_product_within(s->factor, attenuation(l, num_point_dot(way, s->to)));
+        s->factor = num_product_within(s->factor, attenuation(l, num_times(num_point_dot(way, s->to), l->unit)));
     return s->factor > 0;
 }
 

@@ -3,6 +3,20 @@
 #include "render/geometry/walk.h"
 #include "trace.h"
 
+static struct num_point centre_of(const struct tia_scene *scene, uint32_t sphere)
+{
+    struct num_point centre = num_point_of(scene->spheres[sphere].centre);
+
+    return scene->fine ? num_point_add(centre, num_point_fine(scene->fine->spheres[sphere].centre)) : centre;
+}
+
+static num_length radius_of(const struct tia_scene *scene, uint32_t sphere)
+{
+    num_length radius = num_length_of(scene->spheres[sphere].radius);
+
+    return scene->fine ? radius + num_fine(scene->fine->spheres[sphere].radius) : radius;
+}
+
 static bool meet_shape(const struct shape *shape, const struct ray *ray, num_length limit,
                        struct intersection *intersection)
 {
@@ -26,9 +40,8 @@ static bool meet(const struct ray_view *view, const struct ray *ray, uint32_t ob
 
     if (object >= scene->sphere_count)
         return meet_shape(&view->shapes[object - scene->sphere_count], ray, limit, intersection);
-    const struct tia_sphere *s = &scene->spheres[object];
     intersection->element = 0;
-    return sphere_intersect(num_point_of(s->centre), num_length_of(s->radius), ray, limit, &intersection->t);
+    return sphere_intersect(centre_of(scene, object), radius_of(scene, object), ray, limit, &intersection->t);
 }
 
 static bool occludes_placed(const struct shape *shape, const struct ray *ray, num_length limit)
@@ -150,7 +163,7 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
     const struct tia_scene *scene = view->scene;
 
     if (hit->object < scene->sphere_count) {
-        sphere_surface(num_point_of(scene->spheres[hit->object].centre), point, surface);
+        sphere_surface(centre_of(scene, hit->object), point, surface);
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
@@ -169,7 +182,7 @@ void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point
     const struct tia_scene *scene = view->scene;
 
     if (hit->object < scene->sphere_count) {
-        sphere_uv(num_point_of(scene->spheres[hit->object].centre), point, uv);
+        sphere_uv(centre_of(scene, hit->object), point, uv);
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];

@@ -88,7 +88,8 @@ int ray_prepare(struct tia_view *view)
     rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
-    ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
+    ray_camera_prepare(&rays->camera, scene, view->width, view->height);
+    rays->bias = num_scene_bias(scene->fine, scene->scale_bits);
     rays->layered = have_opacity(scene, 0, scene->material_count);
     prepare_shapes(rays);
     return TIA_OK;
@@ -100,5 +101,5 @@ void ray_set_lights(struct tia_view *view)
 
     rays->light_count = view->light_count;
     for (uint32_t i = 0; i < view->light_count; i++)
-        ray_light_prepare(&rays->lights[i], &view->lights[i]);
+        ray_light_prepare(&rays->lights[i], &view->lights[i], view->scene->scale_bits);
 }

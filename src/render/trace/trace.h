@@ -16,6 +16,7 @@ struct ray_view {
     struct instance *instances; /* one for each shape that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
+    num_length bias; /* how far off a surface rays start */
     bool layered; /* some material has an opacity texture */
 };
 

@@ -79,8 +79,8 @@ static void cross(const struct ray_view *view, struct crossing *crossing, const 
         multiply(through, factor);
     crossing->counted = crossing->counted || !m->opacity;
     crossing->layers += m->opacity != 0;
-    crossing->ray.origin = num_point_at(point, crossing->ray.direction, NUM_LENGTH_BIAS);
-    crossing->limit -= hit->t + NUM_LENGTH_BIAS;
+    crossing->ray.origin = num_point_at(point, crossing->ray.direction, view->bias);
+    crossing->limit -= hit->t + view->bias;
 }
 
 static bool is_black(const num_length rgb[3])

@@ -52,7 +52,7 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     ray_surface(view, hit, s->point, &surface);
     s->back = num_dir_dot(surface.normal, s->viewer) < 0;
     s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
-    s->outside = num_point_at(s->point, s->geometric, NUM_LENGTH_BIAS);
+    s->outside = num_point_at(s->point, s->geometric, view->bias);
     s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
     s->facing = num_dir_dot(s->normal, s->viewer);
     texture(path, hit, s);
@@ -187,9 +187,9 @@ static num_unit refract(const struct shading *s, struct boundary between, struct
     return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
 }
 
-static struct ray straight_on(const struct shading *s)
+static struct ray straight_on(const struct ray_view *view, const struct shading *s)
 {
-    return (struct ray){num_point_at(s->point, s->viewer, -NUM_LENGTH_BIAS), num_dir_negated(s->viewer)};
+    return (struct ray){num_point_at(s->point, s->viewer, -view->bias), num_dir_negated(s->viewer)};
 }
 
 /* The refracted ray. Returns how much of it is reflected instead. */
@@ -199,20 +199,20 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     struct boundary between = media_cross(view, &b->media, s->object, m, s->back);
 
     b->straight = between.from == between.to || colour_is_black(&m->refraction);
-    b->refracted = straight_on(s);
+    b->refracted = straight_on(view, s);
     if (b->straight)
         return 0;
-    b->refracted.origin = num_point_at(s->point, s->geometric, -NUM_LENGTH_BIAS);
+    b->refracted.origin = num_point_at(s->point, s->geometric, -view->bias);
     num_unit fresnel = refract(s, between, &b->refracted.direction);
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
 /* The surface is there to the part of its opacity. */
-static void let_past(const struct shading *s, struct bounces *b)
+static void let_past(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     num_length *passes = b->straight ? b->refracts : b->passes;
 
-    b->past = straight_on(s);
+    b->past = straight_on(view, s);
     for (int c = 0; c < 3; c++) {
         b->reflects[c] = num_product(b->reflects[c], s->opacity);
         b->refracts[c] = num_product(b->refracts[c], s->opacity);
@@ -243,7 +243,7 @@ void shade_bounce(const struct ray_view *view, const struct shading *s, const st
         }
     }
     if (s->opacity < NUM_LENGTH_ONE)
-        let_past(s, b);
+        let_past(view, s, b);
     if (is_zero(b->reflects))
         return;
     b->reflected.origin = s->outside;

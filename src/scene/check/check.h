@@ -63,7 +63,7 @@ bool tia_check_is_light_near(const struct check *check, const struct tia_light *
 /* Whether a placed object's box is near, and not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* How the shapes use the meshes and grids. */
+/* How the shapes use the meshes and grids; and the scene's unit, which only the ray renderer asks for. */
 int tia_check_uses(struct check *check);
 
 /* What its technique for shadows asks of the whole scene. */

@@ -131,8 +131,21 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
     return status;
 }
 
+static bool is_fine(const struct tia_scene *scene)
+{
+    const struct tia_fine *fine = scene->fine;
+    return !fine || ((fine->spheres || !scene->sphere_count) && (fine->shapes || !scene->shape_count));
+}
+
 int tia_check_uses(struct check *check)
 {
     int status = check_parts(check, TIA_MESH, check->scene->mesh_count);
-    return status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);
+    status = status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);
+    check->thing = "scene";
+    check->index = 0;
+    if (!status)
+        REQUIRE(check->scene->scale_bits <= TIA_SCALE_BITS_MAX, "scale_bits", "must be in 0..16");
+    if (!status)
+        REQUIRE(is_fine(check->scene), "fine", "an array of as many must not be NULL");
+    return status;
 }

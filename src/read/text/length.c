@@ -1,0 +1,140 @@
+#include "length.h"
+
+#include "math/integer.h"
+
+void tia_span_begin(struct tia_span *span)
+{
+    for (int i = 0; i < 3; i++) {
+        span->min[i] = INT32_MAX;
+        span->max[i] = INT32_MIN;
+    }
+}
+
+void tia_span_join(struct tia_span *span, const struct tia_span *more)
+{
+    for (int i = 0; i < 3; i++) {
+        span->min[i] = more->min[i] < span->min[i] ? more->min[i] : span->min[i];
+        span->max[i] = more->max[i] > span->max[i] ? more->max[i] : span->max[i];
+    }
+}
+
+void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius)
+{
+    const struct tia_span ball = {{centre.x - radius, centre.y - radius, centre.z - radius},
+                                  {centre.x + radius, centre.y + radius, centre.z + radius}};
+
+    tia_span_join(span, &ball);
+}
+
+void tia_lengths_begin(struct tia_lengths *l)
+{
+    *l = (struct tia_lengths){.scale_bits = 0};
+    tia_span_begin(&l->all);
+    tia_span_begin(&l->eyes);
+}
+
+void tia_lengths_cover(struct tia_lengths *l, struct tia_vec3 centre, int64_t radius)
+{
+    tia_span_cover(&l->all, centre, radius);
+}
+
+void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
+{
+    tia_span_cover(&l->all, eye, 0);
+    tia_span_cover(&l->eyes, eye, 0);
+}
+
+/* The distance from an eye to the farthest corner, at least 2^32 - 1 where it does not fit; with what rounding to
+ * Q16.16 may take from it, half a unit from each number, once in the file's unit and once in the finer one. */
+static uint64_t farthest(const struct tia_lengths *l)
+{
+    uint64_t square = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int64_t over = l->all.max[i] - l->eyes.min[i], under = l->eyes.max[i] - l->all.min[i];
+        uint64_t far = (uint64_t)(over > under ? over : under);
+        if (far >> 31)
+            return UINT32_MAX;
+        square += far * far;
+    }
+    return tia_sqrt64(square) + UINT64_C(6);
+}
+
+unsigned tia_lengths_room(const struct tia_lengths *l)
+{
+    uint64_t far = farthest(l), longest = (uint64_t)l->longest + 1, most = far > longest ? far : longest;
+    unsigned bits = 0;
+
+    while (bits < TIA_SCALE_BITS_MAX && most << (bits + 1) < UINT64_C(1) << 31)
+        bits++;
+    return bits;
+}
+
+static void note(struct tia_lengths *l, struct tia_text before, tia_q16 length)
+{
+    int64_t size = length < 0 ? -(int64_t)length : length, exact;
+
+    l->longest = size > l->longest ? size : l->longest;
+    if (!l->rounded && !tia_text_q32(&before, &exact))
+        l->rounded = exact != (int64_t)length * 65536;
+}
+
+int tia_text_length(struct tia_text *t, tia_q16 *out)
+{
+    struct tia_text before = *t;
+    int status = tia_text_scaled(t, out, t->lengths->scale_bits);
+
+    if (!status && !t->lengths->filling)
+        note(t->lengths, before, *out);
+    return status;
+}
+
+int tia_text_place(struct tia_text *t, struct tia_vec3 *out)
+{
+    int status = tia_text_length(t, &out->x);
+
+    status = status ? status : tia_text_length(t, &out->y);
+    return status ? status : tia_text_length(t, &out->z);
+}
+
+int tia_text_vector(struct tia_text *t, struct tia_vec3 *out)
+{
+    struct tia_text before = *t;
+    int status = tia_text_vec3(t, out);
+    tia_q16 *const to[3] = {&out->x, &out->y, &out->z};
+    int64_t v[3] = {0, 0, 0};
+    uint64_t all = 0;
+
+    for (int i = 0; !status && i < 3; i++) {
+        status = tia_text_q32(&before, &v[i]);
+        all |= (uint64_t)(v[i] < 0 ? -v[i] : v[i]);
+    }
+    if (status || !((v[0] | v[1] | v[2]) & 0xffff))
+        return status;
+    /* The size has 64 - clz bits, of which 30 are kept: then rounding up does not overflow. */
+    int shift = 34 - (int)tia_clz64(all);
+    for (int i = 0; i < 3; i++)
+        *to[i] = (tia_q16)(shift > 0 ? tia_round_shift(v[i], (unsigned)shift) : v[i] * (INT64_C(1) << -shift));
+    return TIA_OK;
+}
+
+int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int8_t *digits)
+{
+    int64_t fine = 0;
+
+    *digits = 0;
+    if (!t->lengths->filling)
+        return tia_text_length(t, out);
+    int status = tia_text_fine(t, &fine, t->lengths->scale_bits);
+    *out = (tia_q16)((fine + 128) >> 8);
+    *digits = (int8_t)(fine - *out * INT64_C(256));
+    return status;
+}
+
+int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits)
+{
+    int status = tia_text_fine_length(t, &out->x, &digits->x);
+
+    status = status ? status : tia_text_fine_length(t, &out->y, &digits->y);
+    return status ? status : tia_text_fine_length(t, &out->z, &digits->z);
+}

@@ -1,0 +1,50 @@
+/* length.h - lengths and places in a unit of their own, so that a scene of small numbers uses the range of Q16.16.
+ *
+ * A reader's first pass reads them in the file's unit, covers all that the scene is made of, and asks for scale_bits;
+ * the last pass reads them again, finer, with scale_bits set. No number is rounded more than once.
+ */
+#ifndef TIA_READ_TEXT_LENGTH_H
+#define TIA_READ_TEXT_LENGTH_H
+
+#include "text.h"
+
+struct tia_span {
+    int64_t min[3], max[3]; /* Q47.16 */
+};
+
+struct tia_lengths {
+    unsigned scale_bits;  /* lengths are read times 2^scale_bits */
+    bool filling;         /* the last pass: nothing is measured any more */
+    bool rounded;         /* some length was none of Q16.16 */
+    int64_t longest;      /* of those read, in size */
+    struct tia_span all;  /* around the scene, lights and eyes too */
+    struct tia_span eyes; /* around the places that the eye may take */
+};
+
+/* An empty span; adds a ball to one, or another span. */
+void tia_span_begin(struct tia_span *span);
+void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius);
+void tia_span_join(struct tia_span *span, const struct tia_span *more);
+
+/* Nothing measured yet, read as it is. */
+void tia_lengths_begin(struct tia_lengths *lengths);
+
+/* Adds a ball to the scene; a place of the eye. */
+void tia_lengths_cover(struct tia_lengths *lengths, struct tia_vec3 centre, int64_t radius);
+void tia_lengths_cover_eye(struct tia_lengths *lengths, struct tia_vec3 eye);
+
+/* The most scale_bits with which all lengths fit, and nothing is farther from the eye than tia_scene_check allows. */
+unsigned tia_lengths_room(const struct tia_lengths *lengths);
+
+/* Read with t->lengths. */
+int tia_text_length(struct tia_text *t, tia_q16 *out);
+int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
+
+/* The same with more digits, see struct tia_fine, in the last pass; 0 before it. */
+int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int8_t *digits);
+int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits);
+
+/* Reads a vector whose length does not matter: as it is if Q16.16 has it exactly, else as long as fits. */
+int tia_text_vector(struct tia_text *t, struct tia_vec3 *out);
+
+#endif

@@ -1,0 +1,222 @@
+#include "reach.h"
+
+#include "math/integer.h"
+#include "scene/shapes/description.h"
+
+/* An eye 1 above an infinite plane sees it end at 2^-16 below the horizon, since nothing is hit 65536 away. In a finer
+ * unit that is nearer: up to 2^-13, less than a quarter of a pixel. */
+#define HEIGHT_MOST TIA_Q16(8)
+/* A window whose width follows the picture's has 64 times its height to grow. */
+#define WINDOW_GROWS 32
+#define OWN_MOST (INT64_C(1) << 33) /* more than fits any scene, and times the largest scale still 64 bits */
+
+static int64_t larger(int64_t a, int64_t b)
+{
+    return a > b ? a : b;
+}
+
+static int64_t size_of(struct tia_vec3 v)
+{
+    int64_t x = v.x < 0 ? -(int64_t)v.x : v.x, y = v.y < 0 ? -(int64_t)v.y : v.y, z = v.z < 0 ? -(int64_t)v.z : v.z;
+
+    return larger(x, larger(y, z));
+}
+
+/* At least the distance from 0 to a point whose largest coordinate that is: more than its square root of 3. */
+static int64_t distance(int64_t size)
+{
+    return size * 7 / 4 + 2;
+}
+
+static void lengthen(struct tia_reach *r, int64_t length)
+{
+    r->lengths.longest = larger(r->lengths.longest, length);
+}
+
+static void enlarge_own(struct tia_reach *r, int64_t radius)
+{
+    r->own = larger(r->own, radius < OWN_MOST ? radius : OWN_MOST);
+}
+
+static void place(struct tia_reach *r, struct tia_vec3 position)
+{
+    tia_span_cover(&r->places, position, 0);
+    lengthen(r, size_of(position));
+}
+
+static void scale(struct tia_reach *r, struct tia_vec3 s)
+{
+    const tia_q16 by[3] = {s.x, s.y, s.z};
+
+    for (int i = 0; i < 3; i++) {
+        r->scale_least = by[i] < r->scale_least ? by[i] : r->scale_least;
+        r->scale_largest = by[i] > r->scale_largest ? by[i] : r->scale_largest;
+    }
+}
+
+void tia_reach_begin(struct tia_reach *r)
+{
+    *r = (struct tia_reach){.scale_least = TIA_Q16_ONE, .scale_largest = TIA_Q16_ONE};
+    tia_lengths_begin(&r->lengths);
+    tia_span_begin(&r->places);
+}
+
+/* The shape's largest radius. */
+static int64_t radius_of(const struct tia_shape *shape)
+{
+    int64_t radius = 0;
+
+    for (const struct tia_shape_field *f = tia_shape_fields(shape->kind); f->member; f++)
+        if (f->value == TIA_SHAPE_Q16)
+            radius = larger(radius, *(const tia_q16 *)(const void *)((const char *)shape + f->offset));
+    return radius;
+}
+
+void tia_reach_shape(struct tia_reach *r, const struct tia_shape *shape, const struct tia_transform *transform,
+                     bool placed, bool moves)
+{
+    bool solid = shape->kind == TIA_MESH || shape->kind == TIA_GRID;
+    int64_t radius = solid ? 0 : radius_of(shape);
+
+    for (const struct tia_shape_field *f = solid ? NULL : tia_shape_fields(shape->kind); f && f->member; f++) {
+        if (f->value != TIA_SHAPE_VEC3)
+            continue;
+        const struct tia_vec3 *point = (const struct tia_vec3 *)(const void *)((const char *)shape + f->offset);
+        if (!placed)
+            tia_lengths_cover(&r->lengths, *point, radius);
+        if (placed || moves)
+            enlarge_own(r, distance(size_of(*point)) + radius);
+    }
+    if (placed || moves || solid)
+        place(r, transform->position);
+    if (placed)
+        scale(r, transform->scale);
+}
+
+void tia_reach_vertex(struct tia_reach *r, struct tia_vec3 vertex)
+{
+    enlarge_own(r, distance(size_of(vertex)));
+}
+
+void tia_reach_grid(struct tia_reach *r, const struct tia_grid *grid)
+{
+    int64_t most = size_of(grid->corner);
+
+    for (int i = 0; i < 3; i++)
+        most = larger(most, size_of(grid->corner) + (int64_t)grid->size[i] * grid->cell);
+    lengthen(r, most);
+    enlarge_own(r, distance(most));
+}
+
+void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
+{
+    int64_t radius = larger(light->radius, size_of(light->side[0]) + size_of(light->side[1]));
+
+    tia_lengths_cover(&r->lengths, light->centre, radius);
+    enlarge_own(r, distance(radius));
+}
+
+void tia_reach_camera(struct tia_reach *r, const struct tia_camera *camera)
+{
+    const struct tia_window *w = &camera->window;
+    int64_t side =
+        larger(size_of((struct tia_vec3){w->left, w->right, 0}), size_of((struct tia_vec3){w->bottom, w->top, 0}));
+
+    tia_lengths_cover_eye(&r->lengths, camera->eye);
+    if (camera->up.x || camera->up.y || camera->up.z)
+        tia_lengths_cover(&r->lengths, camera->reference, 0);
+    lengthen(r, side * 3 / 2);
+    if (!w->left && !w->right)
+        lengthen(r, ((int64_t)w->top - w->bottom) * WINDOW_GROWS);
+}
+
+/* A smooth curve leaves the box around its keyframes by at most 8/27 of that: each of its two tangents is no longer,
+ * and has at most the weight 4/27. */
+static struct tia_span path(const struct tia_track *track, struct tia_span values)
+{
+    for (int i = 0; i < 3 && track->smooth; i++) {
+        int64_t beyond = (values.max[i] - values.min[i]) / 3 + 1;
+        values.min[i] -= beyond;
+        values.max[i] += beyond;
+    }
+    return values;
+}
+
+void tia_reach_keys(struct tia_reach *r, const struct tia_track *track, struct tia_span values)
+{
+    struct tia_span span = path(track, values);
+
+    switch (track->target) {
+    case TIA_MOVES_EYE:
+        tia_span_join(&r->lengths.eyes, &span);
+        tia_span_join(&r->lengths.all, &span);
+        break;
+    case TIA_MOVES_REFERENCE:
+        tia_span_join(&r->lengths.all, &span);
+        break;
+    case TIA_MOVES_LIGHT:
+    case TIA_MOVES_TRANSFORM:
+        tia_span_join(&r->places, &span);
+        break;
+    case TIA_SCALES_TRANSFORM:
+        for (int i = 0; i < 3; i++) {
+            r->scale_least = span.min[i] < r->scale_least ? (tia_q16)span.min[i] : r->scale_least;
+            r->scale_largest = span.max[i] > r->scale_largest ? (tia_q16)span.max[i] : r->scale_largest;
+        }
+        break;
+    case TIA_ROTATES_LIGHT:
+    case TIA_ROTATES_TRANSFORM:
+        break;
+    }
+}
+
+void tia_reach_group(struct tia_reach *r, const int64_t position[3])
+{
+    for (int i = 0; i < 3; i++)
+        lengthen(r, (position[i] < 0 ? -position[i] : position[i]) >> 16);
+}
+
+void tia_reach_plane(struct tia_reach *r, const struct tia_plane *plane)
+{
+    const struct tia_span *eyes = &r->lengths.eyes;
+
+    for (int i = 0; i < 8; i++) {
+        int64_t x = (i & 1 ? eyes->max : eyes->min)[0] - plane->point.x;
+        int64_t y = (i & 2 ? eyes->max : eyes->min)[1] - plane->point.y;
+        int64_t z = (i & 4 ? eyes->max : eyes->min)[2] - plane->point.z;
+        int64_t height =
+            (x * (plane->normal.x >> 10) + y * (plane->normal.y >> 10) + z * (plane->normal.z >> 10)) >> 20;
+        r->height = larger(r->height, height < 0 ? -height : height);
+    }
+}
+
+/* All that is placed, around its places; and half the diagonal of its box over the least scale, see tia_transform. */
+static void add_placed(struct tia_reach *r)
+{
+    int64_t largest = r->scale_largest < TIA_SCALE_MAX ? r->scale_largest : TIA_SCALE_MAX;
+    int64_t least = r->scale_least > TIA_SCALE_MIN ? r->scale_least : TIA_SCALE_MIN;
+    int64_t around = (r->own * largest >> 16) + 2;
+
+    if (r->places.min[0] > r->places.max[0])
+        return;
+    for (int i = 0; i < 3; i++) {
+        r->places.min[i] -= around;
+        r->places.max[i] += around;
+    }
+    tia_span_join(&r->lengths.all, &r->places);
+    if (least < TIA_Q16_ONE)
+        lengthen(r, distance(around) * TIA_Q16_ONE / least);
+}
+
+unsigned tia_reach_bits(const struct tia_reach *reach)
+{
+    struct tia_reach r = *reach;
+
+    if (!r.lengths.rounded)
+        return 0;
+    add_placed(&r);
+    unsigned bits = tia_lengths_room(&r.lengths);
+    while (bits > 0 && r.height << bits > HEIGHT_MOST)
+        bits--;
+    return bits;
+}

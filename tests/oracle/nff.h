@@ -1,0 +1,69 @@
+/* nff.h - pictures of .nff files from their numbers as they are written, in double precision.
+ *
+ * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show what
+ * that costs. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that nothing is
+ * seen of how far the library keeps away. */
+#ifndef TESTS_ORACLE_NFF_H
+#define TESTS_ORACLE_NFF_H
+
+#include "shape.h"
+
+enum nff_kind { NFF_SPHERE, NFF_CONE, NFF_POLYGON };
+
+struct nff_material {
+    double colour[3]; /* with Kd */
+    double ks, shine, t, index;
+    bool shines; /* has a highlight */
+};
+
+struct nff_thing {
+    enum nff_kind kind;
+    unsigned material;
+    unsigned body; /* what rays are in: a sphere, or all polygons of one f */
+    struct oracle_vec min, max;
+    struct oracle_vec point[2]; /* centre, or base and top */
+    double radius[2];
+    struct oracle_vec normal;         /* of a polygon, on its front */
+    const struct oracle_vec *corner;  /* count of them */
+    const struct oracle_vec *normals; /* at the corners, of a triangle alone; NULL: none */
+    unsigned count;
+};
+
+struct nff_light {
+    struct oracle_vec at;
+    double emission[3];
+    bool coloured; /* in the file */
+};
+
+struct nff_tree {
+    struct oracle_vec min, max;
+    unsigned first, count; /* things; count 0: two subtrees, this one's next and tree[first] */
+};
+
+struct nff {
+    struct oracle_vec eye, look, up;
+    double angle, background[3];
+    double extent; /* of the scene */
+    struct nff_material *materials;
+    struct nff_light *lights;
+    struct nff_thing *things;
+    struct nff_tree *trees;
+    bool *closed; /* the bodies that can be entered */
+    unsigned material_count, light_count, thing_count, tree_count, body_count;
+};
+
+/* NULL: the text is no such file. */
+struct nff *nff_read(const char *text);
+void nff_free(struct nff *nff);
+
+/* Sorts the things into trees; what the ray meets first, thing_count: nothing. */
+void nff_plant(struct nff *nff);
+unsigned nff_nearest(const struct nff *nff, struct ray ray, struct hit *hit);
+
+/* What of white light passes all that the ray meets before t = 1. */
+double nff_transmission(const struct nff *nff, struct ray ray);
+
+/* Pixel (x, y) of a picture of that size. */
+tia_rgb565 nff_pixel(const struct nff *nff, unsigned width, unsigned height, unsigned x, unsigned y);
+
+#endif
