@@ -66,8 +66,9 @@ void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
     start->slope[1] = num_fraction(d[2], d[0]);
 }
 
-/* Where a corner is seen: v[0] along the main axis, v[1] and v[2] beside the ray. */
-static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_length v[3])
+/* Where a corner is seen: v[0] along the main axis, v[1] and v[2] beside the ray. Not inlined, so that what its
+ * products leave on a small processor's stack is gone in deeper calls. */
+__attribute__((noinline)) static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_length v[3])
 {
     relative(ray->origin, ray->main, corner, v);
     v[1] -= num_times(v[0], ray->slope[0]);
