@@ -257,7 +257,7 @@ TEST(ellipsoids_are_met_where_they_are)
         struct shape shape;
         struct intersection intersection;
         make_random(&m);
-        tia_bounds_in_own_axes(&scene, &sphere, &m.box);
+        tia_bounds_in_own_axes(&scene, &sphere, NULL, &m.box);
         CHECK(m.box.min[1] == -1 && m.box.max[2] == TIA_Q16(5) + 1);
         instance_prepare(&m.instance, &m.transform, &m.box);
         PREPARE(&shape, TIA_SPHERE, sphere, {centre, TIA_Q16(2)});

@@ -1,6 +1,8 @@
-/* A drawing that is asked to stop does, in the middle of a picture that would take minutes. */
+/* Work that is asked to stop does: drawing, in the middle of a picture that would take minutes, and preparing. */
+#include <stdlib.h>
 #include <time.h>
 
+#include <tia/motion.h>
 #include <tia/render.h>
 
 #include "check.h"
@@ -26,11 +28,13 @@ static bool ask(void *ctx)
 
 static const struct tia_tile frame = {0, 0, W, H};
 
-static struct tia_view *view_of(const struct tia_scene *scene)
+static struct tia_view *view_of(const struct tia_scene *scene, struct asker *asker)
 {
     struct tia_view *view = NULL;
 
-    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, scene, scene->light_count, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init_until(&view, view_memory, sizeof view_memory, scene, scene->light_count, W, H,
+                                 asker ? ask : NULL, asker),
+             TIA_OK);
     return view;
 }
 
@@ -99,17 +103,11 @@ TEST(nobody_asks)
     struct asker never = {0, UINT32_MAX};
     struct tia_hits *hits = NULL;
     static tia_rgb565 plain[W * H];
-    struct tia_view *view = view_of(&scene);
 
-    CHECK_EQ(draw(view, &hits, 0), TIA_OK);
+    CHECK_EQ(draw(view_of(&scene, NULL), &hits, 0), TIA_OK);
     memcpy(plain, pixels, sizeof plain);
-    tia_view_set_stop(view, ask, &never);
-    CHECK_EQ(draw(view, &hits, 0), TIA_OK);
+    CHECK_EQ(draw(view_of(&scene, &never), &hits, 0), TIA_OK);
     CHECK(!memcmp(plain, pixels, sizeof plain) && never.asked >= H);
-    never.until = 1;
-    tia_view_set_stop(view, NULL, NULL);
-    CHECK_EQ(draw(view, &hits, 0), TIA_OK);
-    CHECK(!memcmp(plain, pixels, sizeof plain));
 }
 
 /* By spans a row is the unit: after the answer no row is begun. */
@@ -120,11 +118,10 @@ TEST(spans)
     for (unsigned until = 1; until < H; until += 7) {
         struct asker asker = {0, UINT32_MAX};
         struct tia_hits *hits = NULL;
-        struct tia_view *view = view_of(&scene);
+        struct tia_view *view = view_of(&scene, &asker);
         CHECK_EQ(draw(view, &hits, 0), TIA_OK);
         memset(pixels, 0x5a, sizeof pixels);
-        asker.until = until;
-        tia_view_set_stop(view, ask, &asker);
+        asker = (struct asker){0, until};
         CHECK_EQ(draw(view, &hits, 1), TIA_STOPPED);
         CHECK_MSG(pixels[(until - 1) * W] == 0x5a5a && (until == 1 || pixels[(until - 2) * W] != 0x5a5a), "row %u",
                   until);
@@ -137,10 +134,10 @@ TEST(many_lights_in_a_row)
     struct tia_scene scene = scene_of(MANY);
     struct asker asker = {0, UINT32_MAX};
     struct tia_hits *hits = NULL;
-    struct tia_view *view = view_of(&scene);
+    struct tia_view *view = view_of(&scene, &asker);
 
     CHECK_EQ(draw(view, &hits, 0), TIA_OK);
-    tia_view_set_stop(view, ask, &asker);
+    asker.asked = 0;
     CHECK_EQ(draw(view, &hits, 1), TIA_OK);
     CHECK(asker.asked > H + H / 4 * (MANY / 64));
 }
@@ -150,10 +147,8 @@ TEST(a_trace_by_spans)
     struct tia_scene scene = scene_of(1);
     struct asker asker = {0, 1};
     struct tia_hits *hits = NULL;
-    struct tia_view *view = view_of(&scene);
 
-    tia_view_set_stop(view, ask, &asker);
-    CHECK_EQ(draw(view, &hits, 0), TIA_STOPPED);
+    CHECK_EQ(draw(view_of(&scene, &asker), &hits, 0), TIA_STOPPED);
     CHECK(asker.asked <= 2);
 }
 
@@ -162,19 +157,17 @@ TEST(rays)
 {
     struct tia_scene scene = endless_scene();
     struct tia_hits *hits = NULL;
-    struct tia_view *view = view_of(&scene);
     struct asker asker = {0, 1};
+    struct tia_view *view = view_of(&scene, &asker);
     double start = cpu_seconds();
 
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    tia_view_set_stop(view, ask, &asker);
     CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
     CHECK(asker.asked <= 2);
-    tia_view_set_stop(view, NULL, NULL);
+    asker.until = UINT32_MAX;
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
     for (unsigned until = 1; until < 100000; until = until * 10 + 3) {
         asker = (struct asker){0, until};
-        tia_view_set_stop(view, ask, &asker);
         CHECK_EQ(draw(view, &hits, 1), TIA_STOPPED);
         CHECK_MSG(asker.asked <= until + 1, "asked %u times after the answer", asker.asked - until);
     }
@@ -186,12 +179,168 @@ TEST(the_table_of_functions)
 {
     struct tia_scene scene = endless_scene();
     struct asker asker = {0, 1};
-    struct tia_view *view = view_of(&scene);
+    struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
 
+    CHECK_EQ(tia_core_q16.view_init_until(&view, view_memory, sizeof view_memory, &scene, scene.light_count, W, H, ask,
+                                          &asker),
+             TIA_OK);
     CHECK_EQ(tia_core_q16.hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    tia_core_q16.set_stop(view, ask, &asker);
     CHECK_EQ(tia_core_q16.trace(view, hits, frame), TIA_STOPPED);
+}
+
+/* ---- scenes of many things, before anything is drawn ---- */
+
+enum { ITEMS = 10 * 4096, SHAPES = 0, SPHERES, FACES, NORMALS, CELLS, LIGHTS, KEYS, TRANSFORMS };
+
+static struct {
+    struct tia_material glass;
+    struct tia_sphere spheres[ITEMS];
+    struct tia_shape shapes[ITEMS];
+    struct tia_transform transforms[ITEMS];
+    struct tia_light lights[ITEMS];
+    struct tia_vec3 corners[3];
+    struct tia_face faces[ITEMS];
+    struct tia_dir3 normals[ITEMS];
+    uint8_t cells[ITEMS];
+    struct tia_keyframe keys[ITEMS];
+    struct tia_mesh mesh;
+    struct tia_grid grid;
+    struct tia_track track;
+} many;
+
+static void fill_many(void)
+{
+    many.glass = (struct tia_material){.refraction = TIA_RGB(1, 1, 1), .index = TIA_Q16(1.5)};
+    for (int i = 0; i < 3; i++)
+        many.corners[i] = (struct tia_vec3){i * TIA_Q16_ONE, i % 2 * TIA_Q16_ONE, 0};
+    for (uint32_t i = 0; i < ITEMS; i++) {
+        many.spheres[i] = (struct tia_sphere){TIA_VEC3(0, 0, -20), TIA_Q16_ONE, 0};
+        many.shapes[i] = (struct tia_shape){.kind = TIA_SPHERE, .transform = 1, .sphere = {.radius = TIA_Q16_ONE}};
+        many.transforms[i] = (struct tia_transform){.position = TIA_VEC3(0, 0, -9), .scale = TIA_VEC3(1, 1, 1)};
+        many.lights[i] = (struct tia_light){TIA_VEC3(0, 9, -9), TIA_Q16(0.5), TIA_RGB(1, 1, 1)};
+        for (uint32_t k = 0; k < 3; k++)
+            many.faces[i].corner[k] = (struct tia_corner){k, TIA_NO_INDEX, TIA_NO_INDEX};
+        many.normals[i] = (struct tia_dir3){TIA_Q30(1), 0, 0};
+        many.keys[i] = (struct tia_keyframe){(tia_q16)i, TIA_VEC3(0, 0, -9)};
+    }
+    many.grid = (struct tia_grid){.size = {40, 32, 32}, .cell = TIA_Q16_ONE, .cells = many.cells};
+    many.track = (struct tia_track){.target = TIA_MOVES_TRANSFORM, .keys = many.keys, .key_count = ITEMS};
+}
+
+/* With ITEMS things of one kind. */
+static struct tia_scene scene_of_many(int kind)
+{
+    struct tia_scene scene = {.camera = tia_thesis_scene.camera, .materials = &many.glass, .material_count = 1};
+
+    many.mesh = (struct tia_mesh){.vertices = many.corners, .vertex_count = 3, .faces = many.faces, .face_count = 1};
+    scene.shapes = many.shapes;
+    scene.transforms = many.transforms;
+    scene.transform_count = kind == TRANSFORMS ? ITEMS : 1;
+    scene.shape_count = kind == SHAPES ? ITEMS : 1;
+    scene.spheres = many.spheres;
+    scene.sphere_count = kind == SPHERES ? ITEMS : 0;
+    scene.lights = many.lights;
+    scene.light_count = kind == LIGHTS ? ITEMS : 0;
+    many.shapes[0] = (struct tia_shape){.kind = TIA_SPHERE, .transform = 1, .sphere = {.radius = TIA_Q16_ONE}};
+    if (kind == FACES || kind == NORMALS) {
+        many.mesh.face_count = kind == FACES ? ITEMS : 1;
+        many.mesh.normals = many.normals;
+        many.mesh.normal_count = kind == NORMALS ? ITEMS : 0;
+        scene.meshes = &many.mesh;
+        scene.mesh_count = 1;
+        many.shapes[0] = (struct tia_shape){.kind = TIA_MESH, .transform = 1, .mesh = 0};
+    }
+    if (kind == CELLS) {
+        scene.grids = &many.grid;
+        scene.grid_count = 1;
+    }
+    if (kind == KEYS || kind == TRANSFORMS) {
+        scene.tracks = &many.track;
+        scene.track_count = 1;
+    }
+    return scene;
+}
+
+/* Each of `passes` over the things asks after every 4096, and an answer is the end. */
+static void check_preparing(int kind, unsigned passes)
+{
+    struct tia_scene scene = scene_of_many(kind);
+    size_t size = tia_view_size(&scene, scene.light_count);
+    struct asker asker = {0, UINT32_MAX};
+    void *memory = malloc(size);
+    struct tia_view *view = NULL;
+    unsigned all;
+
+    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &asker), TIA_OK);
+    all = asker.asked;
+    CHECK_MSG(all >= 10 * passes - 1, "kind %d: %u questions in %u passes", kind, all, passes);
+    for (unsigned until = 1; until <= all; until++) {
+        asker = (struct asker){0, until};
+        CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &asker), TIA_STOPPED);
+        CHECK_MSG(asker.asked <= until + 1, "kind %d: asked %u times after the answer", kind, asker.asked - until);
+    }
+    free(memory);
+}
+
+TEST(preparing_a_view)
+{
+    fill_many();
+    check_preparing(SHAPES, 2);  /* the check, and their constants */
+    check_preparing(SPHERES, 1); /* the check */
+    check_preparing(FACES, 4);   /* the check, the box for it, the box for the instance, whether they are closed */
+    check_preparing(NORMALS, 1);
+    check_preparing(CELLS, 1);
+    check_preparing(LIGHTS, 3); /* the check of the scene, that of new lights, their constants */
+    check_preparing(KEYS, 1);
+    check_preparing(TRANSFORMS, 2); /* and as many keys */
+}
+
+TEST(a_scene_at_a_time)
+{
+    struct tia_scene scene, at;
+    struct asker asker = {0, UINT32_MAX};
+    size_t size;
+    void *memory;
+
+    fill_many();
+    scene = scene_of_many(TRANSFORMS);
+    size = tia_scene_at_size(&scene);
+    memory = malloc(size);
+    CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &asker), TIA_OK);
+    CHECK(asker.asked >= 11); /* the transforms, then a track of many keys */
+    for (unsigned until = asker.asked; until > 0; until--) {
+        asker = (struct asker){0, until};
+        CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &asker), TIA_STOPPED);
+        CHECK_EQ(asker.asked, until);
+    }
+    free(memory);
+}
+
+/* Without a hierarchy, or beside it as planes are, each ray tries them all. */
+TEST(one_ray)
+{
+    struct tia_scene scene;
+    struct asker asker = {0, UINT32_MAX};
+    struct tia_view *view = NULL;
+    struct tia_hits *hits = NULL;
+    const struct tia_tile pixel = {0, 0, 1, 1};
+    size_t size;
+    void *memory;
+
+    fill_many();
+    scene = scene_of_many(SPHERES);
+    size = tia_view_size(&scene, 0);
+    memory = malloc(size);
+    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, 0, W, H, ask, &asker), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
+    asker.asked = 0;
+    CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);
+    CHECK(asker.asked >= 10);
+    asker = (struct asker){0, 1};
+    CHECK_EQ(tia_trace(view, hits, pixel), TIA_STOPPED);
+    CHECK(asker.asked <= 3);
+    free(memory);
 }
 
 int main(void)
@@ -202,5 +351,8 @@ int main(void)
     RUN(a_trace_by_spans);
     RUN(rays);
     RUN(the_table_of_functions);
+    RUN(preparing_a_view);
+    RUN(a_scene_at_a_time);
+    RUN(one_ray);
     return check_status();
 }

@@ -42,6 +42,11 @@ size_t tia_scene_at_size(const struct tia_scene *scene);
  * TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time);
 
+/* The same, asking `stop` now and then, which may be NULL. Once it says true, returns TIA_STOPPED, and *out may be
+ * drawn no more. */
+int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                       bool (*stop)(void *ctx), void *ctx);
+
 /* The time of the last keyframe, seconds; 0 when nothing moves. */
 tia_q16 tia_scene_duration(const struct tia_scene *scene);
 

@@ -94,10 +94,13 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options);
 
-/* `stop` is asked while tia_trace and tia_light_tile draw, by whoever draws: at the latest after some 16 rays, or by
- * spans after a row. Once it says true, they return TIA_STOPPED soon: what they have drawn of the tile is then not
- * defined, the hits neither. It may be asked again and must say true again. NULL, as after tia_view_init: never. */
-void tia_view_set_stop(struct tia_view *view, bool (*stop)(void *ctx), void *ctx);
+/* As tia_view_init, for a caller that may want to stop: `stop` is asked after every few thousand objects while the view
+ * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, by whoever draws, at the latest after
+ * some 16 rays, or by spans after a row. Once it says true, they return TIA_STOPPED soon: a view that was being
+ * prepared is then of no use, and what they have drawn of the tile, the hits and the view's lights are not defined. It
+ * may be asked again and must say true again. NULL: never. */
+int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
 /* These functions in one arithmetic. A program can link several and choose at run time. */
 struct tia_core {
@@ -111,7 +114,8 @@ struct tia_core {
     int (*trace)(const struct tia_view *, struct tia_hits *, struct tia_tile);
     int (*light)(const struct tia_view *, const struct tia_hits *, struct tia_tile, const struct tia_surface *,
                  const struct tia_options *);
-    void (*set_stop)(struct tia_view *, bool (*)(void *), void *);
+    int (*view_init_until)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned,
+                           bool (*)(void *), void *);
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the functions above */

@@ -20,7 +20,7 @@
 #define tia_trace NAMES(trace)
 #define tia_light_tile NAMES(light_tile)
 #define tia_render NAMES(render)
-#define tia_view_set_stop NAMES(view_set_stop)
+#define tia_view_init_until NAMES(view_init_until)
 #endif
 
 #define primary_prepare NAMES(primary_prepare)

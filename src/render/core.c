@@ -11,5 +11,5 @@ const struct tia_core NUM_CORE = {
     .hits_object = tia_hits_object,
     .trace = tia_trace,
     .light = tia_light_tile,
-    .set_stop = tia_view_set_stop,
+    .view_init_until = tia_view_init_until,
 };

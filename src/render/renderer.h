@@ -8,16 +8,17 @@
 #define TIA_RENDER_RENDERER_H
 
 #include "num/num.h"
+#include "scene/asker.h"
 
 struct renderer {
     /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Bytes behind view->prepared, SIZE_MAX when there are too many; then fills them in for the view's scene and
-     * size. The lights are set afterwards, whenever they change. */
+     * size. The lights are set afterwards, whenever they change. Both may return TIA_STOPPED. */
     size_t (*prepared_size)(const struct tia_scene *scene, uint32_t light_capacity);
     int (*prepare)(struct tia_view *view);
-    void (*set_lights)(struct tia_view *view);
+    int (*set_lights)(struct tia_view *view);
 
     /* Bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
@@ -36,13 +37,19 @@ struct tia_view {
     struct tia_light *lights; /* our copy */
     uint32_t light_count, light_capacity;
     int width, height;
-    bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_set_stop */
+    bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_init_until */
     void *stop_ctx;
 };
 
 static inline bool view_stops(const struct tia_view *view)
 {
     return view->stop && view->stop(view->stop_ctx);
+}
+
+/* For work in which the view's owner may want to stop. */
+static inline struct asker view_asker(const struct tia_view *view)
+{
+    return (struct asker){view->stop, view->stop_ctx, 0, false};
 }
 
 /* What each pixel of an area sees, row by row. */

@@ -1,5 +1,6 @@
 #include "math/align.h"
 #include "renderer.h"
+#include "scene/check/check.h"
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
@@ -13,13 +14,25 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height)
 {
+    return tia_view_init_until(view, memory, size, scene, light_capacity, width, height, NULL, NULL);
+}
+
+static int check(const struct tia_scene *scene, struct asker asker)
+{
+    int status = tia_check_scene(scene, NULL, &asker);
+    return status && status != TIA_STOPPED ? TIA_ERR_RANGE : status;
+}
+
+int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
     struct tia_view *v = memory;
-    int status;
 
     if (!width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || light_capacity < scene->light_count)
         return TIA_ERR_ARGUMENT;
-    if (tia_scene_check(scene, NULL))
-        return TIA_ERR_RANGE;
+    int status = check(scene, (struct asker){stop, ctx, 0, false});
+    if (status)
+        return status;
     if (size < tia_view_size(scene, light_capacity))
         return TIA_ERR_MEMORY;
     v->scene = scene;
@@ -29,36 +42,34 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
     v->light_capacity = light_capacity;
     v->width = (int)width;
     v->height = (int)height;
-    v->stop = NULL;
+    v->stop = stop;
+    v->stop_ctx = ctx;
     v->prepared = (char *)v->lights + ALIGN(light_capacity * sizeof *v->lights);
     status = v->renderer->prepare(v);
+    if (!status)
+        status = tia_view_set_lights(v, scene->lights, scene->light_count);
     *view = v;
-    return status ? status : tia_view_set_lights(v, scene->lights, scene->light_count);
+    return status;
 }
 
-static bool are_acceptable(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
+static int check_lights(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     struct tia_scene alone = {
         .camera = view->scene->camera, .lights = lights, .light_count = count, .shadows = view->scene->shadows};
+    int status = check(&alone, view_asker(view));
 
-    return !tia_scene_check(&alone, NULL) && view->renderer->draws(&alone);
+    return !status && !view->renderer->draws(&alone) ? TIA_ERR_RANGE : status;
 }
 
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     if (count > view->light_capacity)
         return TIA_ERR_MEMORY;
-    if (!are_acceptable(view, lights, count))
-        return TIA_ERR_RANGE;
+    int status = check_lights(view, lights, count);
+    if (status)
+        return status;
     view->light_count = count;
     for (uint32_t i = 0; i < count; i++)
         view->lights[i] = lights[i];
-    view->renderer->set_lights(view);
-    return TIA_OK;
-}
-
-void tia_view_set_stop(struct tia_view *view, bool (*stop)(void *ctx), void *ctx)
-{
-    view->stop = stop;
-    view->stop_ctx = ctx;
+    return view->renderer->set_lights(view);
 }

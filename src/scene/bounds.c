@@ -48,13 +48,14 @@ bool tia_bounds_in_world(const struct tia_scene *scene, uint32_t object, const s
     return around_shape(&frame, scene, shape, own, bounds);
 }
 
-void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, struct bounds_wide *bounds)
+void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shape *shape, const struct tia_bounds *own,
+                            struct bounds_wide *bounds)
 {
     struct frame none;
 
     tia_frame_prepare(&none, NULL);
     *bounds = (struct bounds_wide){{0, 0, 0}, {0, 0, 0}};
-    (void)around_shape(&none, scene, shape, NULL, bounds);
+    (void)around_shape(&none, scene, shape, own, bounds);
     for (int k = 0; k < 3; k++) {
         bounds->min[k]--;
         bounds->max[k]++;

@@ -2,6 +2,7 @@
 
 #include "math/align.h"
 #include "math/integer.h"
+#include "scene/asker.h"
 
 /* a / b as Q2.62, rounded down; 0 <= a <= b < 2^31, b not 0. */
 static int64_t fraction(int64_t a, int64_t b)
@@ -144,7 +145,14 @@ static void apply(const struct tia_track *track, tia_q16 time, struct tia_camera
 
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time)
 {
+    return tia_scene_at_until(out, memory, size, scene, time, NULL, NULL);
+}
+
+int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                       bool (*stop)(void *ctx), void *ctx)
+{
     const struct tia_scene still = *scene;
+    struct asker asker = {stop, ctx, 0, false};
     size_t needed = tia_scene_at_size(scene), for_lights = (size_t)lights_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
@@ -152,9 +160,9 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
     struct tia_light *lights = for_lights ? memory : NULL;
     struct tia_transform *transforms = needed > for_lights ? (void *)((char *)memory + for_lights) : NULL;
     *out = still;
-    for (uint32_t i = 0; lights && i < still.light_count; i++)
+    for (uint32_t i = 0; lights && i < still.light_count && !asker_stops(&asker, 1); i++)
         lights[i] = still.lights[i];
-    for (uint32_t i = 0; transforms && i < still.transform_count; i++)
+    for (uint32_t i = 0; transforms && i < still.transform_count && !asker_stops(&asker, 1); i++)
         transforms[i] = still.transforms[i];
     if (lights)
         out->lights = lights;
@@ -163,9 +171,9 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
     out->tracks = NULL;
     out->track_count = 0;
     out->bvh = NULL;
-    for (uint32_t i = 0; i < still.track_count; i++)
+    for (uint32_t i = 0; i < still.track_count && !asker_stops(&asker, still.tracks[i].key_count); i++)
         apply(&still.tracks[i], time, &out->camera, lights, transforms);
-    return TIA_OK;
+    return asker.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 tia_q16 tia_scene_duration(const struct tia_scene *scene)

@@ -80,9 +80,17 @@ size_t tia_scene_at_size(const struct tia_scene *scene)
 
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time)
 {
+    return tia_scene_at_until(out, memory, size, scene, time, NULL, NULL);
+}
+
+int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                       bool (*stop)(void *ctx), void *ctx)
+{
     (void)memory;
     (void)size;
     (void)time;
+    (void)stop;
+    (void)ctx;
     *out = *scene;
     return scene->track_count ? TIA_ERR_UNSUPPORTED : TIA_OK;
 }

@@ -77,7 +77,7 @@ int tia_viewer_play_begin(struct loop *loop);
 int tia_viewer_play(struct loop *loop);
 
 /* watch.c: before a frame; while it is drawn, on any thread, TIA_STOPPED or VIEWER_OUTDATED when it is to end; the
- * same for tia_view_set_stop. */
+ * same for whoever asks whether to stop. */
 void tia_viewer_watch_begin(struct loop *loop);
 int tia_viewer_watch(struct loop *loop);
 bool tia_viewer_stops(void *loop);

@@ -52,8 +52,8 @@ static void follow(struct loop *loop)
 
 static int update_scene(struct loop *loop, tia_q16 time)
 {
-    int status = tia_scene_at(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
-                              loop->viewer->scene, time);
+    int status = tia_scene_at_until(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
+                                    loop->viewer->scene, time, tia_viewer_stops, loop);
 
     if (status)
         return status;

@@ -75,13 +75,12 @@ int tia_viewer_prepare(struct loop *loop)
 int tia_viewer_prepare_view(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
-    int status = loop->core->view_init(&loop->view, loop->view, loop->view_size, loop->scene,
-                                       loop->viewer->light_capacity, loop->mode.width, loop->mode.height);
+    int status =
+        loop->core->view_init_until(&loop->view, loop->view, loop->view_size, loop->scene, loop->viewer->light_capacity,
+                                    loop->mode.width, loop->mode.height, tia_viewer_stops, loop);
 
     if (!status && loop->whole)
         status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
-    if (!status)
-        loop->core->set_stop(loop->view, tia_viewer_stops, loop);
     loop->view_ready = !status;
     loop->traced = false;
     loop->changed = true;

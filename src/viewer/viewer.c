@@ -92,7 +92,7 @@ static int step(struct loop *loop)
     tia_viewer_repeat_held(loop);
     status = show(loop);
     if (loop->ends)
-        return loop->failure ? loop->failure : VIEWER_QUIT;
+        return VIEWER_QUIT;
     if (status && status != TIA_HIDDEN)
         return status;
     if (v->frame_limit && loop->frame >= v->frame_limit)
@@ -123,5 +123,7 @@ int tia_viewer_run(struct tia_viewer *viewer)
         status = tia_viewer_press(&loop, viewer->keys[i]);
     while (!status && !is_stopped(viewer))
         status = step(&loop);
+    if (loop.ends)
+        return loop.failure;
     return status == VIEWER_QUIT ? TIA_OK : status;
 }

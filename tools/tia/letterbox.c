@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/signals.h"
 #include "ports.h"
 
 /* ---- size and place ---- */
@@ -199,15 +200,27 @@ static int draw_border(struct letterbox *letterbox)
     return status;
 }
 
+/* That of the largest frame takes so long that signals must be looked at. */
+static int compute_crc(struct letterbox *letterbox)
+{
+    const size_t width = letterbox->place.width;
+    uint32_t crc = 0;
+    for (size_t y = 0; y < letterbox->place.height; y++) {
+        crc = tia_crc32(crc, letterbox->frame + y * width, width);
+        if (y % 256 == 255 && signals_asked(NULL))
+            return TIA_STOPPED;
+    }
+    letterbox->crc = crc;
+    return TIA_OK;
+}
+
 static int letterbox_present(void *ctx)
 {
     struct letterbox *letterbox = ctx;
     int status = draw_border(letterbox);
-    if (status)
-        return status;
-    if (letterbox->checksum)
-        letterbox->crc = tia_crc32(0, letterbox->frame, (size_t)letterbox->place.width * letterbox->place.height);
-    return letterbox->screen->present(letterbox->screen_ctx);
+    if (!status && letterbox->checksum)
+        status = compute_crc(letterbox);
+    return status ? status : letterbox->screen->present(letterbox->screen_ctx);
 }
 
 static void letterbox_close(void *ctx)

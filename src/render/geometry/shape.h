@@ -10,6 +10,7 @@
 #include <tia/bvh.h>
 
 #include "num/num_ray.h"
+#include "scene/asker.h"
 
 struct ray {
     struct num_point origin;
@@ -112,8 +113,8 @@ TIA_SHAPES(DECLARE)
 /* Sets shape->kind and the constants. */
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
-/* Whether a mesh's faces enclose a volume, see tia/material.h. */
-bool mesh_is_closed(const struct tia_mesh *mesh);
+/* Whether a mesh's faces enclose a volume, see tia/material.h. Stopped: anything. */
+bool mesh_is_closed(const struct tia_mesh *mesh, struct asker *asker);
 
 /* How many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
 uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);

@@ -54,17 +54,20 @@ static int prepare(struct tia_view *view)
                          (unsigned)view->width, (unsigned)view->height);
 }
 
-static void set_lights(struct tia_view *view)
+static int set_lights(struct tia_view *view)
 {
     struct raster_view *raster = raster_of(view);
+    int status = ray_set_lights(view);
 
-    ray_set_lights(view);
+    if (status)
+        return status;
     raster->sample_count = 0;
     for (uint32_t n = 0; n < view->light_count; n++) {
         raster->first_bit[n] = (uint8_t)raster->sample_count;
         for (unsigned i = 0; i < tia_flat_light_samples(&view->lights[n]); i++)
             tia_flat_light_at(&raster->flat, &view->lights[n], i, &raster->samples[raster->sample_count++]);
     }
+    return TIA_OK;
 }
 
 /* ---- the buffers of each pixel ---- */

@@ -99,11 +99,12 @@ static void clear(struct hit *hit)
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
     struct candidates candidates;
+    struct asker asker = view_asker(view->view);
     uint32_t object;
 
     clear(hit);
     candidates_start(&candidates, view->scene, ray);
-    while ((object = candidates_next(&candidates, hit->t)) != TIA_NO_OBJECT)
+    while ((object = candidates_next(&candidates, hit->t)) != TIA_NO_OBJECT && !asker_stops(&asker, 1))
         try_object(view, ray, object, hit);
 }
 
@@ -116,7 +117,9 @@ void ray_intersect_object(const struct ray_view *view, const struct ray *ray, ui
 
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
-    for (uint32_t n = 0; n < view->light_count; n++) {
+    struct asker asker = view_asker(view->view);
+
+    for (uint32_t n = 0; n < view->light_count && !asker_stops(&asker, 1); n++) {
         num_length t;
         if (ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
             hit->t = t;

@@ -4,17 +4,53 @@
 #include "scene/colour.h"
 #include "trace.h"
 
+/* What shapes ask of their mesh: found when the first one asks, since there may be many. */
+struct mesh_facts {
+    struct tia_bounds box;
+    bool has_box, has_edges, is_closed;
+};
+
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
-                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance));
+                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance)) +
+                    (uint64_t)scene->mesh_count * sizeof(struct mesh_facts);
 
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* What refracted rays can enter. */
-static enum inside inside_of(const struct tia_scene *scene, const struct tia_shape *given)
+/* While a scene is prepared. */
+struct preparation {
+    const struct tia_scene *scene;
+    struct mesh_facts *meshes;
+    struct asker asker;
+};
+
+static const struct tia_bounds *mesh_box(struct preparation *p, uint32_t mesh)
 {
+    struct mesh_facts *facts = &p->meshes[mesh];
+
+    if (!facts->has_box)
+        facts->box = tia_bounds_of_mesh(&p->scene->meshes[mesh], &p->asker);
+    facts->has_box = true;
+    return &facts->box;
+}
+
+static bool is_closed(struct preparation *p, uint32_t mesh)
+{
+    struct mesh_facts *facts = &p->meshes[mesh];
+
+    if (!facts->has_edges)
+        facts->is_closed = mesh_is_closed(&p->scene->meshes[mesh], &p->asker);
+    facts->has_edges = true;
+    return facts->is_closed;
+}
+
+/* What refracted rays can enter. */
+static enum inside inside_of(struct preparation *p, const struct tia_shape *given)
+{
+    bool refracts = !colour_is_black(&p->scene->materials[given->material].refraction);
+
     switch (given->kind) {
     case TIA_GRID:
         return INSIDE_CELLS;
@@ -23,10 +59,7 @@ static enum inside inside_of(const struct tia_scene *scene, const struct tia_sha
     case TIA_CONE:
         return given->cone.capped ? INSIDE_WHOLE : INSIDE_NONE;
     case TIA_MESH:
-        return !colour_is_black(&scene->materials[given->material].refraction) &&
-                       mesh_is_closed(&scene->meshes[given->mesh])
-                   ? INSIDE_WHOLE
-                   : INSIDE_NONE;
+        return refracts && is_closed(p, given->mesh) ? INSIDE_WHOLE : INSIDE_NONE;
     case TIA_DISC:
     case TIA_TRIANGLE:
         return INSIDE_NONE;
@@ -36,57 +69,63 @@ static enum inside inside_of(const struct tia_scene *scene, const struct tia_sha
 }
 
 /* False: the shape has no transform. */
-static bool place(const struct tia_scene *scene, const struct tia_shape *given, struct instance *instance)
+static bool place(struct preparation *p, const struct tia_shape *given, struct instance *instance)
 {
     struct bounds_wide box;
 
     if (!given->transform)
         return false;
-    tia_bounds_in_own_axes(scene, given, &box);
-    instance_prepare(instance, &scene->transforms[given->transform - 1], &box);
+    tia_bounds_in_own_axes(p->scene, given, given->kind == TIA_MESH ? mesh_box(p, given->mesh) : NULL, &box);
+    instance_prepare(instance, &p->scene->transforms[given->transform - 1], &box);
     return true;
 }
 
-static void prepare_shapes(struct ray_view *view)
+static int prepare_shapes(struct ray_view *view, struct preparation *p)
 {
-    const struct tia_scene *scene = view->scene;
+    const struct tia_scene *scene = p->scene;
     struct instance *instance = view->instances;
 
-    for (uint32_t i = 0; i < scene->shape_count; i++) {
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        p->meshes[i].has_box = p->meshes[i].has_edges = false;
+    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(&p->asker, 1); i++) {
         const struct tia_shape *given = &scene->shapes[i];
         struct shape *shape = &view->shapes[i];
 
         shape->material = given->material;
-        shape->inside = inside_of(scene, given);
+        shape->inside = inside_of(p, given);
         shape->instance = NULL;
         shape_prepare(shape, scene, given);
-        if (place(scene, given, instance))
+        if (place(p, given, instance))
             shape->instance = instance++;
     }
+    return p->asker.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 int ray_prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
     struct ray_view *rays = view->prepared;
+    struct preparation preparation = {scene, NULL, view_asker(view)};
 
     rays->view = view;
     rays->scene = scene;
     rays->lights = (struct ray_light *)(void *)((char *)view->prepared + ALIGN(sizeof *rays));
     rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
     rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
+    preparation.meshes = (struct mesh_facts *)(rays->instances + scene->shape_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
     ray_camera_prepare(&rays->camera, &scene->camera, view->width, view->height);
-    prepare_shapes(rays);
-    return TIA_OK;
+    return prepare_shapes(rays, &preparation);
 }
 
-void ray_set_lights(struct tia_view *view)
+int ray_set_lights(struct tia_view *view)
 {
     struct ray_view *rays = view->prepared;
+    struct asker asker = view_asker(view);
 
     rays->light_count = view->light_count;
-    for (uint32_t i = 0; i < view->light_count; i++)
+    for (uint32_t i = 0; i < view->light_count && !asker_stops(&asker, 1); i++)
         ray_light_prepare(&rays->lights[i], &view->lights[i]);
+    return asker.stopped ? TIA_STOPPED : TIA_OK;
 }

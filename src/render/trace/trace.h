@@ -21,7 +21,7 @@ struct ray_view {
 /* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
 int ray_prepare(struct tia_view *view);
-void ray_set_lights(struct tia_view *view);
+int ray_set_lights(struct tia_view *view);
 
 /* What a ray meets first. */
 struct hit {

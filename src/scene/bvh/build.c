@@ -13,7 +13,7 @@
 struct space {
     unsigned char *front;
     struct tia_bounds *boxes;
-    struct tia_bvh_asker asker;
+    struct asker asker;
 };
 
 static uint64_t object_count(const struct tia_scene *scene)
@@ -72,7 +72,7 @@ static struct tia_bvh_tree build_mesh(struct space *space, const struct tia_mesh
 {
     uint32_t *items = allocate(space, mesh->face_count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = 0; i < mesh->face_count && !tia_bvh_stops(&space->asker, 1); i++) {
+    for (uint32_t i = 0; i < mesh->face_count && !asker_stops(&space->asker, 1); i++) {
         struct tia_bounds box = tia_bounds_of_face(mesh, i);
         struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
         (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
@@ -116,7 +116,7 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
     uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
     uint32_t *items = allocate(space, count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = count; !tia_bvh_stops(&space->asker, 1) && i-- > 0;)
+    for (uint32_t i = count; !asker_stops(&space->asker, 1) && i-- > 0;)
         if (find_box(&space->boxes[i], scene, i, bvh->meshes))
             items[first++] = i;
         else

@@ -35,11 +35,17 @@ struct split {
     uint32_t count; /* the first child's items */
 };
 
+/* Of few items the caller's question is enough. */
+static bool stops(const struct tia_bvh_split_items *items)
+{
+    return items->count > ASKER_PATIENCE && asker_stops(items->asker, 1);
+}
+
 struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    for (uint32_t i = 0; i < items->count; i++)
+    for (uint32_t i = 0; i < items->count && !stops(items); i++)
         tia_bounds_add(&bounds, &items->boxes[items->items[i]]);
     return bounds;
 }
@@ -74,17 +80,17 @@ static uint64_t area(const struct tia_bounds *b, unsigned shift)
     return x * y + y * z + z * x;
 }
 
-/* False when all centres coincide on that axis. */
+/* False when all centres coincide on that axis, or when it is stopped: an item without a look may have no bin. */
 static bool choose_bins(struct binning *binning, const struct tia_bvh_split_items *items, int axis)
 {
     int64_t least = INT64_MAX, most = INT64_MIN;
 
-    for (uint32_t i = 0; i < items->count; i++) {
+    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
         int64_t c = centre(&items->boxes[items->items[i]], axis);
         least = c < least ? c : least;
         most = c > most ? c : most;
     }
-    if (most <= least)
+    if (most <= least || items->asker->stopped)
         return false;
     /* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
     unsigned bits = 64 - tia_clz64((uint64_t)(most - least));
@@ -104,7 +110,7 @@ static void fill_bins(struct bin bins[BINS], const struct tia_bvh_split_items *i
 {
     for (int i = 0; i < BINS; i++)
         bins[i] = (struct bin){BOUNDS_NOTHING, 0};
-    for (uint32_t i = 0; i < items->count; i++) {
+    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
         const struct tia_bounds *box = &items->boxes[items->items[i]];
         struct bin *bin = &bins[bin_of(binning, box)];
         tia_bounds_add(&bin->bounds, box);
@@ -142,7 +148,7 @@ static void partition(const struct tia_bvh_split_items *items, const struct spli
 {
     uint32_t low = 0, high = items->count;
 
-    while (low < high) {
+    while (low < high && !stops(items)) {
         uint32_t item = items->items[low];
         if (bin_of(&choice->binning, &items->boxes[item]) < choice->bin) {
             low++;

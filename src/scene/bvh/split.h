@@ -4,13 +4,16 @@
 
 #include <tia/bvh.h>
 
+#include "scene/asker.h"
+
 #define SPLIT_ITEMS_MOST 8 /* more items are always split, whatever the heuristic finds */
 
-/* Items are indices into `boxes`. */
+/* Items are indices into `boxes`. Once the asker is stopped, what the functions return means nothing. */
 struct tia_bvh_split_items {
     const struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
+    struct asker *asker;
 };
 
 /* The bounding box of all items. */

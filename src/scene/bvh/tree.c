@@ -28,14 +28,14 @@ static uint32_t most_items(uint32_t depth)
 }
 
 struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
-                                       const struct tia_bounds *boxes, struct tia_bvh_asker *asker)
+                                       const struct tia_bounds *boxes, struct asker *asker)
 {
     struct task tasks[TIA_BVH_DEPTH_MAX + 1] = {{0, count, 0, 0}};
     uint32_t node_count = 0, waiting = count ? 1 : 0;
 
-    while (waiting && !tia_bvh_stops(asker, tasks[waiting - 1].count)) {
+    while (waiting && !asker_stops(asker, tasks[waiting - 1].count)) {
         struct task task = tasks[--waiting];
-        const struct tia_bvh_split_items part = {boxes, items + task.first, task.count};
+        const struct tia_bvh_split_items part = {boxes, items + task.first, task.count, asker};
         uint32_t here = node_count++;
         struct tia_bvh_node *node = &nodes[here];
 
@@ -43,6 +43,8 @@ struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *ite
             nodes[task.parent].index = here;
         *node = (struct tia_bvh_node){tia_bvh_split_bounds(&part), task.first, task.count};
         uint32_t left = tia_bvh_split_items(&part, &node->bounds, most_items(task.depth + 1));
+        if (asker->stopped)
+            break;
         if (!left) {
             sort(part.items, task.count);
             continue;

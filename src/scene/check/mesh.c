@@ -29,11 +29,11 @@ int tia_check_mesh(const struct check *check)
                 (m->faces || !m->face_count),
             "arrays", "an array with a count must not be NULL");
     REQUIRE(m->face_count <= TIA_OBJECTS_MAX, "faces", "must be at most 2^24");
-    for (uint32_t i = 0; i < m->normal_count; i++)
+    for (uint32_t i = 0; i < m->normal_count && !asker_stops(check->asker, 1); i++)
         REQUIRE(tia_check_is_direction(&m->normals[i]), "normal", CHECK_LENGTH);
-    for (uint32_t i = 0; !status && i < m->face_count; i++)
+    for (uint32_t i = 0; !status && i < m->face_count && !asker_stops(check->asker, 1); i++)
         status = check_face(check, m, m->faces[i].corner);
-    return status;
+    return check->asker->stopped ? TIA_STOPPED : status;
 }
 
 static bool is_grid_end(tia_q16 corner, uint16_t size, tia_q16 cell)
@@ -66,18 +66,18 @@ struct part {
 /* How many are kept for one pass over the shapes: few enough for the stack, and usually all there are. */
 #define PARTS 16
 
-static struct part mesh_part(const struct tia_scene *scene, uint32_t i)
+static struct part mesh_part(const struct check *check, uint32_t i)
 {
-    return (struct part){tia_bounds_of_mesh(&scene->meshes[i]), 1};
+    return (struct part){tia_bounds_of_mesh(&check->scene->meshes[i], check->asker), 1};
 }
 
-static struct part grid_part(const struct tia_scene *scene, uint32_t i)
+static struct part grid_part(const struct check *check, uint32_t i)
 {
-    const struct tia_grid *g = &scene->grids[i];
+    const struct tia_grid *g = &check->scene->grids[i];
     uint32_t count = (uint32_t)g->size[0] * g->size[1] * g->size[2];
     struct part part = {BOUNDS_NOTHING, 1};
 
-    for (uint32_t k = 0; k < count; k++)
+    for (uint32_t k = 0; k < count && !asker_stops(check->asker, 1); k++)
         part.materials = g->cells[k] > part.materials ? g->cells[k] : part.materials;
     return part;
 }
@@ -101,7 +101,7 @@ static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t 
 {
     const struct tia_scene *scene = check->scene;
 
-    for (uint32_t i = 0; i < scene->shape_count; i++) {
+    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(check->asker, 1); i++) {
         const struct tia_shape *s = &scene->shapes[i];
         uint32_t which = s->kind == TIA_MESH ? s->mesh : s->grid;
 
@@ -112,7 +112,7 @@ static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t 
         if (status)
             return status;
     }
-    return TIA_OK;
+    return check->asker->stopped ? TIA_STOPPED : TIA_OK;
 }
 
 static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t count)
@@ -123,7 +123,7 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
     for (uint32_t first = 0; !status && first < count; first += PARTS) {
         uint32_t n = count - first < PARTS ? count - first : PARTS;
         for (uint32_t i = 0; i < n; i++)
-            parts[i] = kind == TIA_MESH ? mesh_part(check->scene, first + i) : grid_part(check->scene, first + i);
+            parts[i] = kind == TIA_MESH ? mesh_part(check, first + i) : grid_part(check, first + i);
         status = check_shapes(check, kind, first, n, parts);
         if (count - first <= PARTS)
             break; /* before `first` overflows */

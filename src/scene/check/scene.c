@@ -98,7 +98,7 @@ static int check_parts(struct check *check)
     for (unsigned part = 0; !status && part < PARTS; part++) {
         check->thing = parts[part].thing;
         for (check->index = 0; !status && check->index < parts[part].count; check->index++)
-            status = check_one(check, (enum part)part);
+            status = asker_stops(check->asker, 1) ? TIA_STOPPED : check_one(check, (enum part)part);
     }
     return status;
 }
@@ -116,9 +116,9 @@ static struct tia_bounds find_eyes(const struct tia_scene *scene)
     return eyes;
 }
 
-int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
+int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct asker *asker)
 {
-    struct check check = {.scene = scene, .fault = fault, .thing = "scene"};
+    struct check check = {.scene = scene, .fault = fault, .thing = "scene", .asker = asker};
     int status;
 
     if (!scene->tracks && scene->track_count)
@@ -130,4 +130,11 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
     check.thing = "shape";
     status = status ? status : tia_check_uses(&check);
     return status ? status : tia_check_shadows(&check);
+}
+
+int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
+{
+    struct asker nobody = {0};
+
+    return tia_check_scene(scene, fault, &nobody);
 }

@@ -49,6 +49,8 @@ int tia_check_track(const struct check *check)
     REQUIRE(track->index < targets(check->scene, track->target), "index", "must be the index of a light or transform");
     REQUIRE(track->key_count && track->keys, "keys", "must be one or more");
     for (uint32_t i = 0; !status && i < track->key_count; i++) {
+        if (asker_stops(check->asker, 1))
+            return TIA_STOPPED;
         REQUIRE(track->keys[i].time > before, "time", "must be 0 or more, and rise");
         before = track->keys[i].time;
         status = check_value(check, track, track->keys[i].value);
