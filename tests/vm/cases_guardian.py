@@ -66,12 +66,35 @@ def both_killed(s):
     other_text(s)
     s.console.forget()
     s.console.alive()
-    # After which only the next tia can help a framebuffer.
+
+
+def both_killed_and_switched(s):
+    """By keys: the kernel frees the console of a dead process, and both consoles take keys. After a DRM display they
+    show their text. On a framebuffer the kernel draws none, and a getty's text mode is none that is new: as the manual
+    says, only the next tia helps."""
+    fbdev = s.setup.display == 'fbdev'
+    text = other_text(s)
     kill_both(s)
-    chvt(s, 2)
-    chvt(s, 1)
+    switch_by_keys(s, 2)
+    types_there(s)
+    if not fbdev:
+        s.guest.wait(lambda: s.eye.sees(s.guest) == text, 'the text of console 2')
+    switch_by_keys(s, 1)
+    s.guest.sh('probe text 1')
+    s.console.forget()
+    s.guest.type('typed\n')
+    s.guest.wait(lambda: s.console.read() == ['typed'], lambda: 'keys on the console: it read %r' % s.console.read())
+    if fbdev and s.console.sees_text():
+        raise Failure('the kernel draws text again, but the manual says that it does not')
+    if not fbdev:
+        s.guest.wait(s.console.sees_text, 'the text of the console')
     s.guest.sh('tia %s -i none -n 1 </dev/null' % ' '.join(s.display))
-    s.console.alive(s.line)
+    s.console.alive('typed')
+
+
+def switch_by_keys(s, number):
+    s.guest.tap('ctrl-alt-f%d' % number)
+    s.guest.wait(lambda: is_active(s, number), 'console %d by keys' % number)
 
 
 def types_there(s):
@@ -123,4 +146,4 @@ def killed_while_stopped(s):
     s.ends(137)
 
 
-ALL = [guardian_killed, chosen_by_nobody, both_killed, stopped, killed_while_stopped]
+ALL = [guardian_killed, chosen_by_nobody, both_killed, both_killed_and_switched, stopped, killed_while_stopped]
