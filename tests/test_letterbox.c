@@ -7,11 +7,13 @@
 #include "tia/rotate.c"
 #include "tia/stats.c"
 
+#include <signal.h>
+
 #include "check.h"
 #include "memory/memory.h"
 #include "random.h"
 
-enum { WIDTH = 23, HEIGHT = 17, EDGE = 1 };
+enum { WIDTH = 23, HEIGHT = 17, EDGE = 1, TALL = 8192 };
 
 /* The screen with a frame of pixels around it that nobody may touch. */
 static tia_rgb565 pixels[HEIGHT + 2 * EDGE][WIDTH + 2 * EDGE];
@@ -259,6 +261,27 @@ TEST(checksums_join)
 }
 
 /* Nearest rank: the smallest sample that p % of them do not exceed. */
+/* A signal ends the checksum of a tall picture, which the screen then does not show. */
+TEST(a_signal_ends_a_checksum)
+{
+    static tia_rgb565 column[TALL];
+    struct port_memory tall = {.surface = {column, 2, 2}, .width = 1, .height = TALL};
+
+    letterbox = (struct letterbox){
+        .screen = &port_memory_display, .screen_ctx = &tall, .name = "memory", .checksum = true, .why = why};
+    CHECK_EQ(letterbox_display.open(&letterbox, &mode), TIA_OK);
+    CHECK_EQ(draw_picture(), TIA_OK);
+    const uint32_t crc = letterbox.crc;
+    CHECK_EQ(crc, tia_crc32(0, letterbox.frame, TALL));
+    (void)signal(SIGTERM, SIG_DFL); /* were it ignored, it would stay so */
+    signals_prepare();
+    signals_catch_waiting();
+    (void)raise(SIGTERM);
+    CHECK_EQ(letterbox_display.present(&letterbox), TIA_STOPPED);
+    CHECK_EQ(letterbox.crc, crc);
+    letterbox_display.close(&letterbox);
+}
+
 TEST(percentiles)
 {
     static struct samples samples;
@@ -290,5 +313,6 @@ int main(void)
     RUN(a_screen_may_change_its_size);
     RUN(checksums_join);
     RUN(percentiles);
+    RUN(a_signal_ends_a_checksum);
     return check_status();
 }

@@ -110,6 +110,10 @@ TEST(files_within_files)
     CHECK(now.scene.spheres[0].radius == TIA_Q16(2) && now.scene.spheres[0].material == 0);
     CHECK(now.scene.spheres[1].radius == TIA_Q16(3) && now.scene.spheres[1].material == 1);
     CHECK(now.scene.shapes[1].box.max.y == TIA_Q16(2));
+    files = (struct files){.names = {"room/a.tia", "/top/b.tia"},
+                           .texts = {"include /top/b.tia", "material m\nsphere radius 1 material m"}};
+    check_reads("include room/a.tia");
+    CHECK_EQ(now.scene.sphere_count, 1);
 }
 
 static char image_asked[300];
@@ -141,10 +145,11 @@ TEST(pictures_lie_beside_the_file_that_names_them)
 
 TEST(errors_name_the_innermost_file)
 {
-    files = (struct files){.names = {"a", "b", "d/e", "g", "twice", "bad", "fault", "empty"},
+    files = (struct files){.names = {"a", "b", "d/e", "g", "twice", "bad", "fault", "empty", "to", "fro"},
                            .texts = {"\n  include a", "sphere x", "include f", "group\n", "material m", "end",
-                                     "\nsphere radius 0 material m\n", ""}};
+                                     "\nsphere radius 0 material m\n", "", "include fro", "include to"}};
     check_refused("include a", "a:2:11: 'a' is being read already, expected a file that does not include itself");
+    check_refused("include to", "fro:1:9: 'to' is being read already, expected a file that does not include itself");
     check_refused("\ninclude b", "b:1:8: 'x' is nothing that a sphere has, expected material, name, at, rotate, scale, "
                                  "centre or radius");
     check_refused("include d/e", "d/e:1:9: 'f': no such file, expected a scene's file");
@@ -291,6 +296,8 @@ TEST(groups_refused)
     check_refused("group scale 100\ngroup scale 100",
                   "2:1: 'group' is scaled out of range with its groups, expected 1/1024 to 1024 in all");
     check_refused("group scale 100\ngroup at 30000 0 0",
+                  "2:1: 'group' is moved out of range by its groups, expected less than 262144");
+    check_refused("group scale 100\ngroup at 0 0 -30000",
                   "2:1: 'group' is moved out of range by its groups, expected less than 262144");
     check_refused(M "group scale 100\nsphere radius 1 at 0 0 400 material m\nend",
                   "3:1: 'sphere' is moved out of range by its groups, expected a place of -32768 to below 32768");

@@ -28,6 +28,18 @@ TEST(a_frame_that_is_not_wanted)
     }
 }
 
+/* A key that was down before, return perhaps, quits only when it is pressed. */
+TEST(a_key_that_is_let_go)
+{
+    struct world *w = lit_world();
+
+    w->tile_us = 60000;
+    world_event(w, START + 50000, TIA_EVENT_RELEASE, 'q');
+    quit_at(w, START + 3000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+}
+
 /* While another job looks, none waits for it. */
 TEST(one_looks_at_a_time)
 {
@@ -101,6 +113,7 @@ TEST(an_input_that_fails_while_a_frame_is_drawn)
 int main(void)
 {
     RUN(a_frame_that_is_not_wanted);
+    RUN(a_key_that_is_let_go);
     RUN(one_looks_at_a_time);
     RUN(a_frame_that_is_out_of_date);
     RUN(many_keys_in_one_frame);

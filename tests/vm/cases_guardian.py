@@ -12,13 +12,17 @@ def guardians(s):
                       'echo -n "${p#/proc/} "; done; true').strip()
 
 
+def replace_guardian(s):
+    old = guardians(s)
+    s.guest.sh('kill -9 ' + old)
+    s.guest.wait(lambda: re.fullmatch(r'\d+', guardians(s)) and guardians(s) != old, 'a new guardian')
+
+
 def guardian_killed(s):
     """Another one stands in at once, again and again, and puts the console back."""
     s.start()
     for _ in range(3):
-        old = guardians(s)
-        s.guest.sh('kill -9 ' + old)
-        s.guest.wait(lambda: re.fullmatch(r'\d+', guardians(s)) and guardians(s) != old, 'a new guardian')
+        replace_guardian(s)
     s.guest.tap('a')
     s.frame('a')
     s.kill('KILL')
@@ -104,7 +108,8 @@ def types_there(s):
 
 
 def stopped(s):
-    """A stopped tia keeps nobody from another console, there and back, and goes on where it is."""
+    """A stopped tia keeps nobody from another console, there and back, and goes on where it is; also after its guardian
+    was replaced."""
     text = other_text(s)
     s.start('-k', 'a', first='a')
     s.kill('STOP')
@@ -116,6 +121,7 @@ def stopped(s):
     s.wait_grabbed(1)
     s.guest.tap('right')
     s.frame('a<right>')
+    replace_guardian(s)
     s.kill('STOP')
     s.guest.press('ctrl', 'alt', 'f2')
     s.guest.wait(lambda: is_active(s, 2), 'console 2 by keys')
