@@ -17,7 +17,7 @@ struct ray_view {
     struct ray_light *lights;
     uint32_t light_count, depth;
     num_length bias; /* how far off a surface rays start */
-    bool layered; /* some material has an opacity texture */
+    bool layered;    /* some material has an opacity texture */
 };
 
 /* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
