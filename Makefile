@@ -250,7 +250,7 @@ check-exhaustive: $(BUILD)/tests/exhaustive
 prove:
 	@$(alone) tests/slow/prove
 check-arch:
-	@$(run_tests) tests/slow/arch
+	@ARCH_FULL=yes $(run_tests) tests/slow/arch
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
@@ -280,17 +280,18 @@ run: $(BUILD)/tia
 # Tests see nothing of this make: those that build start one of their own.
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
+on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
-QUICK := $(TESTS) $(sort $(wildcard tests/quick/*))
+QUICK := $(filter-out %/test_rays_accuracy,$(TESTS)) $(sort $(wildcard tests/quick/*))
 LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
-SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
+SLOW  := $(LONG) $(filter %/test_rays_accuracy,$(TESTS)) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
-	@$(run_tests) $(QUICK)
+	@$(on_all_cores) $(QUICK)
 check: all tests
-	@$(run_tests) -j $$(nproc 2>/dev/null || echo 1) $(QUICK) $(SLOW)
+	@$(on_all_cores) $(QUICK) $(SLOW)
 
 # Real kernel drivers in guests, also what takes long; the table of what they said comes last.
 .PHONY: check-vm
@@ -353,8 +354,8 @@ help:
 	@echo "deps               installs what a build can use (Debian 12); deps run: what run needs;"
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
-	@echo "check-arch check-boards prove                  parts of check"
-	@echo "check-vm fuzz                                  parts of check, for longer"
+	@echo "check-boards prove                             parts of check"
+	@echo "check-arch check-vm fuzz                       parts of check, for longer"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "boards             programs for boards without an operating system"
