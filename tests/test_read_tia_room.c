@@ -163,7 +163,7 @@ TEST(no_scene_is_refused_for_its_unit)
         if (!fine)
             continue;
         read_string(&r, TIA_FORMAT_TIA, tiny);
-        CHECK_MSG(!r.status, "%u:%u: %s in\n%s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
+        CHECK_MSG(!r.status, "%u:%u: %s in\n%.100s", (unsigned)r.reader.error.line, (unsigned)r.reader.error.column,
                   r.reader.error.text, tiny);
         accepted++;
         finer += r.scene.scale_bits > 0;
