@@ -165,6 +165,7 @@ TEST(errors_name_the_innermost_file)
     check_refused("mesh x\ninclude empty",
                   "2:1: 'include' is no line of a mesh, expected vertex, normal, uv, face or end");
     check_reads(M "include empty\ninclude empty\nsphere radius 1 material m");
+    read_end(&now);
     read_string(&now, TIA_FORMAT_TIA, "include a");
     check_read_error(&now, "1:9: 'a' cannot be fetched here, expected a scene of one file");
 }

@@ -66,7 +66,7 @@ static void same_lengths(const char *what, const void *a, const void *b, unsigne
     const tia_q16 *x = a, *y = b;
 
     for (unsigned i = 0; i < count; i++)
-        CHECK_MSG((int64_t)x[i] << bits == y[i], "%s: %d << %u is not %d", what, (int)x[i], bits, (int)y[i]);
+        CHECK_MSG(x[i] * (INT64_C(1) << bits) == y[i], "%s: %d << %u is not %d", what, (int)x[i], bits, (int)y[i]);
 }
 
 static void same_numbers(const char *what, const void *a, const void *b, unsigned count)
