@@ -111,7 +111,7 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
  * that becomes z, which patterns must not notice: checkers are cubes. */
 static void write_around(struct pov *pov, struct tia_vec3 base, struct tia_vec3 top)
 {
-    struct point from = pov_vec3(base), axis = pov_sum(pov_vec3(top), pov_scaled(from, -1)), a, b;
+    struct point from = pov_place(pov, base), axis = pov_sum(pov_place(pov, top), pov_scaled(from, -1)), a, b;
     struct point n = pov_unit(axis);
 
     tangents(n, &a, &b);
