@@ -95,7 +95,7 @@ tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const
     if (bits > 60 && under < INT64_C(1) << 55)
         return search(weight, a);
     int64_t shifted = fine_quotient(over, under) + (INT64_C(1) << (FINE - 1)) + UNSURE, nearest = shifted >> FINE;
-    if ((shifted & ((1 << FINE) - 1)) < 2 * UNSURE)
+    if ((shifted & ((INT64_C(1) << FINE) - 1)) < 2 * UNSURE)
         nearest -= !is_at_least(weight, a, nearest);
     return (tia_q16)(nearest > INT32_MAX ? INT32_MAX : nearest < INT32_MIN ? INT32_MIN : nearest);
 }

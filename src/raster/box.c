@@ -34,7 +34,7 @@ static void include_corner(struct reach *r, const struct tia_lattice *l, const s
 
 static void narrow_to(int *low, int *high, int32_t from, int32_t to)
 {
-    int first = (from - MARGIN + 65535) >> 16, end = ((to + MARGIN) >> 16) + 1;
+    int first = (int)((from - MARGIN + 65535) >> 16), end = (int)((to + MARGIN) >> 16) + 1;
 
     *low = first > *low ? first : *low;
     *high = end < *high ? end : *high;
@@ -61,10 +61,10 @@ bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struc
     struct reach r = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     bool behind = false;
 
-    p->x0 = area.x;
-    p->x1 = area.x + area.width;
-    p->y0 = area.y;
-    p->y1 = area.y + area.height;
+    p->x0 = (int)area.x;
+    p->x1 = (int)(area.x + area.width);
+    p->y0 = (int)area.y;
+    p->y1 = (int)(area.y + area.height);
     if (is_outside(corners, count))
         return false;
     for (unsigned i = 0; i < count; i++)

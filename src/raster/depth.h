@@ -13,7 +13,7 @@
 #include "polygon.h"
 
 #define DEPTH_MOST (INT64_C(1) << 62)
-#define DEPTH_UNSURE ((1 << 15) + 32)
+#define DEPTH_UNSURE ((INT32_C(1) << 15) + 32)
 
 struct depth_run {
     uint64_t z, step; /* modulo 2^64: the step after the last pixel is not used */

@@ -10,7 +10,7 @@ struct job {
 
 static inline size_t place_of(const struct tia_raster_target *t, int x, int y)
 {
-    return (size_t)(y - t->area.y) * t->pitch + (size_t)(x - t->area.x);
+    return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
 }
 
 /* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */

@@ -7,7 +7,7 @@
 #include "rows.h"
 
 #define FIXED 31
-#define UNSURE ((1 << 14) + 16)
+#define UNSURE ((INT32_C(1) << 14) + 16)
 #define FIRST_BITS 29
 #define STEP_BITS 16
 #define SMALL_AREA 64 /* of a box in which each pixel is asked */

@@ -71,7 +71,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     if (area.x < all->x || area.y < all->y || area.x + area.width > all->x + all->width ||
         area.y + area.height > all->y + all->height)
         return TIA_ERR_ARGUMENT;
-    size_t skip = (size_t)(area.y - all->y) * target->pitch + (size_t)(area.x - all->x);
+    size_t skip = (size_t)(area.y - all->y) * (size_t)target->pitch + (size_t)(area.x - all->x);
     *part = *target;
     part->area = area;
     part->face += target->face ? skip : 0;
@@ -84,7 +84,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
 
 #define FOR_PIXELS(t, i)                                                                                               \
     for (size_t row = 0; row < (t)->area.height; row++)                                                                \
-        for (size_t i = row * (t)->pitch, end = i + (t)->area.width; i < end; i++)
+        for (size_t i = row * (size_t)(t)->pitch, end = i + (t)->area.width; i < end; i++)
 
 void tia_clear_depth(struct tia_raster_target *target)
 {

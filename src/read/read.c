@@ -67,7 +67,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         tia_say(error, fault.field);
     }
     tia_say(error, ": ");
-    say_rule(error, fault.rule, scene->scale_bits);
+    say_rule(error, fault.rule, (unsigned)scene->scale_bits);
     return TIA_ERR_RANGE;
 }
 

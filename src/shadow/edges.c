@@ -38,7 +38,7 @@ void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, vo
 
 size_t tia_edges_room(uint32_t faces)
 {
-    return 4 * (size_t)TIA_SIDES * faces * sizeof(uint32_t);
+    return 4 * (size_t)TIA_SIDES * (size_t)faces * sizeof(uint32_t);
 }
 
 struct edges {

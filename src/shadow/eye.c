@@ -153,8 +153,8 @@ static struct tia_eye_row shifted(const int64_t axis[3], struct ratio scale, int
 static void open_window(struct tia_eye *eye, const struct tia_window *w, int64_t axes[3][3], unsigned width,
                         unsigned height)
 {
-    eye->row[0] = shifted(axes[0], over_width(2 << 16, w, width, height), w->left, w->right);
-    eye->row[1] = shifted(axes[1], ratio(2 << 16, (int64_t)w->top - w->bottom), w->bottom, w->top);
+    eye->row[0] = shifted(axes[0], over_width(INT32_C(2) << 16, w, width, height), w->left, w->right);
+    eye->row[1] = shifted(axes[1], ratio(INT32_C(2) << 16, (int64_t)w->top - w->bottom), w->bottom, w->top);
 }
 
 static void open_perspective(struct tia_eye *eye, tia_q16 fov, int64_t axes[3][3], unsigned width, unsigned height)
@@ -236,7 +236,7 @@ void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], in
 {
     const int64_t half[3] = {direction[0] / 2, direction[1] / 2, direction[2] / 2}; /* for wide_dot */
     int64_t v[3];
-    int places = INT32_MAX;
+    int places = INT16_MAX;
 
     for (int i = 0; i < 3; i++) {
         int size = wide_bits(wide_size(wide_dot(eye->row[i].m, half)));

@@ -305,7 +305,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     if (size < tia_flat_size(scene))
         return TIA_ERR_MEMORY;
     *flat = (struct tia_flat_scene){.object_count = 0};
-    flat->objects = (void *)take(&next, scene->shape_count * sizeof *flat->objects);
+    flat->objects = (void *)take(&next, (size_t)scene->shape_count * sizeof *flat->objects);
     flat->faces = (void *)take(&next, (size_t)n.faces * sizeof *flat->faces);
     flat->across = (void *)take(&next, (size_t)n.faces * TIA_SIDES * sizeof *flat->across);
     flat->planes = (void *)take(&next, (size_t)n.faces * sizeof *flat->planes);

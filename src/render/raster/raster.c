@@ -107,7 +107,7 @@ static void find_buffers(const struct raster_view *raster, const struct tia_hits
 
 static size_t index_of(const struct buffers *b, int x, int y)
 {
-    return (size_t)(y - b->target.area.y) * b->target.pitch + (size_t)(x - b->target.area.x);
+    return ((size_t)y - b->target.area.y) * (size_t)b->target.pitch + ((size_t)x - b->target.area.x);
 }
 
 static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
@@ -155,7 +155,7 @@ static void keep_lit(const struct raster_view *raster, struct buffers *b, unsign
 
     for (unsigned y = 0; y < area->height; y++)
         for (unsigned x = 0; x < area->width; x++) {
-            size_t at = (size_t)y * b->target.pitch + x;
+            size_t at = (size_t)y * (size_t)b->target.pitch + x;
             uint32_t face = b->target.face[at];
             if (face == TIA_NO_FACE || b->target.stencil[at] != none)
                 continue;
