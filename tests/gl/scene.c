@@ -13,8 +13,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "osmesa/gl.h"
-#include "osmesa/osmesa.h"
+#include "functions.h"
 
 #define FUNCTIONS(F)                                                                                                   \
     F(void, AttachShader, (GLuint, GLuint))                                                                            \
@@ -272,19 +271,6 @@ static bool draw(const struct gl_ball *light, struct picture *picture, char *why
     return error == GL_NO_ERROR;
 }
 
-static bool load(void *ctx, char *why)
-{
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        gl_proc proc = port_osmesa_proc(ctx, rows[i].name);
-        if (!proc) {
-            (void)snprintf(why, PORT_WHY, "GL has no %s", rows[i].name);
-            return false;
-        }
-        memcpy((char *)&gl + rows[i].offset, &proc, sizeof proc);
-    }
-    return true;
-}
-
 bool gl_scene_draw(const char *library, const struct gl_ball *light, struct picture *picture, char *why)
 {
     struct port_wish wish = {.device = library, .why = why};
@@ -298,7 +284,7 @@ bool gl_scene_draw(const char *library, const struct gl_ball *light, struct pict
     if (!ctx)
         return false;
     if (!port_osmesa_display.open(ctx, &mode)) {
-        drawn = load(ctx, why) && draw(light, picture, why);
+        drawn = gl_functions_load(ctx, &gl, rows, sizeof rows / sizeof *rows, why) && draw(light, picture, why);
         port_osmesa_display.close(ctx);
     }
     port_osmesa_destroy(ctx);

@@ -1,0 +1,25 @@
+/* functions.h - the functions of GL that a test calls. */
+#ifndef TESTS_GL_FUNCTIONS_H
+#define TESTS_GL_FUNCTIONS_H
+
+#include <stdio.h>
+#include <string.h>
+
+#include "osmesa/gl.h"
+#include "osmesa/osmesa.h"
+
+/* Fills a table from an open osmesa display. False: why, PORT_WHY characters, says what is missing. */
+static inline bool gl_functions_load(void *display, void *table, const struct gl_row *rows, size_t count, char *why)
+{
+    for (size_t i = 0; i < count; i++) {
+        gl_proc proc = port_osmesa_proc(display, rows[i].name);
+        if (!proc) {
+            (void)snprintf(why, PORT_WHY, "GL has no %s", rows[i].name);
+            return false;
+        }
+        memcpy((char *)table + rows[i].offset, &proc, sizeof proc);
+    }
+    return true;
+}
+
+#endif

@@ -1,0 +1,27 @@
+/* raster.h - polygons drawn by OpenGL with the states of <tia/raster.h>, for comparison. */
+#ifndef TESTS_GL_RASTER_H
+#define TESTS_GL_RASTER_H
+
+#include <tia/raster.h>
+
+struct gl_raster;
+
+/* An image with a face, a 24-bit depth and a stencil value for each pixel, drawn by a library of the osmesa display:
+ * "osmesa" or "egl". Pixels on edges go as tia has them, by the top-left rule. NULL: why, PORT_WHY characters, says
+ * what failed. One at a time. */
+struct gl_raster *gl_raster_open(const char *library, unsigned width, unsigned height, char *why);
+void gl_raster_close(struct gl_raster *r);
+
+/* The driver's name. */
+const char *gl_raster_driver(void);
+
+void gl_raster_clear(struct gl_raster *r, uint8_t stencil);
+
+/* A convex polygon in clip coordinates x, y, z, w. What passes all tests has this face, if the state writes red. */
+void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
+                    unsigned count, uint32_t face);
+
+/* TIA_NO_FACE where nothing is; rows from the top. False on an error of GL since the last call. */
+bool gl_raster_read(struct gl_raster *r, uint32_t *face, uint8_t *stencil);
+
+#endif
