@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "random.h"
+#include "shadow/occluder.h"
 #include "shadow_oracle.h"
 
 #define FACES 64
@@ -151,7 +152,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
 /* ---- what is compared ---- */
 
 struct tally {
-    uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], unsure[2];
+    uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2];
 };
 
 /* A technique: z-fail or z-pass, and how many volumes hold where rays end or start. */
@@ -165,6 +166,23 @@ struct technique {
 static bool is_lit_by(const struct technique *t, size_t at)
 {
     return (uint8_t)(t->target.stencil[at] + t->count) == 0;
+}
+
+/* By rays to a light that the face is turned to. */
+static bool is_hidden(const struct world *w, const struct tia_raster_plane *planes, uint32_t face, int i, int j)
+{
+    struct tia_flat_scene flat = w->flat;
+    struct tia_seen_face of;
+    struct tia_seen seen;
+    struct tia_occluder occluder;
+
+    flat.planes = (struct tia_raster_plane *)planes;
+    tia_seen_face_init(&of, &flat, face);
+    tia_seen_init(&seen, &of, i, j);
+    for (uint32_t f = 0; f < flat.face_count; f++)
+        if (tia_occluder_init(&occluder, &flat, &w->light, f) && tia_occluder_hides(&occluder, &seen))
+            return true;
+    return false;
 }
 
 static void compare_pixel(const struct world *w, const struct technique how[2], int i, int j, struct tally *t)
@@ -183,6 +201,7 @@ static void compare_pixel(const struct world *w, const struct technique how[2], 
     t->dark += !lit;
     for (int k = 0; k < 2; k++)
         t->wrong[k] += how[k].sure && (turned && is_lit_by(&how[k], at)) != lit;
+    t->rays_wrong += (turned && !is_hidden(w, how[0].target.planes, face, i, j)) != lit;
 }
 
 static void prepare(struct technique *how, const struct world *w)
@@ -221,6 +240,7 @@ static void check_tally(const struct tally *t, bool ties, bool flat)
     CHECK_EQ(t->faces_wrong, 0);
     CHECK_EQ(t->wrong[0], 0);
     CHECK_EQ(t->wrong[1], 0);
+    CHECK_EQ(t->rays_wrong, 0);
     CHECK_MSG(t->seen > t->pixels / 20 && t->dark > t->seen / 8 && t->dark < t->seen - t->seen / 20,
               "%u of %u see a face, %u are dark", t->seen, t->pixels, t->dark);
     for (int k = 0; k < 2; k++)

@@ -75,7 +75,7 @@ struct tia_scene {
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
     uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
-    enum tia_shadows shadows; /* another technique than rays, see shadow.h */
+    enum tia_shadows shadows; /* another technique than traced rays, see shadow.h */
     uint32_t scale_bits;      /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
     const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
     const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */

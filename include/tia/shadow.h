@@ -13,12 +13,13 @@
 #define TIA_SHADOW_SAMPLES 64
 
 enum tia_shadows {
-    TIA_SHADOWS_TRACED, /* rays, any scene */
+    TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
+    TIA_SHADOWS_RAYS,   /* rays from what is seen, exact: whether any face stands between that and the light */
     TIA_SHADOWS_ZPASS,  /* shadow volumes, counted before what is seen; where that cannot tell, as TIA_SHADOWS_ZFAIL */
     TIA_SHADOWS_ZFAIL   /* shadow volumes, counted behind what is seen; where that cannot tell, as TIA_SHADOWS_ZPASS */
 };
 
-/* "rays", "zpass", "zfail"; NULL beyond the last. */
+/* "traced", "rays", "zpass", "zfail"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
 
 #endif

@@ -27,12 +27,17 @@ struct tia_shadow_technique {
     int (*prepare)(struct tia_shadow_view *view, struct asker *asker);
     int (*set_lights)(struct tia_shadow_view *view, struct asker *asker);
 
-    /* Sets the bit of a sample where its light arrives; faces and depths are drawn, the bit is nowhere set. */
-    void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample);
+    /* Sets the bit of a sample where its light arrives; faces and depths are drawn, the bit is nowhere set. Once the
+     * asker has stopped it, bits mean nothing. */
+    void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
+                  struct asker *asker);
 };
 
 /* NULL for TIA_SHADOWS_TRACED. */
 const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows technique);
+
+/* TIA_SHADOWS_RAYS. */
+extern const struct tia_shadow_technique tia_shadow_rays;
 
 /* TIA_SHADOWS_ZPASS and TIA_SHADOWS_ZFAIL. */
 extern const struct tia_shadow_technique tia_shadow_volumes;

@@ -56,9 +56,12 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
         }
 }
 
-static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
+static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
+                  struct asker *asker)
 {
     const struct volumes *volumes = (const struct volumes *)view->own + sample;
+
+    (void)asker;
 
     tia_clear_stencil(&tile->target, 0, 255);
     if (volumes->pass)

@@ -13,7 +13,7 @@ const char options_help[] =
     "  -s, --size WxH               1x1 to 8192x8192; default the display's, 640x480 for a file\n"
     "      --samples N              1, 4 or 16 rays a pixel, against jagged edges; default the scene's\n"
     "      --depth N                bends and reflections of a ray, 1 to 16; default the scene's\n"
-    "      --shadows NAME           rays, zpass or zfail; default the scene's\n"
+    "      --shadows NAME           traced, rays, zpass or zfail; default the scene's\n"
     "  -k, --keys STRING            press these keys first: the scene's (a d s w) and\n"
     "                               <left> <right> <up> <down> <pgup> <pgdn>\n"
     "  -i, --input NAME[:DEVICE]    auto, evdev, tty or none\n"

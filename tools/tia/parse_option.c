@@ -150,7 +150,7 @@ static int set_shadows(struct options *options, const char *value)
             options->shadows = i + 1;
             return EXIT_FINE;
         }
-    return fail(EXIT_USAGE, "--shadows %.200s: not rays, zpass or zfail", value);
+    return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass or zfail", value);
 }
 
 int parse_option(struct options *options, int option, char *value)

@@ -97,5 +97,5 @@ int tia_line_shadows(struct tia_job *job)
             job->scene->shadows = (enum tia_shadows)i;
             return TIA_OK;
         }
-    return tia_text_error(&job->text, &word, "is no technique", "rays, zpass or zfail");
+    return tia_text_error(&job->text, &word, "is no technique", "traced, rays, zpass or zfail");
 }

@@ -168,8 +168,9 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             b.lit[(size_t)y * b.target.pitch + x] = 0;
-    for (unsigned i = 0; i < raster->shadow.sample_count && !view_stops(view); i++)
-        technique->light(&raster->shadow, &b, i);
+    struct asker asker = view_asker(view);
+    for (unsigned i = 0; i < raster->shadow.sample_count && !asker_stops(&asker, ASKER_PATIENCE); i++)
+        technique->light(&raster->shadow, &b, i, &asker);
     whitted_light_tile(view, hits, tile, surface, options, &r.hits);
 }
 

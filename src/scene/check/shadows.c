@@ -1,4 +1,4 @@
-/* shadows.c - what techniques for shadows other than rays ask of a scene, see shadow.h. */
+/* shadows.c - what techniques for shadows other than traced rays ask of a scene, see shadow.h. */
 #include "check.h"
 
 #include "scene/colour.h"

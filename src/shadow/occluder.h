@@ -1,0 +1,69 @@
+/* occluder.h - whether a face stands between what a pixel sees and a light, by the signs of integers.
+ *
+ * Of a plane N.(x, y, w) = d h, a pixel that looks along D sees the point (D, s) with s = N.D/d, whatever the
+ * projection, see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
+ *
+ *     M.D - m s,   which for d > 0 has the sign of   (M.D) d - m (N.D).
+ *
+ * A face hides the light when the point is on one side of all planes through the light and an edge of the face, and
+ * beyond the face's own plane. Where a sign is 0, D is moved as the rasteriser moves it, to the right, then down; a
+ * face in the plane of what is seen does not hide it. These are the integers by which the depths of shadow volumes
+ * are compared, for their sides lie in the same planes, so both find the same, and neither needs a bias.
+ *
+ * The products have up to 243 bits. A filter comes first: s with a relative error below 2^-58, m with one of 2^-61,
+ * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. */
+#ifndef TIA_SHADOW_OCCLUDER_H
+#define TIA_SHADOW_OCCLUDER_H
+
+#include "lights.h"
+
+/* The plane of a face that is seen. */
+struct tia_seen_face {
+    const struct tia_raster_plane *plane;
+    uint32_t face;
+    int64_t reciprocal; /* 1/d 2^(62 + bits) */
+    int bits;
+};
+
+/* What pixel (x, y) of the image sees of it: s is nearness 2^exponent. */
+struct tia_seen {
+    const struct tia_seen_face *of;
+    int x, y;
+    int64_t nearness;
+    int exponent;
+};
+
+/* For the filter, at pixel (i, j): M.D is (x i + y j + c) 2^unit, m is m 2^m_unit. Differences up to `unsure` tell
+ * nothing. */
+struct tia_occluder_plane {
+    int64_t x, y, c, m;
+    int32_t unsure;
+    int16_t unit, m_unit;
+};
+
+/* A face before a light. */
+struct tia_occluder {
+    const struct tia_flat_scene *flat;
+    const tia_flat_light *light;
+    uint32_t face;
+    uint32_t flush; /* a face in whose plane it has been found to lie, or TIA_NO_FACE */
+    unsigned sides;
+    int side;                                       /* of all planes that what it hides is on; 0 hides nothing */
+    struct tia_occluder_plane plane[TIA_SIDES + 1]; /* its own, then those of its edges */
+};
+
+/* For a face that some pixel sees. */
+void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *flat, uint32_t face);
+
+/* For a pixel that sees it. */
+void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y);
+
+/* False when the light is in the face's plane, so that it hides nothing. Keeps both pointers. */
+bool tia_occluder_init(struct tia_occluder *occluder, const struct tia_flat_scene *flat, const tia_flat_light *light,
+                       uint32_t face);
+
+/* Whether the face hides the light from what the pixel sees; never from itself. Takes it for granted that the side
+ * that is seen is turned to the light: a face that is not is dark. */
+bool tia_occluder_hides(struct tia_occluder *occluder, const struct tia_seen *seen);
+
+#endif
