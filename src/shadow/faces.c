@@ -106,6 +106,11 @@ static uint64_t room_size(struct counts n)
     return weld > edges ? weld : edges;
 }
 
+uint64_t tia_flat_face_count(const struct tia_scene *scene)
+{
+    return count(scene).faces;
+}
+
 size_t tia_flat_size(const struct tia_scene *scene)
 {
     struct counts n = count(scene);

@@ -39,6 +39,9 @@ bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_r
 /* Its three affine coordinates: x, y and w, orthographic x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
+/* How many faces a scene has that tia_scene_check accepts with shadows. */
+uint64_t tia_flat_face_count(const struct tia_scene *scene);
+
 /* Bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more than 2^28
  * faces. */
 size_t tia_flat_size(const struct tia_scene *scene);

@@ -1,5 +1,6 @@
-/* technique_rays.c - from what a pixel sees to the light, face by face, see occluder.h. */
-#include "occluder.h"
+/* technique_rays.c - from what a pixel sees to the light, face by face, see occluder.h; a hierarchy tells which. */
+#include "casters.h"
+#include "math/align.h"
 #include "technique.h"
 
 #define OCCLUDERS 16
@@ -7,6 +8,7 @@
 /* Where pixels next to each other are alike. */
 struct rays {
     const struct tia_flat_scene *flat;
+    const struct tia_casters *casters;
     const tia_flat_light *light;
     struct asker *asker;
     struct tia_seen_face of;
@@ -17,15 +19,14 @@ struct rays {
 
 static uint64_t own_size(const struct tia_scene *scene)
 {
-    (void)scene;
-    return 0;
+    return ALIGN(sizeof(struct tia_casters)) + tia_casters_size(tia_flat_face_count(scene));
 }
 
 static int prepare(struct tia_shadow_view *view, struct asker *asker)
 {
-    (void)view;
-    (void)asker;
-    return TIA_OK;
+    struct tia_casters *casters = view->own;
+
+    return tia_casters_build(casters, (char *)view->own + ALIGN(sizeof *casters), &view->flat, asker);
 }
 
 static int set_lights(struct tia_shadow_view *view, struct asker *asker)
@@ -47,12 +48,35 @@ static bool hides(struct rays *rays, uint32_t face, const struct tia_seen *seen)
     return true;
 }
 
+static bool any_hides(struct rays *rays, const uint32_t *faces, uint32_t count, const struct tia_seen *seen)
+{
+    for (uint32_t i = 0; i < count && !asker_stops(rays->asker, 1); i++)
+        if (hides(rays, faces ? faces[i] : i, seen))
+            return true;
+    return false;
+}
+
 static bool is_hidden(struct rays *rays, const struct tia_seen *seen)
 {
+    const struct tia_casters *casters = rays->casters;
+    const struct tia_bvh_node *leaf;
+    struct tia_segment_walk walk;
+
     if (rays->last != TIA_NO_FACE && hides(rays, rays->last, seen))
         return true;
-    for (uint32_t f = 0; f < rays->flat->face_count && !asker_stops(rays->asker, 1); f++)
-        if (hides(rays, f, seen))
+    if (any_hides(rays, casters->unbounded, casters->unbounded_count, seen))
+        return true;
+    switch (tia_segment_init(&walk.segment, casters, seen, rays->flat, rays->light)) {
+    case TIA_SEGMENT_MISSES:
+        return false;
+    case TIA_SEGMENT_FAR:
+        return any_hides(rays, NULL, rays->flat->face_count, seen);
+    case TIA_SEGMENT_INSIDE:
+        break;
+    }
+    tia_segment_walk_start(&walk, casters);
+    while ((leaf = tia_segment_walk_leaf(&walk)) != NULL)
+        if (any_hides(rays, casters->tree.items + leaf->index, leaf->count, seen))
             return true;
     return false;
 }
@@ -75,7 +99,11 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
                   struct asker *asker)
 {
     const struct tia_tile *area = &tile->target.area;
-    struct rays rays = {.flat = &view->flat, .light = &view->samples[sample], .asker = asker, .last = TIA_NO_FACE};
+    struct rays rays = {.flat = &view->flat,
+                        .casters = view->own,
+                        .light = &view->samples[sample],
+                        .asker = asker,
+                        .last = TIA_NO_FACE};
 
     rays.of.face = TIA_NO_FACE;
     for (int i = 0; i < OCCLUDERS; i++)

@@ -24,7 +24,7 @@ static void sort(uint32_t *items, uint32_t count)
 static uint32_t most_items(uint32_t depth)
 {
     uint32_t left = TIA_BVH_DEPTH_MAX - depth;
-    return left < 24 ? UINT32_C(1) << left : TIA_OBJECTS_MAX;
+    return UINT32_C(1) << (left < 31 ? left : 31);
 }
 
 struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,

@@ -1,0 +1,56 @@
+/* casters.h - which of a scene's faces may stand between what a pixel sees and a light: a hierarchy of boxes, and the
+ * way to the light as a segment that is tested with them. It finds too many faces rather than too few; occluder.h
+ * decides.
+ *
+ * Boxes have 27 bits: a unit of theirs is 2^shift of the vertices'. What is seen is rounded, the segment is cut where
+ * it is far outside the root, by halving; both together move a point of it by less than 48 units of the vertices. Each
+ * box is larger by that. */
+#ifndef TIA_SHADOW_CASTERS_H
+#define TIA_SHADOW_CASTERS_H
+
+#include <tia/bvh.h>
+
+#include "occluder.h"
+#include "scene/asker.h"
+
+struct tia_casters {
+    struct tia_bvh_tree tree;
+    const uint32_t *unbounded; /* faces with a corner at infinity: in no box */
+    uint32_t unbounded_count;
+    int shift;
+};
+
+/* Bytes of memory for so many faces, aligned for uint64_t. Then fills it in: TIA_STOPPED when the asker is stopped. */
+uint64_t tia_casters_size(uint64_t faces);
+int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
+                      struct asker *asker);
+
+/* A segment from a to b, in units of the boxes. */
+struct tia_segment {
+    int64_t sum[3], way[3]; /* a + b, b - a */
+};
+
+enum tia_segment_kind {
+    TIA_SEGMENT_MISSES, /* it comes near no box */
+    TIA_SEGMENT_INSIDE,
+    TIA_SEGMENT_FAR /* what is seen is so far away that any face may be near */
+};
+
+enum tia_segment_kind tia_segment_init(struct tia_segment *segment, const struct tia_casters *casters,
+                                       const struct tia_seen *seen, const struct tia_flat_scene *flat,
+                                       const tia_flat_light *light);
+
+struct tia_segment_walk {
+    const struct tia_casters *casters;
+    struct tia_segment segment;
+    unsigned depth;
+    uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
+};
+
+/* Begins, with walk->segment set. */
+void tia_segment_walk_start(struct tia_segment_walk *walk, const struct tia_casters *casters);
+
+/* The next leaf that the segment comes near, or NULL. */
+const struct tia_bvh_node *tia_segment_walk_leaf(struct tia_segment_walk *walk);
+
+#endif
