@@ -291,6 +291,31 @@ TEST(clearing_a_stencil_keeps_masked_bits)
     free(memory);
 }
 
+/* 300 times up, once down, of polygons that cover everything: by the general way and the one for counting alone. */
+TEST(counts_do_not_wrap_as_the_stencil_does)
+{
+    static const struct tia_raster_vertex all[3] = {{-400, -400, 100, 1}, {400, -400, 100, 1}, {0, 800, 100, 1}};
+    const struct tia_tile area = {0, 0, 3, 2};
+    struct tia_raster_state up = {.depth = TIA_LESS, .front = untested, .back = untested}, down = up;
+    struct tia_lattice l;
+
+    up.front.zpass = up.back.zpass = TIA_INCR_WRAP;
+    down.front.zpass = down.back.zpass = TIA_DECR_WRAP;
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 3, 2, 1, 0, 5), TIA_OK);
+    for (unsigned also = 0; also <= TIA_BUFFER_STENCIL; also += TIA_BUFFER_STENCIL) {
+        void *memory;
+        struct tia_raster_target t = target_of(&l, area, TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT | also, 1, &memory);
+        tia_clear_count(&t, 1000000);
+        for (int n = 0; n < 301; n++)
+            CHECK_EQ(tia_draw_polygon(&t, n < 300 ? &up : &down, all, 3, TIA_NO_FACE), TIA_OK);
+        for (size_t i = 0; i < 6; i++) {
+            CHECK_EQ(t.count[i], 1000299);
+            CHECK(!also || t.stencil[i] == 299 - 256);
+        }
+        free(memory);
+    }
+}
+
 int main(void)
 {
     RUN(both_formats_draw_the_same);
@@ -301,5 +326,6 @@ int main(void)
     RUN(what_is_out_of_range_is_refused);
     RUN(sums_are_means_of_what_was_drawn);
     RUN(clearing_a_stencil_keeps_masked_bits);
+    RUN(counts_do_not_wrap_as_the_stencil_does);
     return check_status();
 }

@@ -13,6 +13,8 @@
 #define Q TIA_Q16
 
 /* A pyramid with a square base, of which each face has its own corners, as many programs write models. */
+static struct asker nobody;
+
 static const struct tia_vec3 pyramid_points[] = {
     {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(-1)}, {Q(1), 0, Q(1)},  {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(1)}, {Q(-1), 0, Q(1)},
     {Q(-1), 0, Q(-1)}, {0, Q(2), 0},     {Q(1), 0, Q(-1)}, {Q(1), 0, Q(-1)},  {0, Q(2), 0},    {Q(1), 0, Q(1)},
@@ -86,7 +88,7 @@ static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scen
     unsigned differ = 0;
 
     CHECK(!tia_raster_init(&target, memory, size, &flat->lattice, all, TIA_BUFFER_DEPTH, flat->face_count));
-    CHECK(!tia_shadow_faces(&target, flat));
+    CHECK(!tia_shadow_faces(&target, flat, &nobody));
     hit_memory = trace(s, &hits, &view);
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
         uint32_t face = target.face[i], object = TIA_NO_OBJECT;

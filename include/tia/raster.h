@@ -94,7 +94,8 @@ enum tia_buffer {
     TIA_BUFFER_DEPTH = 1,   /* nearness, face and planes: without it everything passes the depth test */
     TIA_BUFFER_STENCIL = 2, /* without it everything passes the stencil test */
     TIA_BUFFER_COLOUR = 4,
-    TIA_BUFFER_SUM = 8 /* with TIA_BUFFER_COLOUR only */
+    TIA_BUFFER_SUM = 8, /* with TIA_BUFFER_COLOUR only */
+    TIA_BUFFER_COUNT = 16
 };
 
 /* The plane of a face: at pixel (i, j) 1/t is (x i + y j + c)/det, each of them in two halves. det is 0 for a face that
@@ -111,6 +112,7 @@ struct tia_raster_target {
     uint64_t *nearness; /* within 2^15 of what `scale` says, clamped to 0..2^62: in perspective w = 1/16 and
                            orthographic h = 2^29 have 2^61..2^62; 0 where nothing is */
     uint8_t *stencil;
+    uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
@@ -147,6 +149,7 @@ int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct t
 void tia_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
 void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
+void tia_clear_count(struct tia_raster_target *target, uint32_t value);
 void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
 void tia_clear_sum(struct tia_raster_target *target);
 

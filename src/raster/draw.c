@@ -78,6 +78,10 @@ static uint8_t operate(enum tia_stencil_op op, uint8_t old, uint8_t reference)
 static inline void put_stencil(struct tia_raster_target *t, const struct tia_stencil *s, enum tia_stencil_op op,
                                size_t at)
 {
+    if (t->count)
+        t->count[at] += op == TIA_INCR_WRAP ? 1 : op == TIA_DECR_WRAP ? UINT32_MAX : 0;
+    if (!t->stencil)
+        return;
     uint8_t old = t->stencil[at], now = operate(op, old, s->reference);
 
     t->stencil[at] = (uint8_t)((old & ~s->write) | (now & s->write));
@@ -116,7 +120,7 @@ static void draw_pixel(const struct job *job, const struct tia_stencil *s, int64
         return;
     }
     bool seen = depth_passes(job, z, x, y, at);
-    if (t->stencil)
+    if (t->stencil || t->count)
         put_stencil(t, s, seen ? s->zpass : s->zfail, at);
     if (seen && t->face && job->state->depth_write)
         put_depth(job, z, at);
@@ -174,6 +178,14 @@ static void nearest_run(void *ctx, int y, int x0, int x1)
     }
 }
 
+static inline void count_one(struct tia_raster_target *t, size_t at, bool up)
+{
+    if (t->count)
+        t->count[at] += up ? 1 : UINT32_MAX;
+    else
+        t->stencil[at] = (uint8_t)(t->stencil[at] + (up ? 1 : 255));
+}
+
 /* Counts where the polygon is nearer, or where it is not: what shadow volumes do all the time. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
@@ -182,12 +194,12 @@ static void counting_run(void *ctx, int y, int x0, int x1)
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
     size_t at = place_of(job->target, x0, y);
     bool nearer = s->zfail == TIA_KEEP;
-    uint8_t step = (nearer ? s->zpass : s->zfail) == TIA_INCR_WRAP ? 1 : 255, *stencil = job->target->stencil;
+    bool up = (nearer ? s->zpass : s->zfail) == TIA_INCR_WRAP;
 
     if (!run.steady) {
         for (int x = x0; x < x1; x++, at++)
             if ((order_at(job, tia_depth_at(job->polygon, x, y), x, y, at) > 0) == nearer)
-                stencil[at] = (uint8_t)(stencil[at] + step);
+                count_one(job->target, at, up);
         return;
     }
     for (int x = x0; x < x1; x++, at++, run.z += run.step) {
@@ -195,7 +207,8 @@ static void counting_run(void *ctx, int y, int x0, int x1)
         bool is_nearer = difference > 0;
         if (is_unsure(difference))
             is_nearer = exact_order(job, x, y, at) > 0;
-        stencil[at] = (uint8_t)(stencil[at] + (is_nearer == nearer ? step : 0));
+        if (is_nearer == nearer)
+            count_one(job->target, at, up);
     }
 }
 
@@ -212,13 +225,19 @@ static bool is_counting(const struct job *job)
     bool one = (s->zfail == TIA_KEEP && counts(s->zpass)) || (s->zpass == TIA_KEEP && counts(s->zfail));
 
     return one && s->test == TIA_ALWAYS && s->write == 255 && state->depth == TIA_LESS && !state->depth_write &&
-           t->stencil && t->face &&
+           !t->stencil != !t->count && t->face &&
            (!t->colour || !(state->colour_write[0] || state->colour_write[1] || state->colour_write[2]));
+}
+
+static bool never_counts(const struct tia_stencil *s)
+{
+    return !counts(s->zfail) && !counts(s->zpass);
 }
 
 static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_raster_state *s)
 {
-    return s->depth == TIA_LESS && s->depth_write && t->face && !t->stencil && !t->colour;
+    return s->depth == TIA_LESS && s->depth_write && t->face && !t->stencil && !t->colour &&
+           (!t->count || (never_counts(&s->front) && never_counts(&s->back)));
 }
 
 static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s, unsigned count, uint32_t face)

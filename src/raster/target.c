@@ -11,7 +11,8 @@ static uint64_t planes_bytes(unsigned buffers, uint32_t faces)
 static unsigned pixel_bytes(unsigned buffers)
 {
     return (buffers & TIA_BUFFER_DEPTH ? 12u : 0) + (buffers & TIA_BUFFER_SUM ? 12u : 0) +
-           (buffers & TIA_BUFFER_COLOUR ? 6u : 0) + (buffers & TIA_BUFFER_STENCIL ? 1u : 0);
+           (buffers & TIA_BUFFER_COUNT ? 4u : 0) + (buffers & TIA_BUFFER_COLOUR ? 6u : 0) +
+           (buffers & TIA_BUFFER_STENCIL ? 1u : 0);
 }
 
 size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces)
@@ -36,6 +37,10 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->sum = (uint32_t *)(void *)memory;
         memory = (char *)(t->sum + 3 * pixels);
     }
+    if (buffers & TIA_BUFFER_COUNT) {
+        t->count = (uint32_t *)(void *)memory;
+        memory = (char *)(t->count + pixels);
+    }
     if (buffers & TIA_BUFFER_COLOUR) {
         t->colour = (uint16_t *)(void *)memory;
         memory = (char *)(t->colour + 3 * pixels);
@@ -59,6 +64,7 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
     place(target, memory, buffers);
     tia_clear_depth(target);
     tia_clear_stencil(target, 0, 255);
+    tia_clear_count(target, 0);
     tia_clear_colour(target, black);
     tia_clear_sum(target);
     return TIA_OK;
@@ -77,6 +83,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     part->face += target->face ? skip : 0;
     part->nearness += target->nearness ? skip : 0;
     part->stencil += target->stencil ? skip : 0;
+    part->count += target->count ? skip : 0;
     part->colour += target->colour ? 3 * skip : 0;
     part->sum += target->sum ? 3 * skip : 0;
     return TIA_OK;
@@ -104,6 +111,16 @@ void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t 
     FOR_PIXELS(target, i)
     {
         target->stencil[i] = (uint8_t)((target->stencil[i] & ~write) | (value & write));
+    }
+}
+
+void tia_clear_count(struct tia_raster_target *target, uint32_t value)
+{
+    if (!target->count)
+        return;
+    FOR_PIXELS(target, i)
+    {
+        target->count[i] = value;
     }
 }
 

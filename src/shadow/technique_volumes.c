@@ -1,42 +1,61 @@
-/* technique_volumes.c - each light's shadows are shadow volumes, counted in the stencil buffer. */
-#include "technique.h"
+/* technique_volumes.c - each light's shadows are shadow volumes, counted at each pixel. */
+#include "math/align.h"
+#include "rays.h"
 
-/* How the volumes of a sample are counted. */
+/* How the volumes of a sample are counted: behind what is seen or before it. Where neither can tell, rays do. */
+struct counted {
+    enum { BEHIND, BEFORE, NOT } where;
+    uint32_t start; /* the count begins with it, and light arrives where it ends with 0 */
+};
+
 struct volumes {
-    bool pass;    /* before what is seen, not behind it */
-    uint8_t none; /* what the stencil buffer has where light arrives */
+    struct counted sample[TIA_SHADOW_SAMPLES];
+    struct tia_casters casters; /* for rays, once they are needed */
+    bool has_casters;
 };
 
 static uint64_t own_size(const struct tia_scene *scene)
 {
-    (void)scene;
-    return TIA_SHADOW_SAMPLES * sizeof(struct volumes);
+    return ALIGN(sizeof(struct volumes)) + tia_casters_size(tia_flat_face_count(scene));
 }
 
 static int prepare(struct tia_shadow_view *view, struct asker *asker)
 {
-    (void)view;
+    struct volumes *volumes = view->own;
+
     (void)asker;
+    volumes->has_casters = false;
     return TIA_OK;
+}
+
+static struct counted count_ends(const struct tia_shadow_view *view, unsigned sample, struct asker *asker)
+{
+    const tia_flat_light *light = &view->samples[sample];
+    uint32_t eye, far;
+    bool knows_eye = tia_shadow_count_eye(&view->flat, light, &eye, asker);
+    bool knows_far = tia_shadow_count_far(&view->flat, light, &far, asker);
+
+    if (knows_eye && (view->scene->shadows == TIA_SHADOWS_ZPASS || !knows_far))
+        return (struct counted){BEFORE, eye};
+    return (struct counted){knows_far ? BEHIND : NOT, far};
 }
 
 static int set_lights(struct tia_shadow_view *view, struct asker *asker)
 {
     struct volumes *volumes = view->own;
 
-    for (unsigned i = 0; i < view->sample_count && !asker_stops(asker, view->flat.face_count); i++) {
-        uint32_t eye, far;
-        bool knows_eye = tia_shadow_count_eye(&view->flat, &view->samples[i], &eye);
-        bool knows_far = tia_shadow_count_far(&view->flat, &view->samples[i], &far);
-
-        volumes[i].pass = view->scene->shadows == TIA_SHADOWS_ZPASS ? knows_eye || !knows_far : !knows_far && knows_eye;
-        volumes[i].none = (uint8_t)(0 - (volumes[i].pass ? eye : far));
+    for (unsigned i = 0; i < view->sample_count && !asker_stops(asker, 1); i++) {
+        volumes->sample[i] = count_ends(view, i, asker);
+        if (volumes->sample[i].where != NOT || volumes->has_casters)
+            continue;
+        void *memory = (char *)view->own + ALIGN(sizeof *volumes);
+        volumes->has_casters = !tia_casters_build(&volumes->casters, memory, &view->flat, asker);
     }
     return asker->stopped ? TIA_STOPPED : TIA_OK;
 }
 
 /* A face is dark where it is turned away from the light, and where volumes hold it. */
-static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample, uint8_t none)
+static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
     const struct tia_tile *area = &tile->target.area;
     const tia_flat_light *light = &view->samples[sample];
@@ -47,7 +66,7 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
         for (unsigned x = 0; x < area->width; x++) {
             size_t at = (size_t)y * (size_t)tile->target.pitch + x;
             uint32_t face = tile->target.face[at];
-            if (face == TIA_NO_FACE || tile->target.stencil[at] != none)
+            if (face == TIA_NO_FACE || tile->target.count[at])
                 continue;
             if (face != last)
                 turned = tia_flat_is_turned(&view->flat, face, light);
@@ -59,16 +78,19 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct asker *asker)
 {
-    const struct volumes *volumes = (const struct volumes *)view->own + sample;
+    const struct volumes *volumes = view->own;
+    const struct counted *counted = &volumes->sample[sample];
 
-    (void)asker;
-
-    tia_clear_stencil(&tile->target, 0, 255);
-    if (volumes->pass)
-        (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample]);
+    if (counted->where == NOT) {
+        tia_shadow_rays_light(view, &volumes->casters, tile, sample, asker);
+        return;
+    }
+    tia_clear_count(&tile->target, counted->start);
+    if (counted->where == BEFORE)
+        (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample], asker);
     else
-        (void)tia_shadow_zfail(&tile->target, &view->flat, &view->samples[sample]);
-    keep_lit(view, tile, sample, volumes->none);
+        (void)tia_shadow_zfail(&tile->target, &view->flat, &view->samples[sample], asker);
+    keep_lit(view, tile, sample);
 }
 
 const struct tia_shadow_technique tia_shadow_volumes = {own_size, prepare, set_lights, light};

@@ -9,6 +9,7 @@
 #define TIA_SHADOW_VOLUME_H
 
 #include "lights.h"
+#include "scene/asker.h"
 
 /* On which side of a face's plane it is: 1 where the corners run counterclockwise seen from it, -1 behind, 0 in the
  * plane. */
@@ -22,18 +23,24 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
  * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither
- * z-pass nor, in orthographic views, z-fail can tell. */
-bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count);
-bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count);
+ * z-pass nor, in orthographic views, z-fail can tell. Once the asker is stopped, they mean nothing. */
+bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
+                          struct asker *asker);
+bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
+                          struct asker *asker);
 
-/* Draws the visible faces into depth and faces of the target, which must be empty. */
-int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat);
+/* Draws the visible faces into depth and faces of the target, which must be empty. TIA_STOPPED when the asker is
+ * stopped, as the next two. */
+int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct asker *asker);
 
-/* With the faces drawn, adds to each pixel's stencil, modulo 256, the number of volumes that hold its point, less the
- * number of those that hold the point at infinity. */
-int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light);
+/* With the faces drawn, adds to each pixel's count the number of volumes that hold its point, less the number of those
+ * that hold the point at infinity. There are at most as many as faces, so 32 bits never wrap; a stencil buffer of 8
+ * bits shows light where 256 volumes hold a point. */
+int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
+                     struct asker *asker);
 
 /* The same, less the number of volumes that hold the eye. */
-int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light);
+int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
+                     struct asker *asker);
 
 #endif

@@ -10,11 +10,13 @@
 #include <tia/bvh.h>
 
 #include "corpus/corpus.h"
+#include "corpus/corpus_flat.h"
 #include "corpus/corpus_rays.h"
 
 #define FRAMES_RANDOM 20
 #define FRAMES_RAYS 20
 #define FRAMES_HOLES 8
+#define FRAMES_FLAT 6
 
 /* Told each frame's name and CRC-32. */
 typedef void frames_report(void *ctx, const char *name, uint32_t crc);
@@ -175,6 +177,26 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index, bool hol
     free(memory);
 }
 
+/* Flat faces, whose shadows are the same by each of these techniques. */
+static inline void frames_flat(struct frames_canvas *c, unsigned index)
+{
+    static struct corpus_rays scene;
+    static const enum tia_shadows techniques[] = {TIA_SHADOWS_RAYS, TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL};
+    const unsigned width = 40 + index, height = 30 - index;
+    char name[40];
+
+    corpus_random_flat(&scene, 565, index);
+    for (size_t i = 0; i < sizeof techniques / sizeof techniques[0]; i++) {
+        scene.scene.shadows = techniques[i];
+        if (!frames_open(c, &scene.scene, width, height))
+            abort();
+        frames_draw(c, 17, 11, true, index % 4 == 3);
+        (void)snprintf(name, sizeof name, "flat-%u-%ux%u-%s", index, width, height, tia_shadows_name(techniques[i]));
+        frames_tell(c, name);
+        frames_close(c);
+    }
+}
+
 /* Every frame, drawn with `core`. */
 static inline void frames_all(const struct tia_core *core, frames_report *report, void *ctx)
 {
@@ -198,6 +220,8 @@ static inline void frames_all(const struct tia_core *core, frames_report *report
         frames_rays(&c, i, false);
     for (unsigned i = 0; i < FRAMES_HOLES; i++)
         frames_rays(&c, i, true);
+    for (unsigned i = 0; i < FRAMES_FLAT; i++)
+        frames_flat(&c, i);
 }
 
 #endif

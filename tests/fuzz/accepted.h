@@ -258,13 +258,24 @@ static inline void aim(struct bytes *b, struct made *m)
         m->scene.camera.up = (struct tia_vec3){TIA_Q16_ONE, kind & 128 ? TIA_Q16_ONE : 0, 0};
 }
 
+static inline unsigned count_shadows(void)
+{
+    unsigned count = 0;
+
+    while (tia_shadows_name(count))
+        count++;
+    return count;
+}
+
 static inline void make_scene(struct bytes *b, struct made *m)
 {
     uint8_t counts = take_byte(b);
 
     memset(m, 0, offsetof(struct made, cells));
     connect(m, counts);
-    m->scene.depth = take_byte(b) % (TIA_DEPTH_MAX + 1);
+    uint8_t depth = take_byte(b);
+    m->scene.depth = depth % (TIA_DEPTH_MAX + 1);
+    m->scene.shadows = (enum tia_shadows)(depth / (TIA_DEPTH_MAX + 1) % count_shadows());
     make_camera(b, m);
     m->scene.background = take_colour(b, TIA_Q30_ONE);
     for (uint32_t i = 0; i < m->scene.shape_count; i++)
@@ -291,10 +302,39 @@ static inline void make_scene(struct bytes *b, struct made *m)
         m->texels[i] = (uint8_t)(i * 77);
 }
 
+/* A box around the eye or a plane through it, in the place of what has no flat faces. */
+static inline void flatten(struct made *m, const struct tia_fault *f)
+{
+    struct tia_vec3 eye = m->scene.camera.eye;
+    struct tia_shape *s = &m->shapes[f->index % MADE_SHAPES];
+
+    if (!strcmp(f->thing, "sphere"))
+        m->scene.sphere_count = 0;
+    else if (!strcmp(f->thing, "shape"))
+        *s = f->index % 2 ? (struct tia_shape){.kind = TIA_PLANE, .plane = {eye, {0, TIA_Q30_ONE, 1 << 20}}}
+                          : (struct tia_shape){.kind = TIA_BOX,
+                                               .box = {{moved(eye.x, -4 << 16), moved(eye.y, -5 << 16), eye.z},
+                                                       {moved(eye.x, 9 << 16), eye.y, moved(eye.z, 7 << 16)}}};
+    else if (!strcmp(f->thing, "material")) {
+        m->materials[f->index].transmission = (struct tia_rgb){0, 0, 0};
+        m->materials[f->index].opacity = 0;
+    } else if (!strcmp(f->thing, "light") && m->lights[f->index].kind != TIA_RECTANGLE_LIGHT)
+        m->lights[f->index] = (struct tia_light){eye, 0, TIA_RGB(1, 1, 1), .kind = TIA_RECTANGLE_LIGHT, .samples = 5};
+    else if (!strcmp(f->thing, "light"))
+        m->lights[f->index].samples = 3;
+    else
+        m->scene.camera.samples = 1;
+}
+
 /* Puts right what the fault names: something small at the eye. */
 static inline void mend(struct made *m, const struct tia_fault *f)
 {
     struct tia_vec3 eye = m->scene.camera.eye;
+
+    if (strstr(f->rule, "with these shadows")) {
+        flatten(m, f);
+        return;
+    }
 
     if (!strcmp(f->thing, "shape"))
         m->shapes[f->index] = (struct tia_shape){.kind = TIA_SPHERE, .sphere = {eye, 3 << 16}};
@@ -318,7 +358,7 @@ static inline bool make_accepted(struct bytes *b, struct made *m)
     struct tia_fault fault;
 
     make_scene(b, m);
-    for (int i = 0; i < 3 * MADE_SHAPES + MADE_SPHERES + MADE_LIGHTS; i++) {
+    for (int i = 0; i < 4 * MADE_SHAPES + MADE_SPHERES + 3 * MADE_LIGHTS + MADE_MATERIALS; i++) {
         if (!tia_scene_check(&m->scene, &fault))
             return true;
         mend(m, &fault);

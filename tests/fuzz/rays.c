@@ -1,6 +1,6 @@
 /* rays.c - scenes of everything that tia_scene_check accepts, by q16 and by chk, with and without a hierarchy: no
  * number leaves its range, all draw the same along the same paths, and so do hits that are lit again. In double
- * precision the same scene is drawn to its end. */
+ * precision the same scene is drawn to its end. Exact techniques for shadows draw the same. */
 #include <stdio.h>
 #include <string.h>
 
@@ -88,6 +88,39 @@ static void draw_sooner(const struct picture *plain, const struct tia_scene *sce
     free(memory);
 }
 
+static bool is_exact(enum tia_shadows shadows)
+{
+    return shadows == TIA_SHADOWS_RAYS || shadows == TIA_SHADOWS_ZPASS || shadows == TIA_SHADOWS_ZFAIL;
+}
+
+/* The same by other techniques for shadows. */
+static void draw_otherwise(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
+{
+    struct tia_scene other = *scene;
+    struct picture picture;
+
+    for (other.shadows = TIA_SHADOWS_RAYS; is_exact(scene->shadows) && other.shadows <= TIA_SHADOWS_ZFAIL;
+         other.shadows++) {
+        open_picture(&picture, &tia_core_q16, &other, width, height, plain->tile);
+        light_picture(&picture, false);
+        must_be_same(plain, &picture);
+        close_picture(&picture);
+    }
+}
+
+/* The rasteriser cannot draw what is too far away: then shadows are traced. */
+static void choose_shadows(struct tia_scene *scene, uint16_t width, uint16_t height)
+{
+    size_t size = tia_view_size(scene, scene->light_count);
+    void *memory = malloc(size);
+    struct tia_view *view;
+
+    MUST(memory);
+    if (tia_view_init(&view, memory, size, scene, scene->light_count, width, height) == TIA_ERR_RANGE)
+        scene->shadows = TIA_SHADOWS_TRACED;
+    free(memory);
+}
+
 static void draw(const struct tia_scene *scene, uint16_t width, uint16_t height, struct tia_tile tile)
 {
     static const struct tia_core *const others[] = {&tia_core_chk, &tia_core_f64};
@@ -97,6 +130,7 @@ static void draw(const struct tia_scene *scene, uint16_t width, uint16_t height,
     light_picture(&q16, false);
     must_see_objects(&q16, scene);
     draw_sooner(&q16, scene, width, height);
+    draw_otherwise(&q16, scene, width, height);
     for (int i = 0; i < 2; i++) {
         open_picture(&other, others[i], scene, width, height, tile);
         light_picture(&other, false);
@@ -121,6 +155,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!make_accepted(&b, &m))
         return 0;
     limit_work(&m, &tile);
+    if (m.scene.shadows != TIA_SHADOWS_TRACED)
+        choose_shadows(&m.scene, width, height);
     draw(&m.scene, width, height, tile);
     return 0;
 }

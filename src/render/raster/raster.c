@@ -77,7 +77,7 @@ static int set_lights(struct tia_view *view)
 
 /* ---- the buffers of each pixel ---- */
 
-#define PIXEL_BYTES (2 * sizeof(uint64_t) + sizeof(uint32_t) + sizeof(uint8_t))
+#define PIXEL_BYTES (2 * sizeof(uint64_t) + 2 * sizeof(uint32_t))
 
 static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
@@ -105,7 +105,7 @@ static void find_buffers(const struct raster_view *raster, const struct tia_hits
 
     b->lit = all.nearness + pixels;
     all.face = (uint32_t *)(b->lit + pixels);
-    all.stencil = (uint8_t *)(all.face + pixels);
+    all.count = all.face + pixels;
     b->lit += hits_index(hits, tile.x, tile.y);
     (void)tia_raster_part(&b->target, &all, tile);
 }
@@ -114,10 +114,11 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
 {
     const struct raster_view *raster = raster_of(view);
     struct tia_shadow_tile b;
+    struct asker asker = view_asker(view);
 
     find_buffers(raster, hits, tile, &b);
     tia_clear_depth(&b.target);
-    (void)tia_shadow_faces(&b.target, &raster->shadow.flat);
+    (void)tia_shadow_faces(&b.target, &raster->shadow.flat, &asker);
     for (int y = (int)tile.y; y < tile_bottom(tile); y++)
         for (int x = (int)tile.x; x < tile_right(tile); x++) {
             uint32_t face = b.target.face[buffers_index(&b, x, y)];

@@ -1,0 +1,12 @@
+/* corpus_flat.h - random scenes of flat faces, which all techniques for shadows can draw, the same on every machine. */
+#ifndef PORT_COMMON_CORPUS_FLAT_H
+#define PORT_COMMON_CORPUS_FLAT_H
+
+#include "corpus_parts.h"
+
+/* Random scene number `index` of the series `seed` of corpus_rays.h, made flat: a sphere, disc, cylinder, cone or grid
+ * becomes a box as large as it, nothing is transparent, disc and sphere lights become rectangles, and area lights have
+ * at most 9 samples. tia_scene_check accepts it with every technique. */
+void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index);
+
+#endif

@@ -1,0 +1,93 @@
+#include "rays.h"
+
+#define OCCLUDERS 16
+
+/* Where pixels next to each other are alike. */
+struct rays {
+    const struct tia_flat_scene *flat;
+    const struct tia_casters *casters;
+    const tia_flat_light *light;
+    struct asker *asker;
+    struct tia_seen_face of;
+    bool turned;
+    uint32_t last;                           /* what hid the light last */
+    struct tia_occluder occluder[OCCLUDERS]; /* face f is number f mod OCCLUDERS, if it is there */
+};
+
+static bool hides(struct rays *rays, uint32_t face, const struct tia_seen *seen)
+{
+    struct tia_occluder *o = &rays->occluder[face % OCCLUDERS];
+
+    if (o->face != face)
+        (void)tia_occluder_init(o, rays->flat, rays->light, face);
+    if (!tia_occluder_hides(o, seen))
+        return false;
+    rays->last = face;
+    return true;
+}
+
+static bool any_hides(struct rays *rays, const uint32_t *faces, uint32_t count, const struct tia_seen *seen)
+{
+    for (uint32_t i = 0; i < count && !asker_stops(rays->asker, 1); i++)
+        if (hides(rays, faces ? faces[i] : i, seen))
+            return true;
+    return false;
+}
+
+static bool is_hidden(struct rays *rays, const struct tia_seen *seen)
+{
+    const struct tia_casters *casters = rays->casters;
+    const struct tia_bvh_node *leaf;
+    struct tia_segment_walk walk;
+
+    if (rays->last != TIA_NO_FACE && hides(rays, rays->last, seen))
+        return true;
+    if (any_hides(rays, casters->unbounded, casters->unbounded_count, seen))
+        return true;
+    switch (tia_segment_init(&walk.segment, casters, seen, rays->flat, rays->light)) {
+    case TIA_SEGMENT_MISSES:
+        return false;
+    case TIA_SEGMENT_FAR:
+        return any_hides(rays, NULL, rays->flat->face_count, seen);
+    case TIA_SEGMENT_INSIDE:
+        break;
+    }
+    tia_segment_walk_start(&walk, casters);
+    while ((leaf = tia_segment_walk_leaf(&walk)) != NULL)
+        if (any_hides(rays, casters->tree.items + leaf->index, leaf->count, seen))
+            return true;
+    return false;
+}
+
+static bool is_lit(struct rays *rays, uint32_t face, int x, int y)
+{
+    struct tia_seen seen;
+
+    if (rays->of.face != face) {
+        tia_seen_face_init(&rays->of, rays->flat, face);
+        rays->turned = tia_flat_is_turned(rays->flat, face, rays->light);
+    }
+    if (!rays->turned)
+        return false;
+    tia_seen_init(&seen, &rays->of, x, y);
+    return !is_hidden(rays, &seen);
+}
+
+void tia_shadow_rays_light(const struct tia_shadow_view *view, const struct tia_casters *casters,
+                           struct tia_shadow_tile *tile, unsigned sample, struct asker *asker)
+{
+    const struct tia_tile *area = &tile->target.area;
+    struct rays rays = {
+        .flat = &view->flat, .casters = casters, .light = &view->samples[sample], .asker = asker, .last = TIA_NO_FACE};
+
+    rays.of.face = TIA_NO_FACE;
+    for (int i = 0; i < OCCLUDERS; i++)
+        rays.occluder[i].face = TIA_NO_FACE;
+    for (int y = 0; y < area->height; y++)
+        for (int x = 0; x < area->width && !asker_stops(asker, 1); x++) {
+            size_t at = (size_t)y * tile->target.pitch + (size_t)x;
+            uint32_t face = tile->target.face[at];
+            if (face != TIA_NO_FACE && is_lit(&rays, face, area->x + x, area->y + y))
+                tile->lit[at] |= UINT64_C(1) << sample;
+        }
+}

@@ -1,0 +1,27 @@
+/* faces.h - hard shadows of flat faces, in double precision and in the world: the rays' test of Moeller and Trumbore
+ * (1997) against each face. The face where a ray to a light starts is left out, so there is no bias. */
+#ifndef TESTS_ORACLE_FACES_H
+#define TESTS_ORACLE_FACES_H
+
+#include "vec.h"
+
+#define ORACLE_NO_FACE UINT32_MAX
+
+struct oracle_face {
+    bool plane;                    /* all of it, with the normal edge[0] */
+    struct oracle_vec at, edge[2]; /* a corner, and the way from there to the others */
+    uint32_t object;
+};
+
+/* How many faces a scene of planes, boxes, triangles and meshes has; fills them in if `faces` is not NULL. */
+uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces);
+
+/* The face that a ray meets first, and where; or ORACLE_NO_FACE. */
+uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struct ray ray, double *t);
+
+/* Whether light comes from sample i of a light, with the pattern of class 0, to the point of that face that is seen
+ * from `eye`. */
+bool oracle_face_lit(const struct oracle_face *faces, uint32_t count, uint32_t face, struct ray eye, double t,
+                     const struct tia_light *light, unsigned i);
+
+#endif
