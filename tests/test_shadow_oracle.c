@@ -107,7 +107,7 @@ static void compare(const struct tia_scene *scene, struct tally *t)
     free(faces);
 }
 
-/* Of 368640 pixels and 1.5 million answers. */
+/* Today none differs, of 368640 pixels and 1186686 answers. */
 TEST(corpus)
 {
     static struct corpus_rays scene;
@@ -122,7 +122,7 @@ TEST(corpus)
     printf("# %u of %u pixels see another object; %u of %u answers differ, %u are dark\n", t.other_object, t.pixels,
            t.other_light, t.answers, t.dark);
     CHECK_EQ(t.techniques, 0);
-    CHECK(t.other_object <= t.pixels / 10000 && t.other_light <= t.answers / 20000);
+    CHECK(t.other_object <= t.pixels / 100000 && t.other_light <= t.answers / 100000);
     CHECK(t.dark > t.answers / 10 && t.dark < t.answers * 9 / 10);
 }
 

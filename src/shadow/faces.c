@@ -157,6 +157,42 @@ static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *ey
     return most;
 }
 
+/* The corners of a rectangle, or the same point four times. */
+static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
+{
+    bool extends = light->kind == TIA_RECTANGLE_LIGHT;
+    unsigned most = 0;
+
+    for (int i = 0; i < 4; i++) {
+        struct tia_vec3 a = light->side[0], b = light->side[1];
+        int64_t s = extends ? i % 2 * 2 - 1 : 0, t = extends ? i / 2 * 2 - 1 : 0;
+        const int64_t at[3] = {(light->centre.x + s * a.x + t * b.x) * 65536,
+                               (light->centre.y + s * a.y + t * b.y) * 65536,
+                               (light->centre.z + s * a.z + t * b.z) * 65536};
+        unsigned range = tia_eye_range(eye, at);
+        most = range > most ? range : most;
+    }
+    return most;
+}
+
+/* In orthographic views there is no room for lights beyond what the faces need, so they are counted as well, and may
+ * move by keys to four times that. Of those that are far away the nearest matter: the others become directions. */
+static unsigned range_with_lights(const struct tia_scene *scene, const struct tia_eye *eye, unsigned faces)
+{
+    unsigned most = faces;
+
+    for (uint32_t i = 0; i < scene->light_count + scene->binding_count; i++) {
+        const struct tia_light *light =
+            i < scene->light_count ? &scene->lights[i] : &scene->bindings[i - scene->light_count].state;
+        if (light->kind == TIA_AMBIENT_LIGHT || light->kind == TIA_DIRECTIONAL_LIGHT)
+            continue;
+        unsigned range = range_of_light(eye, light) + 2;
+        range = range > faces + TIA_FLAT_LIGHT_BITS ? faces + TIA_FLAT_LIGHT_BITS : range;
+        most = range > most ? range : most;
+    }
+    return most < 20 ? most : 20;
+}
+
 static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
 {
     return (struct tia_raster_vertex){-v.x, -v.y, -v.w, -v.h};
@@ -320,6 +356,8 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     unsigned range = range_of(scene, &flat->eye);
     if (range > 20)
         return TIA_ERR_RANGE;
+    if (scene->camera.projection == TIA_ORTHOGRAPHIC)
+        range = range_with_lights(scene, &flat->eye, range);
     int status = tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, 1, 0, range);
     flat->bits = flat->lattice.fraction + (int)range;
     for (uint32_t i = 0; !status && i < scene->shape_count; i++)

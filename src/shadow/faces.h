@@ -21,6 +21,9 @@ struct tia_flat_object {
 #define TIA_PLANE_FACES 2
 #define TIA_PLANE_POINTS 5
 
+/* Orthographic views have vertices for lights up to 2^TIA_FLAT_LIGHT_BITS times as far as the scene reaches. */
+#define TIA_FLAT_LIGHT_BITS 9
+
 struct tia_flat_scene {
     struct tia_eye eye;
     struct tia_lattice lattice;

@@ -11,7 +11,7 @@ typedef struct tia_raster_vertex tia_flat_light;
 unsigned tia_flat_light_samples(const struct tia_light *light);
 
 /* Sample i of a light that shadow.h allows. A point that is too far away for the rasteriser, more than 2^15 times as
- * far as the scene reaches, becomes a direction. */
+ * far as the scene reaches or 2^TIA_FLAT_LIGHT_BITS times in orthographic views, becomes a direction. */
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
                        tia_flat_light *out);
 
