@@ -8,6 +8,8 @@
 #include "random.h"
 #include "shadow_oracle.h"
 
+static struct asker nobody;
+
 #define FACES 64
 #define POINTS (3 * FACES)
 
@@ -82,7 +84,7 @@ static void end(struct world *w, int32_t range, int32_t step)
     void *room = malloc(tia_edges_room(w->flat.face_count));
     int64_t at[3];
 
-    (void)tia_edges_join(across, faces, w->flat.face_count, room);
+    (void)tia_edges_join(across, faces, w->flat.face_count, room, &nobody);
     free(room);
     for (uint32_t i = 0; i < w->flat.object_count; i++) {
         struct tia_flat_object *o = &objects[i];

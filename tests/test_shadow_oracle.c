@@ -39,7 +39,7 @@ static void open_picture(struct picture *p, const struct tia_scene *scene)
 
     *p = (struct picture){.view.scene = scene, .tile.lit = p->lit};
     p->flat = malloc(size);
-    CHECK(!tia_flat_init(&p->view.flat, p->flat, size, scene, WIDTH, HEIGHT));
+    CHECK(!tia_flat_init(&p->view.flat, p->flat, size, scene, WIDTH, HEIGHT, &nobody));
     p->view.own = p->own = malloc((size_t)technique->own_size(scene));
     set_lights(p);
     size = tia_raster_size(all, TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT, p->view.flat.face_count);

@@ -10,8 +10,6 @@
 
 #define PIXELS (SIZE * SIZE)
 
-static struct asker nobody;
-
 /* ---- how it is drawn ---- */
 
 static const enum tia_shadows techniques[] = {TIA_SHADOWS_RAYS, TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL};
@@ -160,8 +158,79 @@ TEST(planes_and_all)
     check_both(MIXED, true);
 }
 
+/* ---- stopping ---- */
+
+static bool stop(void *ctx)
+{
+    *(unsigned *)ctx += 1;
+    return true;
+}
+
+/* One who asks at once and is told to stop; `asked` says how often. */
+static struct asker stopper(unsigned *asked)
+{
+    *asked = 0;
+    return (struct asker){.stop = stop, .ctx = asked, .work = ASKER_PATIENCE};
+}
+
+/* Nothing that goes through all faces goes on after the answer, nor asks again. */
+TEST(passes_over_faces_stop)
+{
+    static struct drawing d;
+    struct world w;
+    unsigned asked;
+    uint32_t count;
+
+    begin(&w, TIA_ORTHOGRAPHIC);
+    make(&w, SOLIDS, 500, 1);
+    end(&w, 500, 1);
+    open_drawing(&d, &w);
+    struct asker asker = stopper(&asked);
+    CHECK_EQ(tia_shadow_faces(&d.tile.target, &d.view.flat, &asker), TIA_STOPPED);
+    asker = stopper(&asked);
+    CHECK_EQ(tia_shadow_zfail(&d.tile.target, &d.view.flat, &w.light, &asker), TIA_STOPPED);
+    asker = stopper(&asked);
+    CHECK_EQ(tia_shadow_zpass(&d.tile.target, &d.view.flat, &w.light, &asker), TIA_STOPPED);
+    for (int i = 0; i < PIXELS; i++)
+        CHECK_EQ(d.tile.target.count[i], 0);
+    asker = stopper(&asked);
+    (void)tia_shadow_count_eye(&d.view.flat, &w.light, &count, &asker);
+    CHECK(asked == 1 && count == 0);
+    asker = stopper(&asked);
+    (void)tia_shadow_count_far(&d.view.flat, &w.light, &count, &asker);
+    CHECK(asked == 1 && count == 0);
+    close_drawing(&d);
+}
+
+TEST(techniques_stop)
+{
+    static struct drawing d;
+    struct world w;
+    unsigned asked;
+
+    begin(&w, TIA_PERSPECTIVE);
+    make(&w, SOLIDS, 500, 1);
+    end(&w, 500, 1);
+    open_drawing(&d, &w);
+    for (size_t i = 0; i < TECHNIQUES; i++) {
+        const struct tia_shadow_technique *technique = tia_shadow_technique(techniques[i]);
+        draw(&d, techniques[i]);
+        memset(d.lit, 0, sizeof d.lit);
+        struct asker asker = stopper(&asked);
+        technique->light(&d.view, &d.tile, 0, &asker);
+        CHECK_EQ(asked, 1);
+        asker = stopper(&asked);
+        int prepared = technique->prepare(&d.view, &asker);
+        CHECK_EQ(prepared ? prepared : technique->set_lights(&d.view, &asker), TIA_STOPPED);
+        CHECK_EQ(asked, 1);
+    }
+    close_drawing(&d);
+}
+
 int main(void)
 {
+    RUN(passes_over_faces_stop);
+    RUN(techniques_stop);
     RUN(soups);
     RUN(solids);
     RUN(planes_and_all);

@@ -7,8 +7,6 @@
 #include "shadow/occluder.h"
 #include "shadow_worlds.h"
 
-static struct asker nobody;
-
 /* ---- what is compared ---- */
 
 struct tally {

@@ -137,7 +137,7 @@ static void in_world(const struct frame *frame, struct tia_vec3 p, int64_t world
         world[k] = tia_frame_place(frame, k, p);
 }
 
-static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *eye)
+static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
 {
     unsigned most = 0;
 
@@ -147,7 +147,7 @@ static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *ey
         struct frame frame;
 
         tia_frame_prepare(&frame, transform_of(scene, shape));
-        for (uint32_t i = 0; i < points; i++) {
+        for (uint32_t i = 0; i < points && !asker_stops(asker, 1); i++) {
             int64_t world[3];
             in_world(&frame, point_of(scene, shape, i), world);
             unsigned range = tia_eye_range(eye, world);
@@ -221,14 +221,15 @@ static void add_directions(const struct tia_flat_scene *flat, const struct tia_d
     to[3] = opposite(to[1]);
 }
 
-static void add_points(struct tia_flat_scene *flat, const struct tia_scene *scene, const struct tia_shape *shape)
+static void add_points(struct tia_flat_scene *flat, const struct tia_scene *scene, const struct tia_shape *shape,
+                       struct asker *asker)
 {
     struct tia_raster_vertex *to = &flat->points[flat->point_count];
     uint32_t points = shape->kind == TIA_PLANE ? 1 : count_points(scene, shape);
     struct frame frame;
 
     tia_frame_prepare(&frame, transform_of(scene, shape));
-    for (uint32_t i = 0; i < points; i++) {
+    for (uint32_t i = 0; i < points && !asker_stops(asker, 1); i++) {
         int64_t world[3];
         in_world(&frame, point_of(scene, shape, i), world);
         tia_eye_point(&flat->eye, world, flat->lattice.fraction, &to[i]);
@@ -284,7 +285,8 @@ static void find_box(const struct tia_flat_scene *flat, struct tia_flat_object *
     }
 }
 
-static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scene, uint32_t i, uint32_t *room)
+static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scene, uint32_t i, uint32_t *room,
+                       struct asker *asker)
 {
     const struct tia_shape *shape = &scene->shapes[i];
     uint32_t faces = count_faces(scene, shape);
@@ -294,7 +296,7 @@ static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scen
 
     *object =
         (struct tia_flat_object){.kind = shape->kind, .object = i, .first_face = flat->face_count, .face_count = faces};
-    add_points(flat, scene, shape);
+    add_points(flat, scene, shape, asker);
     add_faces(flat, scene, shape, room);
     find_box(flat, object, flat->point_count, flat->point_count + points);
     flat->point_count += points;
@@ -337,7 +339,7 @@ static char *take(char **memory, size_t size)
 }
 
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
-                  unsigned height)
+                  unsigned height, struct asker *asker)
 {
     struct counts n = count(scene);
     char *next = memory;
@@ -353,21 +355,22 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
-    unsigned range = range_of(scene, &flat->eye);
+    unsigned range = range_of(scene, &flat->eye, asker);
     if (range > 20)
         return TIA_ERR_RANGE;
     if (scene->camera.projection == TIA_ORTHOGRAPHIC)
         range = range_with_lights(scene, &flat->eye, range);
     int status = tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, 1, 0, range);
     flat->bits = flat->lattice.fraction + (int)range;
-    for (uint32_t i = 0; !status && i < scene->shape_count; i++)
-        add_object(flat, scene, i, room);
-    (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room);
-    for (uint32_t i = 0; i < flat->object_count; i++)
+    for (uint32_t i = 0; !status && i < scene->shape_count && !asker_stops(asker, 1); i++)
+        add_object(flat, scene, i, room, asker);
+    if (!asker_stops(asker, 0))
+        (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room, asker);
+    for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++)
         flat->objects[i].closed = closes(flat, &flat->objects[i]);
-    for (uint32_t f = 0; !status && f < flat->face_count; f++)
+    for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, 1); f++)
         status = make_plane(flat, f);
-    return status;
+    return asker->stopped ? TIA_STOPPED : status;
 }
 
 const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face)

@@ -50,9 +50,10 @@ uint64_t tia_flat_face_count(const struct tia_scene *scene);
 size_t tia_flat_size(const struct tia_scene *scene);
 
 /* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t.
- * TIA_ERR_RANGE when a point is too far away for the rasteriser: 2^20 in the units of raster.h. */
+ * TIA_ERR_RANGE when a point is too far away for the rasteriser: 2^20 in the units of raster.h; TIA_STOPPED when the
+ * asker is stopped. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
-                  unsigned height);
+                  unsigned height, struct asker *asker);
 
 /* A face's corners; returns how many. */
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,

@@ -42,6 +42,7 @@ static int prepare(struct tia_view *view)
 {
     struct raster_view *raster = raster_of(view);
     char *own = (char *)raster;
+    struct asker asker = view_asker(view);
     int status = ray_prepare(view);
 
     raster->first_bit = (uint8_t *)own + ALIGN(sizeof *raster);
@@ -49,10 +50,10 @@ static int prepare(struct tia_view *view)
     raster->shadow.sample_count = 0;
     if (!status)
         status = tia_flat_init(&raster->shadow.flat, own + own_size(view->scene, view->light_capacity),
-                               tia_flat_size(view->scene), view->scene, (unsigned)view->width, (unsigned)view->height);
+                               tia_flat_size(view->scene), view->scene, (unsigned)view->width, (unsigned)view->height,
+                               &asker);
     if (status)
         return status;
-    struct asker asker = view_asker(view);
     raster->shadow.scene = view->scene;
     return tia_shadow_technique(view->scene->shadows)->prepare(&raster->shadow, &asker);
 }
