@@ -33,6 +33,7 @@ int main(void)
 #define ACROSS 16
 #define Q(x) ((tia_q16)((x)*65536 + ((x) > 0) - 0.5))
 
+static struct asker nobody;
 static struct tia_vec3 ring_points[AROUND * ACROSS];
 static struct tia_face ring_faces[2 * AROUND * ACROSS];
 static const struct tia_mesh ring = {
@@ -179,12 +180,12 @@ static void draw_exactly(struct view *v, const struct tia_scene *scene, struct p
 
     v->memory = malloc(size);
     CHECK_EQ(tia_scene_check(scene, NULL), TIA_OK);
-    CHECK_EQ(tia_flat_init(&v->flat, v->memory, size, scene, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(tia_flat_init(&v->flat, v->memory, size, scene, WIDTH, HEIGHT, &nobody), TIA_OK);
     tia_flat_light_at(&v->flat, &scene->lights[0], 0, &v->light);
     struct tia_raster_target t = target_of(v, &memory);
     drawn_count = 0;
-    CHECK_EQ(tia_shadow_faces(&t, &v->flat), TIA_OK);
-    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, &v->light), TIA_OK);
+    CHECK_EQ(tia_shadow_faces(&t, &v->flat, &nobody), TIA_OK);
+    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, &v->light, &nobody), TIA_OK);
     take_picture(v, &t, p);
     free(memory);
 }
