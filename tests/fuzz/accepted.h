@@ -311,10 +311,11 @@ static inline void flatten(struct made *m, const struct tia_fault *f)
     if (!strcmp(f->thing, "sphere"))
         m->scene.sphere_count = 0;
     else if (!strcmp(f->thing, "shape"))
-        *s = f->index % 2 ? (struct tia_shape){.kind = TIA_PLANE, .plane = {eye, {0, TIA_Q30_ONE, 1 << 20}}}
-                          : (struct tia_shape){.kind = TIA_BOX,
-                                               .box = {{moved(eye.x, -4 * TIA_Q16_ONE), moved(eye.y, -5 * TIA_Q16_ONE), eye.z},
-                                                       {moved(eye.x, 9 << 16), eye.y, moved(eye.z, 7 << 16)}}};
+        *s = f->index % 2
+                 ? (struct tia_shape){.kind = TIA_PLANE, .plane = {eye, {0, TIA_Q30_ONE, 1 << 20}}}
+                 : (struct tia_shape){.kind = TIA_BOX,
+                                      .box = {{moved(eye.x, -4 * TIA_Q16_ONE), moved(eye.y, -5 * TIA_Q16_ONE), eye.z},
+                                              {moved(eye.x, 9 << 16), eye.y, moved(eye.z, 7 << 16)}}};
     else if (!strcmp(f->thing, "material")) {
         m->materials[f->index].transmission = (struct tia_rgb){0, 0, 0};
         m->materials[f->index].opacity = 0;
