@@ -36,11 +36,11 @@ define board_compile
 $(call say,$(2),$< ($(1)))$($(1)_CC) $(3) -c -o $@ $<
 endef
 
-# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those
-# of the core in another arithmetic lie in a folder of its name.
+# A board's program, $(call image,board,name,sources,linker script,objects,core), and its objects: those
+# of the core in another arithmetic lie in a folder of its name. The core is that of spheres on a small board.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(or $(6),$(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC)))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
 	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
@@ -82,12 +82,18 @@ $(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0
 counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
 rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),$(if $(findstring f64,$(2)),1,2),3))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
+BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
+$(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)),,$(CORE_SRC))))
+$(BUILD)/boards/shadows: tests/boards/shadows.c $(LIBTIA)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
-IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf)
+IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \
+          $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf)
 COUNTED := $(foreach b,$(BOARDS_SMALL),$(patsubst %,$(BUILD)/boards/$(b)/count-%.elf,$(call counted_in,$(b))))
 
 $(BUILD)/boards/insn.so: tests/boards/insn.c
@@ -100,7 +106,7 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
 .PHONY: boards check-boards size-boards count
-boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(BUILD)/boards/example \
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(BUILD)/boards/example $(BUILD)/boards/shadows \
         $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
 check: boards
 check-boards: all boards
@@ -108,5 +114,5 @@ check-boards: all boards
 size: size-boards
 size-boards: boards
 	@$(call python,tests/boards/size.py $(BUILD))
-count: $(COUNTED) $(BUILD)/boards/insn.so $(SIMAVR)
+count: $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR)
 	@$(call python,tests/boards/count.py $(BUILD))

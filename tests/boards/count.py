@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import qemu
 
 PIXELS = 320 * 240
+SHADOW_PIXELS = 160 * 120
 BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'), ('atmega1284p', 'ATmega1284P'))
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
@@ -50,6 +51,28 @@ def count(board, image, plugin, text=None):
     addresses = {int(line[1], 16): int(line[2]) for line in lines if line[0] == 'at'}
     cycles = sum(int(line[2]) for line in lines if line[0] == 'passage' and len(line) == 3)
     return sum(passages[:each]), relit, said[1::2], addresses, cycles
+
+
+def shadows(build, board='mps2-an385'):
+    """A row for each technique: instructions a pixel, bytes of the view and of a tile's hits."""
+    image = '%s/boards/%s/shadows.elf' % (build, board)
+    at = {name: address for address, name in reversed(symbols(board, image))}    # the program's own come first
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
+                        '-d', 'plugin', '-D', log.name)
+        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    lines = [line.split() for line in said.splitlines() if line]
+    if len(lines) != len(passages):
+        raise qemu.Failed('%s: %s, %d passages' % (image, said, len(passages)))
+    return [(name, instructions / SHADOW_PIXELS, view, hits) for (name, _, view, hits), instructions in zip(lines, passages)]
+
+
+def shadow_table(build):
+    if qemu.missing('mps2-an385'):
+        return
+    print('\n| shadows, Cortex-M3 | instructions a pixel | view, bytes | hits of a tile, bytes |\n|---|--:|--:|--:|')
+    for row in shadows(build):
+        print('| %s | %.0f | %s | %s |' % row)
 
 
 def image_of(build, board, arithmetic):
@@ -110,6 +133,7 @@ def main(arguments):
         profile(build, board)
     else:
         table(build)
+        shadow_table(build)
 
 
 if __name__ == '__main__':
