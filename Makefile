@@ -222,8 +222,8 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
-$(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(BUILD)/tests/gl/raster.o)
-$(BUILD)/tests/test_gl_shadows: LDFLAGS += -Wl,--wrap=tia_draw_polygon
+$(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/raster.c))
+$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BUILD)/bench: LDFLAGS += -Wl,--wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
@@ -303,8 +303,9 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c)) $(if $(GL),bench/gl/raster.c)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
 	$(link)
+$(call obj,host,bench/shadow_scene.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
 bench: $(BUILD)/bench
 	@$(BUILD)/bench
 

@@ -10,6 +10,7 @@
 #include "plain.h"
 #include "raster.h"
 #include "rays.h"
+#include "shadows.h"
 
 #define ROUNDS 15
 
@@ -91,11 +92,16 @@ int main(int argc, char **argv)
         bench_raster();
         return 0;
     }
+    if (argc > 1 && strcmp(argv[1], "shadows") == 0) {
+        bench_shadows();
+        return 0;
+    }
     printf("| size | full, ms | relit, ms | plain float, ms | float/full | float/relit |\n");
     printf("|---|---|---|---|---|---|\n");
     measure(640, 480);
     measure(1920, 1080);
     bench_rays();
     bench_raster();
+    bench_shadows();
     return 0;
 }

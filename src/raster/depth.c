@@ -23,11 +23,16 @@ static bool is_clamped(const struct depth_scale *d, int64_t cut)
     return cut < 0 || cut > d->most;
 }
 
+static int64_t unclamped(const struct depth_scale *d, int64_t cut)
+{
+    return wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift);
+}
+
 static int64_t scaled(const struct depth_scale *d, int64_t cut)
 {
     if (is_clamped(d, cut))
         return cut < 0 ? 0 : DEPTH_MOST;
-    return wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift);
+    return unclamped(d, cut);
 }
 
 /* Where a run has two pixels, neither clamped, the step is less than `most`; elsewhere it is not used. */
@@ -39,6 +44,17 @@ static int64_t step_of(const struct polygon *p)
     if (is_clamped(&p->depth, cut))
         return 0;
     return wide_is_negative(x) ? -scaled(&p->depth, cut) : scaled(&p->depth, cut);
+}
+
+#define LOW 8 /* rows */
+
+/* Linear, it is least and greatest at corners. */
+static bool is_steady(const struct polygon *p)
+{
+    const struct depth_scale *d = &p->depth;
+
+    return p->y1 - p->y0 > LOW && !is_clamped(d, cut_at(p, p->x0, p->y0)) && !is_clamped(d, cut_at(p, p->x1, p->y0)) &&
+           !is_clamped(d, cut_at(p, p->x0, p->y1)) && !is_clamped(d, cut_at(p, p->x1, p->y1));
 }
 
 /* With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal 2^(scale - 62 - bits). */
@@ -59,6 +75,7 @@ void tia_depth_scale_init(struct polygon *p, int scale)
     else
         d->most = (int64_t)(top >> (64 - bits) << (62 - scale));
     d->step = step_of(p);
+    d->steady = is_steady(p);
 }
 
 int64_t tia_depth_at(const struct polygon *p, int x, int y)
@@ -68,7 +85,12 @@ int64_t tia_depth_at(const struct polygon *p, int x, int y)
 
 struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1)
 {
-    int64_t first = cut_at(p, x0, y), last = x1 - x0 > 1 ? cut_at(p, x1 - 1, y) : first;
+    const struct depth_scale *d = &p->depth;
+    int64_t first = cut_at(p, x0, y);
+
+    if (d->steady)
+        return (struct depth_run){(uint64_t)unclamped(d, first), (uint64_t)d->step, true};
+    int64_t last = x1 - x0 > 1 ? cut_at(p, x1 - 1, y) : first;
     bool steady = !is_clamped(&p->depth, first) && !is_clamped(&p->depth, last);
 
     return (struct depth_run){(uint64_t)scaled(&p->depth, first), (uint64_t)p->depth.step, steady};

@@ -19,22 +19,26 @@ static inline bool passes(enum tia_compare test, int order)
     return (unsigned)test >> (order + 1) & 1;
 }
 
-/* 1 where the polygon, with nearness z at the pixel, is nearer than what is there, -1 farther, 0 equal. Asked where z
- * alone does not tell. */
-static int exact_order(const struct job *job, int x, int y, size_t at)
+/* The order of two planes; ties as the state says. */
+static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
 {
     struct tia_raster_target *t = job->target;
-    uint32_t there = t->face[at];
 
-    if (there == TIA_NO_FACE)
-        return 1;
-    if (there == job->face)
-        return 0;
     t->exact++;
     int order = tia_depth_order(job->polygon, &t->planes[there], x, y);
     if (!order && job->state->ties_by_face)
         return job->face < there ? 1 : -1;
     return order;
+}
+
+/* 1 where the polygon is nearer than what is there, -1 farther, 0 equal. Asked where nearness alone does not tell. */
+static inline int exact_order(const struct job *job, int x, int y, size_t at)
+{
+    uint32_t there = job->target->face[at];
+
+    if (there == TIA_NO_FACE)
+        return 1;
+    return there == job->face ? 0 : order_of_planes(job, x, y, there);
 }
 
 static inline int order_at(const struct job *job, int64_t z, int x, int y, size_t at)
@@ -156,60 +160,88 @@ static void nearest_run(void *ctx, int y, int x0, int x1)
     const struct job *job = ctx;
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
     size_t at = place_of(job->target, x0, y);
-    uint64_t *there = job->target->nearness;
+    uint64_t *there = job->target->nearness, z = run.z, step = run.step;
+    uint32_t *faces = job->target->face, face = job->face;
 
     if (!run.steady) {
         for (int x = x0; x < x1; x++, at++) {
-            int64_t z = tia_depth_at(job->polygon, x, y);
-            if (order_at(job, z, x, y, at) > 0)
-                put_depth(job, z, at);
+            int64_t at_pixel = tia_depth_at(job->polygon, x, y);
+            if (order_at(job, at_pixel, x, y, at) > 0)
+                put_depth(job, at_pixel, at);
         }
         return;
     }
-    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
-        int64_t difference = (int64_t)(run.z - there[at]);
-        if (is_unsure(difference)) {
-            if (exact_order(job, x, y, at) > 0)
-                put_depth(job, (int64_t)run.z, at);
-        } else if (difference > 0) {
-            there[at] = run.z;
-            job->target->face[at] = job->face;
-        }
+    for (int x = x0; x < x1; x++, at++, z += step) {
+        int64_t difference = (int64_t)(z - there[at]);
+        if (difference < -DEPTH_UNSURE || (difference <= DEPTH_UNSURE && exact_order(job, x, y, at) <= 0))
+            continue;
+        there[at] = (int64_t)z < 0 ? 0 : z; /* a step's error may lead below infinity */
+        faces[at] = face;
     }
 }
 
-static inline void count_one(struct tia_raster_target *t, size_t at, bool up)
+/* Pixels that are counted: where the polygon is nearer, or where it is not. */
+struct counting {
+    const struct job *job;
+    uint64_t flip;   /* all bits: where it is nearer */
+    uint32_t step;   /* 1 or -1 */
+    uint32_t *count; /* or the stencil buffer, when this is NULL */
+    uint8_t *stencil;
+};
+
+static inline void count_one(const struct counting *c, size_t at, uint32_t step)
 {
-    if (t->count)
-        t->count[at] += up ? 1 : UINT32_MAX;
+    if (c->count)
+        c->count[at] += step;
     else
-        t->stencil[at] = (uint8_t)(t->stencil[at] + (up ? 1 : 255));
+        c->stencil[at] = (uint8_t)(c->stencil[at] + step);
 }
 
-/* Counts where the polygon is nearer, or where it is not: what shadow volumes do all the time. */
+/* The difference's sign bit tells, the other way round when nearer ones count. What is not written to is in no
+ * structure here, since a byte that is written may be any. */
+static void count_steady(const struct counting *c, struct depth_run run, int y, int x0, int x1)
+{
+    size_t at = place_of(c->job->target, x0, y);
+    const uint64_t *there = c->job->target->nearness;
+    uint64_t flip = c->flip, z = run.z, step = run.step;
+    uint32_t one = c->step, *count = c->count;
+
+    for (int x = x0; x < x1; x++, at++, z += step) {
+        uint64_t difference = z - there[at];
+        if (is_unsure((int64_t)difference))
+            difference = exact_order(c->job, x, y, at) > 0 ? 1 : UINT64_MAX;
+        count[at] += (uint32_t)((int64_t)(difference ^ flip) >> 63) & one;
+    }
+}
+
+static void count_run(const struct counting *c, int y, int x0, int x1)
+{
+    const struct job *job = c->job;
+    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+    size_t at = place_of(job->target, x0, y);
+
+    if (run.steady && c->count) {
+        count_steady(c, run, y, x0, x1);
+        return;
+    }
+    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
+        int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
+        if ((order_at(job, z, x, y, at) > 0) == (c->flip != 0))
+            count_one(c, at, c->step);
+    }
+}
+
+/* What shadow volumes do all the time. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
     const struct tia_stencil *s = stencil_of(job);
-    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
-    size_t at = place_of(job->target, x0, y);
     bool nearer = s->zfail == TIA_KEEP;
-    bool up = (nearer ? s->zpass : s->zfail) == TIA_INCR_WRAP;
+    struct counting c = {job, nearer ? UINT64_MAX : 0, 1, job->target->count, job->target->stencil};
 
-    if (!run.steady) {
-        for (int x = x0; x < x1; x++, at++)
-            if ((order_at(job, tia_depth_at(job->polygon, x, y), x, y, at) > 0) == nearer)
-                count_one(job->target, at, up);
-        return;
-    }
-    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
-        int64_t difference = (int64_t)(run.z - job->target->nearness[at]);
-        bool is_nearer = difference > 0;
-        if (is_unsure(difference))
-            is_nearer = exact_order(job, x, y, at) > 0;
-        if (is_nearer == nearer)
-            count_one(job->target, at, up);
-    }
+    if ((nearer ? s->zpass : s->zfail) == TIA_DECR_WRAP)
+        c.step = UINT32_MAX;
+    count_run(&c, y, x0, x1);
 }
 
 static bool counts(enum tia_stencil_op op)

@@ -13,6 +13,7 @@ struct depth_scale {
     unsigned cut, shift;
     int64_t most; /* f / 2^cut from where nearness is clamped to 2^62 */
     int64_t step; /* from a pixel to the next one on the right, within 2 */
+    bool steady;  /* nowhere in the polygon's box is it clamped; or, if the box is low, this was not looked at */
 };
 
 /* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel

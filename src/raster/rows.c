@@ -82,40 +82,66 @@ static void start(struct walkers *w, const struct polygon *p)
     }
 }
 
-/* The least integer above the walker's value; or, when x is that value, x. False where it is x or the next one. */
-static inline bool next_above(int64_t at, int64_t *x)
+/* Whether the least integer above the value is that above the exact one. Where it is not sure, that is the integer
+ * below the value or the one above. */
+static inline bool is_sure(int64_t at)
 {
-    *x = at >> FIXED;
-    if ((at & ((INT64_C(1) << FIXED) - 1)) <= 2 * UNSURE)
-        return false;
-    ++*x;
-    return true;
+    return (at & ((INT64_C(1) << FIXED) - 1)) > 2 * UNSURE;
 }
 
-static void step_left(struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
+static void ask_left(const struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     for (unsigned i = 0; i < w->lefts; i++) {
-        struct walker *walker = &w->left[i];
-        int64_t x;
-        if (!next_above(walker->at, &x) && x >= *x0 && x < x1)
-            x += !polygon_edge_covers(p, walker->edge, (int)x, y);
-        walker->at += walker->step;
+        int64_t x = (w->left[i].at >> FIXED) + is_sure(w->left[i].at);
+        if (!is_sure(w->left[i].at) && x >= *x0 && x < x1)
+            x += !polygon_edge_covers(p, w->left[i].edge, (int)x, y);
         if (x > *x0)
             *x0 = x < x1 ? (int)x : x1;
     }
 }
 
-static void step_right(struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
+static void ask_right(const struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     for (unsigned i = 0; i < w->rights; i++) {
-        struct walker *walker = &w->right[i];
-        int64_t x;
-        if (!next_above(walker->at, &x) && x >= x0 && x < *x1)
-            x += polygon_edge_covers(p, walker->edge, (int)x, y);
-        walker->at += walker->step;
+        int64_t x = (w->right[i].at >> FIXED) + is_sure(w->right[i].at);
+        if (!is_sure(w->right[i].at) && x >= x0 && x < *x1)
+            x += polygon_edge_covers(p, w->right[i].edge, (int)x, y);
         if (x < *x1)
             *x1 = x > x0 ? (int)x : x0;
     }
+}
+
+/* Where the greatest value of the left side is sure, no other leads farther to the right: not sure of the same
+ * integers, it still is at most the one above. */
+static inline void step_left(struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
+{
+    int64_t most = INT64_MIN;
+
+    for (unsigned i = 0; i < w->lefts; i++)
+        most = w->left[i].at > most ? w->left[i].at : most;
+    int64_t x = (most >> FIXED) + 1;
+    if (w->lefts && !is_sure(most))
+        ask_left(w, p, y, x0, x1);
+    else if (x > *x0)
+        *x0 = x < x1 ? (int)x : x1;
+    for (unsigned i = 0; i < w->lefts; i++)
+        w->left[i].at += w->left[i].step;
+}
+
+/* Where the least value of the right side is sure, another that is not is greater, so above the next integer. */
+static inline void step_right(struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
+{
+    int64_t least = INT64_MAX;
+
+    for (unsigned i = 0; i < w->rights; i++)
+        least = w->right[i].at < least ? w->right[i].at : least;
+    int64_t x = (least >> FIXED) + 1;
+    if (w->rights && !is_sure(least))
+        ask_right(w, p, y, x0, x1);
+    else if (x < *x1)
+        *x1 = x > x0 ? (int)x : x0;
+    for (unsigned i = 0; i < w->rights; i++)
+        w->right[i].at += w->right[i].step;
 }
 
 /* Cuts the run to what the edge covers: all, nothing, its left or its right part. */

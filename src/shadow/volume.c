@@ -71,6 +71,17 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 
 /* ---- who casts ---- */
 
+/* The half-space before a plane holds all that is seen. In orthographic views rays start at the window, which the plane
+ * may cross. */
+bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
+                            const tia_flat_light *light)
+{
+    const struct tia_flat_face *face = &flat->faces[object->first_face];
+
+    return object->kind == TIA_PLANE && flat->eye.projection != TIA_ORTHOGRAPHIC &&
+           tia_flat_side(flat, face, light) * tia_flat_side_of_eye(flat, face) > 0;
+}
+
 /* A face as it casts: its corners run counterclockwise seen from the light. */
 struct caster {
     const struct tia_flat_face *face;
@@ -137,6 +148,8 @@ static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_lig
     for (uint32_t i = 0; i < flat->object_count; i++) {
         const struct tia_flat_object *object = &flat->objects[i];
         bool closed = has_silhouette(flat, object, light);
+        if (tia_flat_hides_nothing(flat, object, light))
+            continue;
         for (uint32_t n = 0; !status && n < object->face_count; n++) {
             struct caster c;
             if (asker_stops(asker, work))

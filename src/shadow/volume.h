@@ -21,6 +21,11 @@ int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_fla
 /* Whether the side of a face that is seen is turned to the light. */
 bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light);
 
+/* Whether no way from a point that is seen to the light leads through the object: it is a plane, with the eye and the
+ * light on the same side. */
+bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
+                            const tia_flat_light *light);
+
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
  * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither
  * z-pass nor, in orthographic views, z-fail can tell. Once the asker is stopped, they mean nothing. */

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "check.h"
+#include "gl/raster.h"
 #include "ports.h"
-#include "raster.h"
 
 /* NULL: the case is skipped, for the driver is not there. */
 static inline struct gl_raster *gl_opened(const char *driver, unsigned width, unsigned height)

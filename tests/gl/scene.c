@@ -13,7 +13,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "functions.h"
+#include "gl/functions.h"
 
 #define FUNCTIONS(F)                                                                                                   \
     F(void, AttachShader, (GLuint, GLuint))                                                                            \

@@ -29,6 +29,7 @@
     F(void, FrontFace, (GLenum))                                                                                       \
     F(void, GenFramebuffers, (GLsizei, GLuint *))                                                                      \
     F(void, GenRenderbuffers, (GLsizei, GLuint *))                                                                     \
+    F(void, Finish, (void))                                                                                            \
     F(GLenum, GetError, (void))                                                                                        \
     F(const GLubyte *, GetString, (GLenum))                                                                            \
     F(void, PixelStorei, (GLenum, GLint))                                                                              \
@@ -174,6 +175,11 @@ void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, c
     for (unsigned i = 0; i < count; i++)
         gl.Vertex4d(corners[i][0], -corners[i][1], corners[i][2], corners[i][3]);
     gl.End();
+}
+
+void gl_raster_finish(void)
+{
+    gl.Finish();
 }
 
 bool gl_raster_read(struct gl_raster *r, uint32_t *face, uint8_t *stencil)

@@ -1,6 +1,6 @@
 /* raster.h - polygons drawn by OpenGL with the states of <tia/raster.h>, for comparison. */
-#ifndef TESTS_GL_RASTER_H
-#define TESTS_GL_RASTER_H
+#ifndef BENCH_GL_RASTER_H
+#define BENCH_GL_RASTER_H
 
 #include <tia/raster.h>
 
@@ -20,6 +20,9 @@ void gl_raster_clear(struct gl_raster *r, uint8_t stencil);
 /* A convex polygon in clip coordinates x, y, z, w. What passes all tests has this face, if the state writes red. */
 void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
                     unsigned count, uint32_t face);
+
+/* Waits until all is drawn. */
+void gl_raster_finish(void);
 
 /* TIA_NO_FACE where nothing is; rows from the top. False on an error of GL since the last call. */
 bool gl_raster_read(struct gl_raster *r, uint32_t *face, uint8_t *stencil);

@@ -1,6 +1,6 @@
-/* functions.h - the functions of GL that a test calls. */
-#ifndef TESTS_GL_FUNCTIONS_H
-#define TESTS_GL_FUNCTIONS_H
+/* functions.h - the functions of GL that a program calls. */
+#ifndef BENCH_GL_FUNCTIONS_H
+#define BENCH_GL_FUNCTIONS_H
 
 #include <stdio.h>
 #include <string.h>

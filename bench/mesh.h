@@ -1,0 +1,25 @@
+/* mesh.h - what the benchmarks of the rasteriser draw: a ball, a box and a ring on a ground. */
+#ifndef BENCH_MESH_H
+#define BENCH_MESH_H
+
+#include <stdint.h>
+
+struct point {
+    double x, y, z;
+};
+
+#define MESH_LEVELS 6
+#define MESH_FACES_MAX 100000
+#define MESH_SOLIDS 3
+
+/* Two faces of the ground, then solids; solid i has the faces first[i]..first[i + 1] - 1. Faces run counterclockwise.
+ */
+struct mesh {
+    struct point (*corner)[3];
+    uint32_t count, first[MESH_SOLIDS + 1];
+};
+
+/* 98, 350, 1358, 5390, 21518 or 86030 faces, into corners for MESH_FACES_MAX. */
+void bench_mesh(struct mesh *m, int level);
+
+#endif

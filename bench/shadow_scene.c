@@ -1,0 +1,110 @@
+#include "shadow_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define Q(x) ((tia_q16)lrint((x)*65536))
+
+void shadow_must(bool fine)
+{
+    if (!fine) {
+        (void)fprintf(stderr, "bench: the scene with shadows failed\n");
+        exit(1);
+    }
+}
+
+void shadow_scene_init(struct shadow_scene *s)
+{
+    *s = (struct shadow_scene){.mesh.corner = malloc(sizeof *s->mesh.corner * MESH_FACES_MAX),
+                               .points = malloc(sizeof *s->points * 3 * MESH_FACES_MAX),
+                               .faces = malloc(sizeof *s->faces * MESH_FACES_MAX)};
+    shadow_must(s->mesh.corner && s->points && s->faces);
+}
+
+void shadow_scene_free(struct shadow_scene *s)
+{
+    free(s->mesh.corner);
+    free(s->points);
+    free(s->faces);
+}
+
+static const struct tia_material white = {.colour = {65536, 65536, 65536}};
+static const struct tia_light lamp = {.centre = {3 * 65536, 7 * 65536, 4 * 65536}, .emission = {65536, 65536, 65536}};
+
+static void make_solid(struct shadow_scene *s, int i)
+{
+    uint32_t first = s->mesh.first[i], count = s->mesh.first[i + 1] - first;
+
+    s->solids[i] = (struct tia_mesh){
+        .vertices = &s->points[3 * first], .faces = &s->faces[first], .vertex_count = 3 * count, .face_count = count};
+    for (uint32_t f = 0; f < count; f++)
+        for (uint32_t k = 0; k < 3; k++)
+            s->faces[first + f].corner[k] = (struct tia_corner){3 * f + k, TIA_NO_INDEX, TIA_NO_INDEX};
+    s->shapes[i] = (struct tia_shape){TIA_MESH, .mesh = (uint32_t)i};
+}
+
+void shadow_scene_make(struct shadow_scene *s, int level)
+{
+    bench_mesh(&s->mesh, level);
+    for (uint32_t i = 0; i < 3 * s->mesh.count; i++) {
+        const struct point *p = &s->mesh.corner[i / 3][i % 3];
+        s->points[i] = (struct tia_vec3){Q(p->x), Q(p->y), Q(p->z)};
+    }
+    s->shapes[MESH_SOLIDS] = (struct tia_shape){TIA_PLANE, .plane = {.normal = {0, INT32_C(1) << 30, 0}}};
+    for (int i = 0; i < MESH_SOLIDS; i++)
+        make_solid(s, i);
+    s->scene = (struct tia_scene){.camera = {.eye = {Q(0.5), Q(4.2), Q(9)},
+                                             .reference = {Q(0.2), Q(0.9), Q(0.3)},
+                                             .up = {0, Q(1), 0},
+                                             .fov = Q(45)},
+                                  .materials = &white,
+                                  .material_count = 1,
+                                  .lights = &lamp,
+                                  .light_count = 1,
+                                  .shapes = s->shapes,
+                                  .shape_count = MESH_SOLIDS + 1,
+                                  .meshes = s->solids,
+                                  .mesh_count = MESH_SOLIDS,
+                                  .shadows = TIA_SHADOWS_ZFAIL};
+    shadow_must(tia_scene_check(&s->scene, NULL) == TIA_OK);
+}
+
+void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, uint16_t width, uint16_t height)
+{
+    const struct tia_tile all = {0, 0, width, height};
+    const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT;
+    struct asker nobody = {NULL, NULL, 0, false};
+    size_t size = tia_flat_size(&s->scene);
+
+    p->memory[0] = malloc(size);
+    shadow_must(p->memory[0] && !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, width, height, &nobody));
+    tia_flat_light_at(&p->flat, &lamp, 0, &p->light);
+    size = tia_raster_size(all, buffers, p->flat.face_count);
+    p->memory[1] = malloc(size);
+    shadow_must(p->memory[1] &&
+                !tia_raster_init(&p->target, p->memory[1], size, &p->flat.lattice, all, buffers, p->flat.face_count));
+    p->target.planes = p->flat.planes;
+    p->target.planes_known = true;
+}
+
+void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)
+{
+    struct tia_raster_target target = p->target;
+    struct asker nobody = {NULL, NULL, 0, false};
+
+    if (pass == SHADOW_DEPTH) {
+        target.count = NULL;
+        tia_clear_depth(&target);
+        shadow_must(!tia_shadow_faces(&target, &p->flat, &nobody));
+        return;
+    }
+    tia_clear_count(&target, 0);
+    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(&target, &p->flat, &p->light, &nobody));
+}
+
+void shadow_passes_free(struct shadow_passes *p)
+{
+    free(p->memory[0]);
+    free(p->memory[1]);
+}

@@ -1,0 +1,39 @@
+/* shadow_scene.h - the meshes of mesh.h above a plane, as a scene with shadows. */
+#ifndef BENCH_SHADOW_SCENE_H
+#define BENCH_SHADOW_SCENE_H
+
+#include "mesh.h"
+#include "shadow/volume.h"
+
+struct shadow_scene {
+    struct mesh mesh;
+    struct tia_vec3 *points;
+    struct tia_face *faces;
+    struct tia_mesh solids[MESH_SOLIDS];
+    struct tia_shape shapes[MESH_SOLIDS + 1];
+    struct tia_scene scene;
+};
+
+/* Ends the program when something is not fine. */
+void shadow_must(bool fine);
+
+/* Memory for all levels; then a scene of one, MESH_LEVELS in all. */
+void shadow_scene_init(struct shadow_scene *s);
+void shadow_scene_make(struct shadow_scene *s, int level);
+void shadow_scene_free(struct shadow_scene *s);
+
+/* Its passes in one image. Depths without the counts, counts for the scene's light. */
+struct shadow_passes {
+    struct tia_flat_scene flat;
+    tia_flat_light light;
+    struct tia_raster_target target;
+    void *memory[2];
+};
+
+enum shadow_pass { SHADOW_DEPTH, SHADOW_ZFAIL, SHADOW_ZPASS, SHADOW_PASSES };
+
+void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, uint16_t width, uint16_t height);
+void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass);
+void shadow_passes_free(struct shadow_passes *p);
+
+#endif
