@@ -223,7 +223,7 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/raster.c))
-$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BUILD)/bench: LDFLAGS += -Wl,--wrap=tia_draw_polygon)
+$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BUILD)/bench: LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)

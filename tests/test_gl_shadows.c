@@ -175,7 +175,6 @@ static struct tia_raster_target target_of(const struct view *v, void **memory)
 /* By tia; keeps the polygons. */
 static void draw_exactly(struct view *v, const struct tia_scene *scene, struct picture *p)
 {
-    struct asker nobody = {NULL, NULL, 0, false};
     size_t size = tia_flat_size(scene);
     void *memory;
 
