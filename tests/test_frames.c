@@ -8,7 +8,7 @@
 static struct {
     char name[80];
     unsigned long crc;
-} pinned[64];
+} pinned[128];
 static size_t pinned_count, frame_count;
 
 static void read_pinned(void)
