@@ -12,8 +12,8 @@
  * The ray renderer draws all other scenes.
  *
  * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
- * digits: what is 1 long in the file is 2^scale_bits long here. Two things are still in the file's units, and the
- * renderer converts: the attenuation of lights and the surface coordinates of planes.
+ * digits: what is 1 long in the file is 2^scale_bits long here. Three things are still in the file's units, and the
+ * renderer converts: the attenuation of lights, the surface coordinates of planes and the bias of shadow maps.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -76,9 +76,10 @@ struct tia_scene {
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
     uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
     enum tia_shadows shadows; /* another technique than traced rays, see shadow.h */
-    uint32_t scale_bits;      /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
-    const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
-    const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    struct tia_shadow_map shadow_map; /* of TIA_SHADOWS_MAP; all zero: the defaults */
+    uint32_t scale_bits;              /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
+    const struct tia_fine *fine;      /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_bvh *bvh;        /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;

@@ -10,16 +10,76 @@
 #ifndef TIA_SHADOW_H
 #define TIA_SHADOW_H
 
+#include <tia/fixed.h>
+
 #define TIA_SHADOW_SAMPLES 64
 
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
     TIA_SHADOWS_RAYS,   /* rays from what is seen, exact: whether any face stands between that and the light */
     TIA_SHADOWS_ZPASS,  /* shadow volumes, counted before what is seen; where that cannot tell, as TIA_SHADOWS_ZFAIL */
-    TIA_SHADOWS_ZFAIL   /* shadow volumes, counted behind what is seen; where that cannot tell, as TIA_SHADOWS_ZPASS */
+    TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind what is seen; where that cannot tell, as TIA_SHADOWS_ZPASS */
+    TIA_SHADOWS_MAP,    /* shadow maps, see struct tia_shadow_map: not exact */
+    TIA_SHADOWS_MAP_EXACT /* a map whose samples are what the pixels see, without aliases: exact */
 };
 
-/* "traced", "rays", "zpass", "zfail"; NULL beyond the last. */
+/* "traced", "rays", "zpass", "zfail", "map", "map-exact"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
+
+/* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
+ * around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees one around the cone; other
+ * lights have six, the faces of a cube. Each sample of a rectangle has its own, 4 bytes a texel.
+ *
+ * A point is lit where the map has nothing nearer than its distance less a bias, against faces that shadow themselves.
+ * A texel is 2 w/size long at the distance w where the map shows 90 degrees. With the amount a the bias is
+ *
+ *     none       0
+ *     constant   a, in the file's units, see scene.h
+ *     slope      a texels times 1 + tan(t), t the angle between the light and the face's normal, the tangent at most 50
+ *     normal     none; the point is moved a texels along the normal, towards the light
+ *     plane      a texels; and the distance is that of the face's plane where the tap's texel has its centre
+ *
+ * Filters take several texels, taps, and the point is lit to the part of them that are: the texel itself; the four
+ * around the point, weighted bilinearly; n x n; 16 in a disc of radius 3, which turns from pixel to pixel. PCSS
+ * (Fernando 2005) searches the texels that the light's disc can see for what is nearer, and takes those that the
+ * penumbra then covers, 2 x 2 at least. It takes area lights of all kinds as a disc of their area, and one sample that
+ * counts for all of theirs. */
+enum tia_bias {
+    TIA_BIAS_DEFAULT, /* TIA_BIAS_SLOPE, whose amount is TIA_SHADOW_AMOUNT */
+    TIA_BIAS_NONE,
+    TIA_BIAS_CONSTANT,
+    TIA_BIAS_SLOPE,
+    TIA_BIAS_NORMAL,
+    TIA_BIAS_PLANE
+};
+
+enum tia_filter {
+    TIA_FILTER_DEFAULT, /* TIA_FILTER_3X3 */
+    TIA_FILTER_NONE,
+    TIA_FILTER_BILINEAR,
+    TIA_FILTER_3X3,
+    TIA_FILTER_5X5,
+    TIA_FILTER_7X7,
+    TIA_FILTER_POISSON,
+    TIA_FILTER_PCSS
+};
+
+#define TIA_MAP_SIZE 1024 /* the default */
+#define TIA_MAP_SIZE_MIN 64
+#define TIA_MAP_SIZE_MAX 4096
+#define TIA_SHADOW_AMOUNT TIA_Q16(2)
+#define TIA_SPOT_MAP 60
+
+struct tia_shadow_map {
+    uint16_t size; /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE */
+    enum tia_bias bias;
+    tia_q16 amount; /* at least 0 */
+    enum tia_filter filter;
+};
+
+/* "none", "constant", "slope", "normal", "plane" for TIA_BIAS_NONE and what follows; and "none", "bilinear", "3x3",
+ * "5x5", "7x7", "poisson", "pcss" for TIA_FILTER_NONE and what follows. NULL for others. */
+const char *tia_bias_name(unsigned bias);
+const char *tia_filter_name(unsigned filter);
 
 #endif

@@ -32,31 +32,33 @@ static void include_corner(struct reach *r, const struct tia_lattice *l, const s
     r->y1 = y > r->y1 ? y : r->y1;
 }
 
-static void narrow_to(int *low, int *high, int32_t from, int32_t to)
+static void narrow_to(int *low, int *high, int32_t from, int32_t to, int more)
 {
-    int first = (int)((from - MARGIN + 65535) >> 16), end = (int)((to + MARGIN) >> 16) + 1;
+    int first = (int)((from - MARGIN + 65535) >> 16) - more, end = (int)((to + MARGIN) >> 16) + 1 + more;
 
     *low = first > *low ? first : *low;
     *high = end < *high ? end : *high;
 }
 
 /* All on one outer side of the image, or none before the eye: sums of such are such, so nothing is seen. */
-static bool is_outside(const struct tia_raster_vertex *v, unsigned count)
+static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const struct tia_lattice *l, int64_t more)
 {
+    int64_t width = l->width, height = l->height, sides = 2 * more;
     unsigned left = 0, right = 0, above = 0, below = 0, behind = 0;
 
     for (unsigned i = 0; i < count; i++) {
-        left += v[i].x < -v[i].w;
-        right += v[i].x > v[i].w;
-        above += v[i].y > v[i].w;
-        below += v[i].y < -v[i].w;
+        int64_t x = v[i].x * width, w = v[i].w * (width + sides), y = v[i].y * height, h = v[i].w * (height + sides);
+        left += x < -w;
+        right += x > w;
+        above += y > h;
+        below += y < -h;
         behind += v[i].w <= 0;
     }
     return left == count || right == count || above == count || below == count || behind == count;
 }
 
 bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
-                     const struct tia_raster_vertex *corners, unsigned count)
+                     const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
     struct reach r = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     bool behind = false;
@@ -65,7 +67,7 @@ bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struc
     p->x1 = (int)(area.x + area.width);
     p->y0 = (int)area.y;
     p->y1 = (int)(area.y + area.height);
-    if (is_outside(corners, count))
+    if (is_outside(corners, count, lattice, more))
         return false;
     for (unsigned i = 0; i < count; i++)
         behind |= corners[i].w <= 0;
@@ -73,7 +75,7 @@ bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struc
         return true;
     for (unsigned i = 0; i < count; i++)
         include_corner(&r, lattice, &corners[i]);
-    narrow_to(&p->x0, &p->x1, r.x0, r.x1);
-    narrow_to(&p->y0, &p->y1, r.y0, r.y1);
+    narrow_to(&p->x0, &p->x1, r.x0, r.x1, (int)more);
+    narrow_to(&p->y0, &p->y1, r.y0, r.y1, (int)more);
     return p->x0 < p->x1 && p->y0 < p->y1;
 }

@@ -32,15 +32,16 @@ static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vert
     return most;
 }
 
-int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
-                     const struct tia_raster_vertex *corners, unsigned count)
+/* `more` pixels around it are looked at too, but its edges are as they are. */
+static int init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
     int64_t most = largest(lattice, corners, count), q[TIA_RASTER_CORNERS][3];
 
     p->count = 0;
     if (most < 0)
         return TIA_ERR_RANGE;
-    if (!tia_polygon_box(p, lattice, area, corners, count))
+    if (!tia_polygon_box(p, lattice, area, corners, count, more))
         return TIA_OK;
     for (unsigned i = 0; i < count; i++) {
         q[i][0] = corners[i].x;
@@ -51,9 +52,34 @@ int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struc
     p->narrow = most <= lattice->narrow;
     if (!(p->narrow ? narrow_set_up(p, lattice, q, corners) : wide_set_up(p, lattice, q, corners)))
         p->count = 0;
-    else
-        tia_depth_scale_init(p, lattice->scale);
     return TIA_OK;
+}
+
+int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                     const struct tia_raster_vertex *corners, unsigned count)
+{
+    int status = init(p, lattice, area, corners, count, 0);
+
+    if (!status && p->count)
+        tia_depth_scale_init(p, lattice->scale);
+    return status;
+}
+
+/* An edge is at most |x| + |y| less at a pixel beside. */
+int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                              const struct tia_raster_vertex *corners, unsigned count)
+{
+    int status = init(p, lattice, area, corners, count, 2);
+
+    for (unsigned i = 0; i < p->count; i++)
+        if (p->narrow) {
+            struct narrow_form *e = &p->of.narrow_forms.edge[i];
+            e->c += size_of(e->x) + size_of(e->y);
+        } else {
+            struct wide_form *e = &p->of.wide_forms.edge[i];
+            e->c = wide_sum(e->c, wide_sum(wide_size(e->x), wide_size(e->y)));
+        }
+    return status;
 }
 
 void tia_polygon_cut_ahead(struct polygon *p)

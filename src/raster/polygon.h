@@ -38,13 +38,18 @@ struct polygon {
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
+/* The same, of all pixels that are at most one beside a pixel whose square the polygon touches: without its depth. The
+ * corners may be directions. */
+int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+                              const struct tia_raster_vertex *corners, unsigned count);
+
 /* Leaves out the pixels where the polygon's h is above 0, as one more edge. */
 void tia_polygon_cut_ahead(struct polygon *p);
 
-/* The box of the pixels of `area` that the corners can cover; false when it is empty. A little too large rather than
- * too small. */
+/* The box of the pixels of `area` that the corners can cover, or that are up to `more` beside; false when it is empty.
+ * A little too large rather than too small. */
 bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
-                     const struct tia_raster_vertex *corners, unsigned count);
+                     const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 
 void tia_depth_scale_init(struct polygon *p, int scale);
 

@@ -54,8 +54,11 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
 
 static int check_lights(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    struct tia_scene alone = {
-        .camera = view->scene->camera, .lights = lights, .light_count = count, .shadows = view->scene->shadows};
+    struct tia_scene alone = {.camera = view->scene->camera,
+                              .lights = lights,
+                              .light_count = count,
+                              .shadows = view->scene->shadows,
+                              .shadow_map = view->scene->shadow_map};
     int status = check(&alone, view_asker(view));
 
     return !status && !view->renderer->draws(&alone) ? TIA_ERR_RANGE : status;

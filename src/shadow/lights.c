@@ -51,20 +51,10 @@ static void from_direction(const struct tia_flat_scene *flat, const int64_t give
     tia_eye_direction(&flat->eye, d, flat->bits, out);
 }
 
-void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
-                       tia_flat_light *out)
+static void from_point(const struct tia_flat_scene *flat, int64_t at[3], tia_flat_light *out)
 {
-    int64_t at[3] = {light->centre.x * (INT64_C(1) << 16), light->centre.y * (INT64_C(1) << 16),
-                     light->centre.z * (INT64_C(1) << 16)};
-    const int64_t back[3] = {-(int64_t)light->direction.x, -(int64_t)light->direction.y, -(int64_t)light->direction.z};
     int most = flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40;
 
-    if (light->kind == TIA_DIRECTIONAL_LIGHT) {
-        from_direction(flat, back, out);
-        return;
-    }
-    if (light->kind == TIA_RECTANGLE_LIGHT)
-        on_rectangle(light, i, at);
     if ((int)tia_eye_range(&flat->eye, at) <= most - flat->lattice.fraction) {
         tia_eye_point(&flat->eye, at, flat->lattice.fraction, out);
         return;
@@ -72,4 +62,37 @@ void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light
     for (int k = 0; k < 3; k++)
         at[k] -= flat->eye.origin[k];
     from_direction(flat, at, out);
+}
+
+static void centre(const struct tia_light *light, int64_t at[3])
+{
+    at[0] = light->centre.x * (INT64_C(1) << 16);
+    at[1] = light->centre.y * (INT64_C(1) << 16);
+    at[2] = light->centre.z * (INT64_C(1) << 16);
+}
+
+void tia_flat_light_centre(const struct tia_flat_scene *flat, const struct tia_light *light, tia_flat_light *out)
+{
+    const int64_t back[3] = {-(int64_t)light->direction.x, -(int64_t)light->direction.y, -(int64_t)light->direction.z};
+    int64_t at[3];
+
+    centre(light, at);
+    if (light->kind == TIA_DIRECTIONAL_LIGHT)
+        from_direction(flat, back, out);
+    else
+        from_point(flat, at, out);
+}
+
+void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
+                       tia_flat_light *out)
+{
+    int64_t at[3];
+
+    if (light->kind != TIA_RECTANGLE_LIGHT) {
+        tia_flat_light_centre(flat, light, out);
+        return;
+    }
+    centre(light, at);
+    on_rectangle(light, i, at);
+    from_point(flat, at, out);
 }

@@ -15,4 +15,7 @@ unsigned tia_flat_light_samples(const struct tia_light *light);
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
                        tia_flat_light *out);
 
+/* The centre of any light, or its direction. */
+void tia_flat_light_centre(const struct tia_flat_scene *flat, const struct tia_light *light, tia_flat_light *out);
+
 #endif

@@ -8,7 +8,20 @@ const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows techniq
     case TIA_SHADOWS_ZPASS:
     case TIA_SHADOWS_ZFAIL:
         return &tia_shadow_volumes;
+    case TIA_SHADOWS_MAP:
+        return &tia_shadow_maps;
+    case TIA_SHADOWS_MAP_EXACT:
+        return &tia_shadow_exact_maps;
     default:
         return NULL;
     }
+}
+
+unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_light *light)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    if (technique->is_whole && technique->is_whole(scene))
+        return light->kind != TIA_AMBIENT_LIGHT;
+    return tia_flat_light_samples(light);
 }

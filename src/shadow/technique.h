@@ -11,14 +11,21 @@ struct tia_shadow_view {
     struct tia_flat_scene flat;
     unsigned sample_count;
     tia_flat_light samples[TIA_SHADOW_SAMPLES];
-    void *own; /* the technique's, aligned for uint64_t */
+    const struct tia_light *lights[TIA_SHADOW_SAMPLES]; /* whose samples these are, while lights are set */
+    void *own;                                          /* the technique's, aligned for uint64_t */
 };
 
 /* What is kept of each pixel of a tile. */
 struct tia_shadow_tile {
     struct tia_raster_target target;
     uint64_t *lit; /* a bit for each sample; target.pitch pixels from one row to the next */
+    void *more;    /* the technique's own bytes of each pixel, as they are, or its shares */
 };
+
+/* A share is the part of a sample's light that arrives, TIA_SHARE_ALL being all of it. */
+typedef uint16_t tia_share;
+#define TIA_SHARE_BITS 15
+#define TIA_SHARE_ALL (1u << TIA_SHARE_BITS)
 
 struct tia_shadow_technique {
     /* Bytes behind view->own; then fills them in when the scene's faces are there, and whenever its samples have
@@ -27,19 +34,31 @@ struct tia_shadow_technique {
     int (*prepare)(struct tia_shadow_view *view, struct asker *asker);
     int (*set_lights)(struct tia_shadow_view *view, struct asker *asker);
 
-    /* Sets the bit of a sample where its light arrives; faces and depths are drawn, the bit is nowhere set. Once the
-     * asker has stopped it, bits mean nothing. */
+    /* Sets the bit of a sample where its light arrives; faces and depths are drawn, the bit is nowhere set. With
+     * shares, the pixel's share of the sample there as well. Once the asker has stopped it, bits mean nothing. */
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct asker *asker);
+
+    /* What most have not. How many shares a pixel has, at least a sample's each: 0 where bits are enough; and whether
+     * an area light has only one sample then, in its centre, whose share counts for all of its own. */
+    unsigned (*shares)(const struct tia_scene *scene);
+    bool (*is_whole)(const struct tia_scene *scene);
+    unsigned scratch; /* bytes of each pixel, a multiple of 4, if there are no shares */
 };
 
 /* NULL for TIA_SHADOWS_TRACED. */
 const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows technique);
 
+/* How many samples of its own a technique takes of a light. */
+unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_light *light);
+
 /* TIA_SHADOWS_RAYS. */
 extern const struct tia_shadow_technique tia_shadow_rays;
-
 /* TIA_SHADOWS_ZPASS and TIA_SHADOWS_ZFAIL. */
 extern const struct tia_shadow_technique tia_shadow_volumes;
+/* TIA_SHADOWS_MAP. */
+extern const struct tia_shadow_technique tia_shadow_maps;
+/* TIA_SHADOWS_MAP_EXACT. */
+extern const struct tia_shadow_technique tia_shadow_exact_maps;
 
 #endif

@@ -27,4 +27,5 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
     tia_shadow_rays_light(view, view->own, tile, sample, asker);
 }
 
-const struct tia_shadow_technique tia_shadow_rays = {own_size, prepare, set_lights, light};
+const struct tia_shadow_technique tia_shadow_rays = {
+    .own_size = own_size, .prepare = prepare, .set_lights = set_lights, .light = light};

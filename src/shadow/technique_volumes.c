@@ -93,4 +93,5 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
     keep_lit(view, tile, sample);
 }
 
-const struct tia_shadow_technique tia_shadow_volumes = {own_size, prepare, set_lights, light};
+const struct tia_shadow_technique tia_shadow_volumes = {
+    .own_size = own_size, .prepare = prepare, .set_lights = set_lights, .light = light};

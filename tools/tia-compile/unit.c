@@ -60,6 +60,17 @@ static void refer(struct unit *unit, const char *table, const char *count, uint3
     text_print(&unit->text, "\n");
 }
 
+static void write_shadows(struct unit *unit)
+{
+    const struct tia_shadow_map *map = &unit->scene->shadow_map;
+
+    field_unsigned(unit, "shadows", (uint32_t)unit->scene->shadows);
+    field_unsigned(unit, "shadow_map.size", map->size);
+    field_unsigned(unit, "shadow_map.bias", (uint32_t)map->bias);
+    field_number(unit, "shadow_map.amount", map->amount);
+    field_unsigned(unit, "shadow_map.filter", (uint32_t)map->filter);
+}
+
 static void write_scene(struct unit *unit)
 {
     const struct tia_scene *s = unit->scene;
@@ -69,6 +80,7 @@ static void write_scene(struct unit *unit)
     write_camera(unit);
     field_rgb(unit, "background", s->background);
     field_unsigned(unit, "depth", s->depth);
+    write_shadows(unit);
     field_unsigned(unit, "scale_bits", s->scale_bits);
     if (s->fine)
         text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);

@@ -21,6 +21,9 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"samples", required_argument, NULL, OPT_SAMPLES},
                                       {"depth", required_argument, NULL, OPT_DEPTH},
                                       {"shadows", required_argument, NULL, OPT_SHADOWS},
+                                      {"map-size", required_argument, NULL, OPT_MAP_SIZE},
+                                      {"bias", required_argument, NULL, OPT_BIAS},
+                                      {"filter", required_argument, NULL, OPT_FILTER},
                                       {"keys", required_argument, NULL, 'k'},
                                       {"input", required_argument, NULL, 'i'},
                                       {"frames", required_argument, NULL, 'n'},
@@ -113,16 +116,27 @@ static void warn(const struct scene_file *file)
         note("%s", line);
 }
 
-/* Says at once what of the scene the technique cannot draw. */
+/* Applies --shadows and its options, and says at once what of the scene the technique cannot draw. */
 static int load_shadows(struct options *options)
 {
-    unsigned technique = options->shadows - 1;
+    struct tia_shadow_map *map = &options->scene.shadow_map;
+    const struct tia_shadow_map *given = &options->map;
     struct tia_fault fault;
 
-    options->scene.shadows = (enum tia_shadows)technique;
+    if (options->shadows)
+        options->scene.shadows = (enum tia_shadows)(options->shadows - 1);
+    if (options->scene.shadows != TIA_SHADOWS_MAP && (given->size || given->bias || given->filter))
+        return fail(EXIT_USAGE, "--%s: only shadow maps have it (--shadows map)",
+                    given->size   ? "map-size"
+                    : given->bias ? "bias"
+                                  : "filter");
+    map->size = given->size ? given->size : map->size;
+    map->filter = given->filter ? given->filter : map->filter;
+    map->amount = given->bias ? given->amount : map->amount;
+    map->bias = given->bias ? given->bias : map->bias;
     if (!tia_scene_check(&options->scene, &fault))
         return EXIT_FINE;
-    return fail(EXIT_USAGE, "--shadows %s: %s %u: %s: %s", tia_shadows_name(technique), fault.thing,
+    return fail(EXIT_USAGE, "--shadows %s: %s %u: %s: %s", tia_shadows_name(options->scene.shadows), fault.thing,
                 (unsigned)fault.index, fault.field, fault.rule);
 }
 
@@ -139,7 +153,8 @@ int arguments_load(struct options *options)
         options->scene.camera.samples = options->samples;
     if (options->depth != 0)
         options->scene.depth = options->depth;
-    int status = options->shadows ? load_shadows(options) : EXIT_FINE;
+    bool given = options->shadows || options->map.size || options->map.bias || options->map.filter;
+    int status = given ? load_shadows(options) : EXIT_FINE;
     return status ? status : load_keys(options);
 }
 

@@ -17,7 +17,8 @@ struct options {
     struct tia_scene scene; /* the scene to draw, with --samples and --depth applied */
     uint32_t samples;       /* 0: the scene's own; also the depth */
     uint32_t depth;
-    uint32_t shadows; /* 0: the scene's; n: technique n - 1 */
+    uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
+    struct tia_shadow_map map; /* what is not 0 overrides the scene's */
     const struct tia_core *core;
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;

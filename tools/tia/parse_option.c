@@ -150,7 +150,62 @@ static int set_shadows(struct options *options, const char *value)
             options->shadows = i + 1;
             return EXIT_FINE;
         }
-    return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass or zfail", value);
+    return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass, zfail, map or map-exact", value);
+}
+
+static int set_map_size(struct options *options, const char *value)
+{
+    uint32_t size;
+
+    if (!parse_number(value, NULL, TIA_MAP_SIZE_MIN, TIA_MAP_SIZE_MAX, &size) || (size & (size - 1)))
+        return wrong("--map-size", value, "not 64, 128, 256, 512, 1024, 2048 or 4096");
+    options->map.size = (uint16_t)size;
+    return EXIT_FINE;
+}
+
+/* "none", or a bias and its amount: "slope=1.5". */
+static int set_bias(struct options *options, const char *value)
+{
+    size_t length = strcspn(value, "=");
+    const char *name;
+
+    for (unsigned i = TIA_BIAS_NONE; (name = tia_bias_name(i)) != NULL; i++) {
+        if (strncmp(name, value, length) != 0 || name[length] != '\0')
+            continue;
+        options->map.bias = (enum tia_bias)i;
+        options->map.amount = 0;
+        if (i == TIA_BIAS_NONE ? !value[length]
+                               : value[length] && parse_seconds(value + length + 1, &options->map.amount))
+            return EXIT_FINE;
+    }
+    return wrong("--bias", value, "not none, or constant, slope, normal or plane with an amount (slope=1.5)");
+}
+
+static int set_filter(struct options *options, const char *value)
+{
+    const char *name;
+
+    for (unsigned i = TIA_FILTER_NONE; (name = tia_filter_name(i)) != NULL; i++)
+        if (!strcmp(name, value)) {
+            options->map.filter = (enum tia_filter)i;
+            return EXIT_FINE;
+        }
+    return wrong("--filter", value, "not none, bilinear, 3x3, 5x5, 7x7, poisson or pcss");
+}
+
+/* Those of shadows. */
+static int set_of_shadows(struct options *options, int option, const char *value)
+{
+    switch (option) {
+    case OPT_MAP_SIZE:
+        return set_map_size(options, value);
+    case OPT_BIAS:
+        return set_bias(options, value);
+    case OPT_FILTER:
+        return set_filter(options, value);
+    default:
+        return set_shadows(options, value);
+    }
 }
 
 int parse_option(struct options *options, int option, char *value)
@@ -176,7 +231,10 @@ int parse_option(struct options *options, int option, char *value)
     case OPT_DEPTH:
         return set_number("--depth", value, TIA_DEPTH_MAX, &options->depth);
     case OPT_SHADOWS:
-        return set_shadows(options, value);
+    case OPT_MAP_SIZE:
+    case OPT_BIAS:
+    case OPT_FILTER:
+        return set_of_shadows(options, option, value);
     case 'k':
         options->key_text = value;
         return EXIT_FINE;

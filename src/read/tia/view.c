@@ -86,16 +86,73 @@ int tia_line_depth(struct tia_job *job)
     return status;
 }
 
-int tia_line_shadows(struct tia_job *job)
+/* The number, from `first`, of the name that the next word is. */
+static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned first, const char *what,
+                 const char *expected, unsigned *number)
 {
     struct tia_word word;
     const char *name;
 
-    (void)tia_text_word(&job->text, &word);
-    for (unsigned i = 0; (name = tia_shadows_name(i)) != NULL; i++)
-        if (tia_word_is(&word, name)) {
-            job->scene->shadows = (enum tia_shadows)i;
+    (void)tia_text_word(t, &word);
+    for (*number = first; (name = name_of(*number)) != NULL; ++*number)
+        if (tia_word_is(&word, name))
             return TIA_OK;
-        }
-    return tia_text_error(&job->text, &word, "is no technique", "traced, rays, zpass or zfail");
+    return tia_text_error(t, &word, what, expected);
+}
+
+static int map_size(struct tia_text *t, struct tia_shadow_map *map)
+{
+    struct tia_word word;
+    int64_t size = 0;
+
+    (void)tia_text_peek(t, &word);
+    int status = tia_text_integer(t, &size, TIA_MAP_SIZE_MIN, TIA_MAP_SIZE_MAX);
+    if (!status && (size & (size - 1)))
+        status = tia_text_error(t, &word, "is no size of a map", "64, 128, 256, 512, 1024, 2048 or 4096");
+    map->size = (uint16_t)size;
+    return status;
+}
+
+static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
+{
+    unsigned bias;
+    struct tia_word word;
+    int status = named(t, tia_bias_name, TIA_BIAS_NONE, "is no bias", "none, constant, slope, normal or plane", &bias);
+
+    map->bias = (enum tia_bias)bias;
+    if (status || bias == TIA_BIAS_NONE)
+        return status;
+    (void)tia_text_peek(t, &word);
+    status = tia_text_q16(t, &map->amount);
+    return status || map->amount >= 0 ? status : tia_text_error(t, &word, "is below 0", "0 or more");
+}
+
+static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
+{
+    unsigned filter;
+    int status = named(t, tia_filter_name, TIA_FILTER_NONE, "is no filter",
+                       "none, bilinear, 3x3, 5x5, 7x7, poisson or pcss", &filter);
+
+    map->filter = (enum tia_filter)filter;
+    return status;
+}
+
+int tia_line_shadows(struct tia_job *job)
+{
+    struct tia_text *t = &job->text;
+    struct tia_shadow_map *map = &job->scene->shadow_map;
+    struct tia_word word;
+    unsigned technique;
+    int status = named(t, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
+                       "traced, rays, zpass, zfail, map or map-exact", &technique);
+
+    job->scene->shadows = (enum tia_shadows)technique;
+    *map = (struct tia_shadow_map){.size = 0};
+    while (!status && technique == TIA_SHADOWS_MAP && tia_text_word(t, &word))
+        status = tia_word_is(&word, "size")   ? map_size(t, map)
+                 : tia_word_is(&word, "bias") ? map_bias(t, map)
+                 : tia_word_is(&word, "filter")
+                     ? map_filter(t, map)
+                     : tia_text_error(t, &word, "is no field of a map", "size, bias or filter");
+    return status;
 }

@@ -58,6 +58,27 @@ static int prepare(struct tia_view *view)
     return tia_shadow_technique(view->scene->shadows)->prepare(&raster->shadow, &asker);
 }
 
+static bool is_whole(const struct tia_scene *scene)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    return technique->is_whole && technique->is_whole(scene);
+}
+
+static void add_samples(struct tia_shadow_view *shadow, const struct tia_light *light)
+{
+    unsigned count = tia_shadow_samples(shadow->scene, light);
+
+    for (unsigned i = 0; i < count; i++) {
+        tia_flat_light *at = &shadow->samples[shadow->sample_count];
+        shadow->lights[shadow->sample_count++] = light;
+        if (is_whole(shadow->scene))
+            tia_flat_light_centre(&shadow->flat, light, at);
+        else
+            tia_flat_light_at(&shadow->flat, light, i, at);
+    }
+}
+
 static int set_lights(struct tia_view *view)
 {
     struct raster_view *raster = raster_of(view);
@@ -70,8 +91,7 @@ static int set_lights(struct tia_view *view)
         return status;
     for (uint32_t n = 0; n < view->light_count; n++) {
         raster->first_bit[n] = (uint8_t)shadow->sample_count;
-        for (unsigned i = 0; i < tia_flat_light_samples(&view->lights[n]); i++)
-            tia_flat_light_at(&shadow->flat, &view->lights[n], i, &shadow->samples[shadow->sample_count++]);
+        add_samples(shadow, &view->lights[n]);
     }
     return tia_shadow_technique(view->scene->shadows)->set_lights(shadow, &asker);
 }
@@ -80,10 +100,17 @@ static int set_lights(struct tia_view *view)
 
 #define PIXEL_BYTES (2 * sizeof(uint64_t) + 2 * sizeof(uint32_t))
 
+/* Beside these. */
+static uint64_t more_bytes(const struct tia_scene *scene)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    return technique->shares ? technique->shares(scene) * sizeof(tia_share) : technique->scratch;
+}
+
 static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
-    (void)scene;
-    return ALIGN(PIXEL_BYTES * pixels);
+    return ALIGN((PIXEL_BYTES + more_bytes(scene)) * pixels);
 }
 
 static size_t buffers_index(const struct tia_shadow_tile *b, int x, int y)
@@ -104,10 +131,12 @@ static void find_buffers(const struct raster_view *raster, const struct tia_hits
                                     .face_count = raster->shadow.flat.face_count,
                                     .nearness = hits->buffer};
 
+    size_t more = (size_t)more_bytes(raster->shadow.scene), first = hits_index(hits, tile.x, tile.y);
     b->lit = all.nearness + pixels;
     all.face = (uint32_t *)(b->lit + pixels);
     all.count = all.face + pixels;
-    b->lit += hits_index(hits, tile.x, tile.y);
+    b->more = (char *)(all.count + pixels) + more * first;
+    b->lit += first;
     (void)tia_raster_part(&b->target, &all, tile);
 }
 
@@ -135,9 +164,11 @@ struct rasterised {
     const struct raster_view *raster;
     const struct ray_camera *camera;
     const struct tia_shadow_tile *buffers;
+    size_t shares; /* of a pixel, or 0 */
 };
 
-static void find_hit(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit, uint64_t *lit)
+static void find_hit(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit,
+                     struct arrivals *lit)
 {
     const struct rasterised *r = (const struct rasterised *)(const void *)hits;
     const struct tia_flat_scene *flat = &r->raster->shadow.flat;
@@ -145,7 +176,8 @@ static void find_hit(const struct first_hits *hits, int x, int y, const struct r
     uint32_t face = r->buffers->target.face[at];
 
     *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
-    *lit = r->buffers->lit[at];
+    lit->bits = r->buffers->lit[at];
+    lit->shares = r->shares ? (const tia_share *)r->buffers->more + r->shares * at : NULL;
     if (face == TIA_NO_FACE)
         return;
     num_length depth = num_length_of_q45(tia_raster_distance(&flat->planes[face], &flat->lattice, x, y));
@@ -164,9 +196,10 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
     const struct ray_view *rays = view->prepared;
     struct tia_shadow_tile b;
-    struct rasterised r = {{find_hit, raster->first_bit}, raster, &rays->camera, &b};
+    struct rasterised r = {{find_hit, raster->first_bit, is_whole(view->scene)}, raster, &rays->camera, &b, 0};
 
     find_buffers(raster, hits, tile, &b);
+    r.shares = technique->shares ? technique->shares(view->scene) : 0;
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             b.lit[(size_t)y * b.target.pitch + x] = 0;

@@ -6,18 +6,27 @@
 
 #define PATH_BLOCKERS 8
 
-/* First hits of pixels that are found without rays, and what light comes there. */
+/* What light comes to a point. Number n is set in `bits` when some arrives, and then shares[n] 2^-15 of it, or all when
+ * shares is NULL. */
+struct arrivals {
+    uint64_t bits;
+    const uint16_t *shares;
+};
+
+/* First hits of pixels that are found without rays. */
 struct first_hits {
-    /* Along the ray of pixel (x, y). Sample i of light n arrives when bit first_bit[n] + i of *lit is set. */
-    void (*find)(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit, uint64_t *lit);
+    /* Along the ray of pixel (x, y). Sample i of light n has number first_bit[n] + i, or first_bit[n] if `whole`. */
+    void (*find)(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit,
+                 struct arrivals *lit);
     const uint8_t *first_bit;
+    bool whole;
 };
 
 /* Rays from the eye, one after the other. */
 struct path {
     const struct ray_view *view;
     const struct first_hits *first; /* NULL: they are traced */
-    uint64_t lit;                   /* see there, while `known` */
+    struct arrivals lit;            /* while `known` */
     bool known;
     unsigned class; /* of the pixel, see light.h */
     bool hashed;

@@ -84,7 +84,7 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* How much of a sample's light gets to the point; false: none. `bit` is its place in path->lit. */
+/* How much of a sample's light gets to the point; false: none. `bit` is its number in path->lit. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
                     const struct ray_sample *sample, unsigned bit, uint32_t *blocker, num_length through[3])
 {
@@ -93,8 +93,12 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
 
     if (!path->known && ray_light_shadow(light, sample, s->outside, &shadow, &distance))
         return ray_transmittance(path->view, &shadow, distance, blocker, through);
-    through[0] = through[1] = through[2] = NUM_LENGTH_ONE;
-    return !path->known || path->lit >> bit & 1;
+    if (path->known && !(path->lit.bits >> bit & 1))
+        return false;
+    bool partly = path->known && path->lit.shares;
+    num_length part = partly ? num_length_of_q45((int64_t)path->lit.shares[bit] << 30) : NUM_LENGTH_ONE;
+    through[0] = through[1] = through[2] = part;
+    return true;
 }
 
 /* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:
@@ -122,7 +126,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
 {
     const struct ray_light *light = &path->view->lights[n];
     uint32_t *blocker = &path->blocker[n % PATH_BLOCKERS];
-    unsigned bit = path->known ? path->first->first_bit[n] : 0;
+    unsigned bit = path->known ? path->first->first_bit[n] : 0, step = path->known && !path->first->whole;
     num_length mean[3] = {0, 0, 0};
     struct ray_aim aim;
 
@@ -133,7 +137,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     }
     ray_light_aim(&aim, light, s->point, path->class);
     for (unsigned i = 0; i < light->samples && !path_stops(path); i++)
-        path_hash_word(path, add_sample(path, s, &aim, i, bit + i, blocker, mean));
+        path_hash_word(path, add_sample(path, s, &aim, i, bit + step * i, blocker, mean));
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }

@@ -1,0 +1,169 @@
+#include "map.h"
+
+#include "math/wide.h"
+#include "raster/halves.h"
+
+#define BAND_TEXELS (1 << 20) /* are drawn at a time: more would need more room */
+#define ASKED_TEXELS 4096     /* are as much work as an item, see asker.h */
+
+unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
+                         uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
+{
+    unsigned sides = tia_flat_corners(flat, face, corners);
+    int fraction = view->lattice.fraction;
+
+    for (unsigned k = 0; k < sides; k++) {
+        bool direction = tia_flat_is_direction(flat, &corners[k]);
+        int64_t at[3];
+        tia_flat_affine(flat, &corners[k], at);
+        for (int i = 0; i < 3; i++)
+            at[i] *= direction ? INT64_C(1) << 20 : 256;
+        if (direction)
+            tia_eye_direction(&view->eye, at, map->bits, &corners[k]);
+        else
+            tia_eye_point(&view->eye, at, fraction, &corners[k]);
+    }
+    return sides;
+}
+
+/* 62 bits and an exponent of a > 0. */
+static int64_t mantissa(wide a, int *exponent)
+{
+    int bits = wide_bits(a);
+
+    *exponent = bits - 62;
+    return bits > 62 ? wide_down(a, (unsigned)(bits - 62)) : (int64_t)(wide_low(a) << (62 - bits));
+}
+
+static int most_bits(wide a, int more, int most)
+{
+    int bits = wide_bits(wide_size(a)) + more;
+
+    return bits > most ? bits : most;
+}
+
+static int64_t cut_by(wide a, int cut)
+{
+    return cut > 0 ? wide_down(a, (unsigned)cut) : (int64_t)wide_low(a);
+}
+
+/* Seen in the middle of a texel is t D, t = det/f, D.w = size; so the distance is det size/f, in units of the vertices.
+ * Where rays are parallel it is -f/(det size). */
+void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
+                        const struct tia_raster_plane *given)
+{
+    wide x = halves_get(given->x), y = halves_get(given->y), c = halves_get(given->c), det = halves_get(given->det);
+    int side = 31 - (int)tia_clz32(map->size), units = TIA_WORLD_BITS + map->unit - map->coarse, exponent;
+    int bits = most_bits(x, side, most_bits(y, side, most_bits(c, 0, 0))) + 2, cut = bits > 62 ? bits - 62 : 0;
+
+    *plane = (struct tia_map_plane){.factor = 0};
+    if (wide_sign(det) <= 0)
+        return;
+    plane->x = cut_by(x, cut);
+    plane->y = cut_by(y, cut);
+    plane->c = cut_by(c, cut);
+    int64_t m = mantissa(det, &exponent);
+    if (map->parallel) {
+        plane->factor = wide_quotient(INT64_C(1) << 61, m, 61);
+        plane->places = 122 + exponent + side - cut - units;
+    } else {
+        plane->factor = m;
+        plane->places = cut + view->lattice.fraction - exponent - side - units;
+    }
+}
+
+static uint32_t clamped(uint64_t distance)
+{
+    return distance < TIA_MAP_FAR ? (uint32_t)distance : TIA_MAP_FAR;
+}
+
+static uint32_t parallel_distance(const struct tia_map_plane *plane, int64_t f)
+{
+    wide product = wide_product(-f, plane->factor);
+
+    if (f >= 0 || plane->places > 126)
+        return 0;
+    if (plane->places < 1 || wide_bits(product) - plane->places > 32)
+        return TIA_MAP_FAR;
+    return clamped((uint64_t)wide_round(product, (unsigned)plane->places));
+}
+
+/* 32 bits of f give 31 of the quotient. */
+uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j)
+{
+    int64_t f = plane->c + plane->x * i + plane->y * j;
+
+    if (map->parallel)
+        return parallel_distance(plane, f);
+    if (f <= 0)
+        return 0;
+    int zeros = (int)tia_clz64((uint64_t)f), down = plane->places + 33 - zeros;
+    uint64_t quotient = ((uint64_t)plane->factor << 1) / ((uint64_t)f << zeros >> 32);
+    if (down <= 0)
+        return down < -2 || quotient << -down >= TIA_MAP_FAR ? TIA_MAP_FAR : (uint32_t)(quotient << -down);
+    return down > 40 ? 0 : clamped((quotient + (UINT64_C(1) << (down - 1))) >> down);
+}
+
+static struct tia_tile band_of(unsigned size, unsigned y)
+{
+    unsigned rows = BAND_TEXELS / size;
+
+    return (struct tia_tile){0, (uint16_t)y, (uint16_t)size, (uint16_t)(rows < size ? rows : size)};
+}
+
+uint64_t tia_map_room(unsigned size, uint32_t faces)
+{
+    return tia_raster_size(band_of(size, 0), TIA_BUFFER_DEPTH, faces);
+}
+
+static int draw_faces(const struct tia_map *map, const struct tia_map_view *view, struct tia_raster_target *target,
+                      const struct tia_flat_scene *flat, struct asker *asker)
+{
+    static const struct tia_raster_state state = {.depth = TIA_LESS, .depth_write = true, .ties_by_face = true};
+    uint32_t work = (uint32_t)target->area.width * target->area.height / ASKED_TEXELS + 1;
+    int status = TIA_OK;
+
+    for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, work); f++) {
+        struct tia_raster_vertex corners[TIA_SIDES];
+        unsigned sides = tia_map_corners(map, view, flat, f, corners);
+        status = tia_draw_polygon(target, &state, corners, sides, f);
+    }
+    return status;
+}
+
+static void keep_distances(const struct tia_map *map, const struct tia_map_view *view,
+                           const struct tia_raster_target *target, struct asker *asker)
+{
+    const struct tia_tile *area = &target->area;
+    uint32_t *to = view->distance + (size_t)area->y * area->width, last = TIA_NO_FACE;
+    const uint32_t *face = target->face;
+    struct tia_map_plane plane = {.factor = 0};
+
+    for (int y = area->y; y < area->y + area->height && !asker_stops(asker, area->width); y++)
+        for (int x = 0; x < area->width; x++, face++, to++) {
+            if (*face != last && *face != TIA_NO_FACE)
+                tia_map_plane_init(&plane, map, view, &target->planes[*face]);
+            last = *face;
+            *to = last == TIA_NO_FACE ? TIA_MAP_NOTHING : tia_map_distance(map, &plane, x, y);
+        }
+}
+
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct asker *asker)
+{
+    size_t size = (size_t)tia_map_room(map->size, flat->face_count);
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < map->view_count; i++) {
+        const struct tia_map_view *view = &map->view[i];
+        for (unsigned y = 0; !status && y < map->size; y += band_of(map->size, y).height) {
+            struct tia_raster_target target;
+            status = tia_raster_init(&target, room, size, &view->lattice, band_of(map->size, y), TIA_BUFFER_DEPTH,
+                                     flat->face_count);
+            status = status ? status : draw_faces(map, view, &target, flat, asker);
+            if (!status && !asker->stopped)
+                keep_distances(map, view, &target, asker);
+            status = asker->stopped ? TIA_STOPPED : status;
+        }
+    }
+    return status;
+}

@@ -1,0 +1,81 @@
+/* map.h - shadow maps (Williams 1978): what a light sees, texel by texel, and where in it a point is.
+ *
+ * A map has views of size x size texels: one, in which rays are parallel or go through one point, or six that look
+ * along the world's axes to both sides. Faces are drawn into them by the rasteriser: their corners are rounded once
+ * more, to the view's own vertices, and the distance of the face that is nearest in the middle of a texel is rounded
+ * once. Distances are along the view's axis, so they are linear in space. */
+#ifndef TIA_SHADOW_MAP_H
+#define TIA_SHADOW_MAP_H
+
+#include "scene/asker.h"
+#include "world.h"
+
+#define TIA_CUBE_VIEWS 6
+#define TIA_MAP_NOTHING UINT32_MAX
+#define TIA_MAP_FAR (UINT32_MAX - 1) /* this or more: farther than any corner */
+
+struct tia_map_view {
+    struct tia_eye eye; /* from 256 times the coordinates of tia_flat_affine */
+    struct tia_lattice lattice;
+    int64_t axes[3][3]; /* right, up and forward, Q1.62 */
+    uint32_t *distance; /* TIA_MAP_NOTHING where nothing is */
+};
+
+struct tia_map {
+    struct tia_map_view view[TIA_CUBE_VIEWS];
+    unsigned view_count, size;
+    bool parallel;
+    int64_t origin[3]; /* the light's place, or where distances of parallel rays begin */
+    int64_t density;   /* Q.40: texels per unit, or at the distance 1 */
+    int bits;          /* vertices are below 2^bits */
+    int unit;          /* vertices are in units of 2^unit */
+    int coarse;        /* distances are in units of 2^(coarse - TIA_WORLD_BITS) */
+};
+
+/* What light there is for a map, see tia_flat_light_at. */
+struct tia_map_light {
+    const struct tia_light *light;
+    tia_flat_light at;
+};
+
+/* How many views the map of a light has. */
+unsigned tia_map_views(const struct tia_light *light);
+
+/* A map without distances, whose views have `border` more texels on each side than the light needs. */
+int tia_map_init(struct tia_map *map, const struct tia_world *world, const struct tia_map_light *light, unsigned size,
+                 unsigned border);
+
+/* Bytes of room to draw a map. */
+uint64_t tia_map_room(unsigned size, uint32_t faces);
+
+/* Fills in the distances. TIA_STOPPED when the asker has stopped it. */
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct asker *asker);
+
+/* The corners of a face as a view has them; returns how many. */
+unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
+                         uint32_t face, struct tia_raster_vertex corners[TIA_SIDES]);
+
+/* A face's plane, whose f in raster.h is here x i + y j + c in units that leave 62 bits. */
+struct tia_map_plane {
+    int64_t x, y, c;
+    int64_t factor; /* distances are factor/f, or of parallel rays factor f, */
+    int places;     /* 2^-places; as maps keep them */
+};
+
+void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
+                        const struct tia_raster_plane *given);
+
+/* In the middle of texel (i, j): to 2^-30 of itself, and rounded; 0 where the plane is not before the light. */
+uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j);
+
+/* Where a map has a point. */
+struct tia_map_spot {
+    const struct tia_map_view *view;
+    int64_t u, v;     /* texels, Q.16, from the upper left corner; anything beyond the map is clamped to 2^40 */
+    int64_t distance; /* TIA_WORLD_BITS fraction bits */
+    int64_t texel;    /* how long a texel is there, the same */
+};
+
+void tia_map_find(const struct tia_map *map, const int64_t place[3], struct tia_map_spot *spot);
+
+#endif

@@ -1,0 +1,191 @@
+/* technique_map.c - each sample of a light has a shadow map. */
+#include "map_look.h"
+#include "math/align.h"
+#include "math/wide.h"
+
+/* Behind the struct: maps, room to draw one, distances. */
+struct maps {
+    struct tia_map_look look;
+    struct tia_world world;
+    uint64_t texels; /* there is room for */
+    unsigned capacity;
+    struct tia_map *map; /* of each sample */
+    int64_t radius[TIA_SHADOW_SAMPLES];
+    void *room;
+    uint32_t *distance;
+};
+
+/* ---- memory ---- */
+
+static bool is_whole(const struct tia_scene *scene)
+{
+    return scene->shadow_map.filter == TIA_FILTER_PCSS;
+}
+
+#define ROOT INT64_C(0x48375d410a6db400) /* 2/sqrt(pi), Q1.62 */
+
+struct demand {
+    uint64_t samples, texels;
+};
+
+static void add_light(struct demand *demand, const struct tia_scene *scene, const struct tia_light *light)
+{
+    struct tia_map_look look;
+    unsigned samples = is_whole(scene) ? light->kind != TIA_AMBIENT_LIGHT : tia_flat_light_samples(light);
+
+    tia_map_look_init(&look, scene);
+    demand->samples += samples;
+    demand->texels += (uint64_t)samples * tia_map_views(light) * look.size * look.size;
+}
+
+/* Of all lights and keys, whichever are pressed. */
+static struct demand demand_of(const struct tia_scene *scene)
+{
+    struct demand demand = {0, 0};
+
+    for (uint32_t i = 0; i < scene->light_count; i++)
+        add_light(&demand, scene, &scene->lights[i]);
+    for (uint32_t i = 0; i < scene->binding_count; i++)
+        add_light(&demand, scene, &scene->bindings[i].state);
+    return demand;
+}
+
+static uint64_t room_size(const struct tia_scene *scene)
+{
+    struct tia_map_look look;
+
+    tia_map_look_init(&look, scene);
+    return tia_map_room(look.size, (uint32_t)tia_flat_face_count(scene));
+}
+
+static uint64_t own_size(const struct tia_scene *scene)
+{
+    struct demand demand = demand_of(scene);
+
+    return ALIGN(sizeof(struct maps)) + ALIGN(demand.samples * sizeof(struct tia_map)) + ALIGN(room_size(scene)) +
+           ALIGN(demand.texels * sizeof(uint32_t));
+}
+
+static unsigned shares(const struct tia_scene *scene)
+{
+    return scene->shadow_map.filter == TIA_FILTER_NONE ? 0 : (unsigned)demand_of(scene).samples;
+}
+
+/* ---- maps ---- */
+
+static int prepare(struct tia_shadow_view *view, struct asker *asker)
+{
+    struct maps *maps = view->own;
+    struct demand demand = demand_of(view->scene);
+    char *next = (char *)view->own + ALIGN(sizeof *maps);
+
+    (void)asker;
+    tia_map_look_init(&maps->look, view->scene);
+    tia_world_init(&maps->world, &view->flat);
+    maps->texels = demand.texels;
+    maps->capacity = (unsigned)demand.samples;
+    maps->map = (struct tia_map *)(void *)next;
+    maps->room = next + ALIGN(demand.samples * sizeof(struct tia_map));
+    maps->distance = (uint32_t *)(void *)((char *)maps->room + ALIGN(room_size(view->scene)));
+    return TIA_OK;
+}
+
+/* Of the disc that is as large as the light. */
+static int64_t radius_of(const struct tia_light *light)
+{
+    const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
+    const int64_t b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
+    int64_t unit[2][3], normal[3];
+
+    if (light->kind == TIA_DISC_LIGHT || light->kind == TIA_SPHERE_LIGHT)
+        return (int64_t)light->radius << (TIA_WORLD_BITS - 16);
+    if (light->kind != TIA_RECTANGLE_LIGHT || !wide_normalise(a, unit[0]) || !wide_normalise(b, unit[1]))
+        return 0;
+    tia_eye_cross(unit[0], unit[1], normal);
+    int64_t sine = wide_sqrt(wide_dot(normal, normal));                                              /* Q1.62 */
+    int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b)))); /* Q.16, mean */
+    int64_t root = wide_sqrt(wide_product(sine, INT64_C(1) << 62));
+    return wide_round(wide_product(wide_round(wide_product(lengths, root), 62 - 12), ROOT), 62);
+}
+
+static int make_map(struct maps *maps, const struct tia_shadow_view *view, unsigned sample, uint64_t *used,
+                    struct asker *asker)
+{
+    struct tia_map *map = &maps->map[sample];
+    struct tia_map_light light = {view->lights[sample], view->samples[sample]};
+    uint64_t texels = (uint64_t)maps->look.size * maps->look.size;
+    int status = tia_map_init(map, &maps->world, &light, maps->look.size, tia_map_border(maps->look.filter));
+
+    if (status)
+        return status;
+    for (unsigned i = 0; i < map->view_count; i++, *used += texels) {
+        if (*used + texels > maps->texels)
+            return TIA_ERR_MEMORY;
+        map->view[i].distance = maps->distance + *used;
+    }
+    maps->radius[sample] = radius_of(light.light);
+    return tia_map_draw(map, &view->flat, maps->room, asker);
+}
+
+static int set_lights(struct tia_shadow_view *view, struct asker *asker)
+{
+    struct maps *maps = view->own;
+    uint64_t used = 0;
+    int status = view->sample_count > maps->capacity ? TIA_ERR_MEMORY : TIA_OK;
+
+    for (unsigned i = 0; !status && i < view->sample_count; i++)
+        status = make_map(maps, view, i, &used, asker);
+    return status;
+}
+
+/* ---- light ---- */
+
+#define PIXEL_WORK 4 /* items, see asker.h: PCSS has two hundred taps */
+
+struct lighting {
+    const struct tia_shadow_view *view;
+    struct tia_shadow_tile *tile;
+    unsigned sample, shares;
+    bool turned; /* the point's face is, to the light */
+    struct tia_map_point point;
+};
+
+static void light_pixel(struct lighting *l, int x, int y, size_t at)
+{
+    const struct maps *maps = l->view->own;
+    const struct tia_flat_scene *flat = &l->view->flat;
+    uint32_t face = l->tile->target.face[at];
+    int64_t place[3];
+
+    if (face == TIA_NO_FACE)
+        return;
+    if (face != l->point.face) {
+        l->turned = tia_flat_is_turned(flat, face, &l->view->samples[l->sample]);
+        tia_map_face(&l->point, &l->view->samples[l->sample], face);
+    }
+    if (!l->turned)
+        return;
+    tia_world_seen(&maps->world, x, y, tia_raster_distance(&flat->planes[face], &flat->lattice, x, y), place);
+    tia_map_place(&l->point, &maps->look, place);
+    unsigned share = tia_map_share(&l->point, maps->look.filter, maps->radius[l->sample], (unsigned)(x + 3 * y));
+    l->tile->lit[at] |= (uint64_t)(share > 0) << l->sample;
+    if (l->shares)
+        ((tia_share *)l->tile->more)[at * l->shares + l->sample] = (tia_share)share;
+}
+
+static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
+                  struct asker *asker)
+{
+    const struct maps *maps = view->own;
+    const struct tia_tile *area = &tile->target.area;
+    struct lighting l = {.view = view, .tile = tile, .sample = sample, .shares = shares(view->scene)};
+
+    l.point.map = &maps->map[sample];
+    l.point.world = &maps->world;
+    l.point.face = TIA_NO_FACE;
+    for (unsigned y = 0; y < area->height; y++)
+        for (unsigned x = 0; x < area->width && !asker_stops(asker, PIXEL_WORK); x++)
+            light_pixel(&l, (int)(area->x + x), (int)(area->y + y), (size_t)y * tile->target.pitch + x);
+}
+
+const struct tia_shadow_technique tia_shadow_maps = {own_size, prepare, set_lights, light, shares, is_whole, 0};

@@ -1,0 +1,364 @@
+/* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
+ * the points that the pixels of a tile see. They are filed by the cell of the light's view that they fall into, faces
+ * are drawn into it a cell too large, and a face is asked exactly about all that is filed where it comes: see
+ * occluder.h. So the answer is that of exact rays, and the number of cells changes the cost only. */
+#include "math/wide.h"
+#include "occluder.h"
+#include "places.h"
+#include "raster/rows.h"
+#include "technique.h"
+
+#define VIEWS 6                 /* of a point; a direction has one */
+#define SIDE_BITS 13            /* of cells along a side of a view, at most */
+#define NEAR 20                 /* places of fewer bits, relative to the light, are in no certain cell */
+#define THIN (INT64_C(1) << 36) /* twice the area there from which on the order of corners is sure */
+#define NONE UINT32_MAX
+#define ASIDE (UINT32_MAX - 1) /* asked already */
+
+/* What a pixel keeps: the first of those in a cell of its number, and the next one in its own cell. */
+struct filed {
+    uint32_t head, next;
+};
+
+/* What the light sees of the tile's points in one direction. */
+struct cells {
+    uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 */
+    unsigned shift;                       /* from cells of 2^-SIDE_BITS */
+};
+
+struct exact {
+    const struct tia_shadow_view *view;
+    struct tia_shadow_tile *tile;
+    const tia_flat_light *light;
+    struct asker *asker;
+    struct filed *filed;
+    uint64_t bit;
+    struct tia_places places;
+    struct tia_seen_face of; /* of the pixel that was asked about last */
+    bool turned;
+    struct cells cells[VIEWS];
+    const struct cells *now; /* those that are drawn into */
+    struct tia_occluder occluder;
+    uint32_t face;
+    bool ready, casts; /* the face's occluder */
+};
+
+/* ---- filing ---- */
+
+static size_t at_of(const struct exact *e, uint32_t number)
+{
+    unsigned width = e->tile->target.area.width;
+
+    return (size_t)(number / width) * e->tile->target.pitch + number % width;
+}
+
+static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
+{
+    const struct tia_raster_target *t = &e->tile->target;
+    uint32_t face = t->face[at_of(e, number)];
+    struct tia_seen seen;
+
+    if (face != e->of.face)
+        tia_seen_face_init(&e->of, &e->view->flat, face);
+    tia_seen_init(&seen, &e->of, t->area.x + (int)(number % t->area.width), t->area.y + (int)(number / t->area.width));
+    return tia_occluder_hides(o, &seen);
+}
+
+/* Asks faces one by one: all, or those of planes, which have no end. */
+static void ask_all(struct exact *e, uint32_t number, bool endless)
+{
+    const struct tia_flat_scene *flat = &e->view->flat;
+    struct tia_occluder o;
+
+    for (uint32_t i = 0; i < flat->object_count; i++) {
+        const struct tia_flat_object *object = &flat->objects[i];
+        if (!object->face_count ||
+            (endless && !tia_flat_is_direction(flat, &flat->points[flat->faces[object->first_face].corner[1]])))
+            continue;
+        for (uint32_t f = object->first_face; f < object->first_face + object->face_count; f++)
+            if (!asker_stops(e->asker, 1) && tia_occluder_init(&o, flat, e->light, f) && is_hidden(e, &o, number)) {
+                e->tile->lit[at_of(e, number)] &= ~e->bit;
+                return;
+            }
+    }
+}
+
+static uint32_t cell(int64_t a)
+{
+    int64_t i = (a + (INT64_C(1) << 28)) >> (29 - SIDE_BITS), last = (1 << SIDE_BITS) - 1;
+
+    return (uint32_t)(i < 0 ? 0 : i < last ? i : last);
+}
+
+/* Which view, and which of its smallest cells; ASIDE when that is not needed or not sure. */
+static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
+{
+    const int64_t limit = (INT64_C(1) << TIA_ACROSS_BITS) + (1 << 20);
+    int64_t place[2];
+    unsigned view = 0;
+
+    if (e->places.parallel) {
+        tia_place_across(&e->places, at, place);
+        if (place_size(place[0]) > limit || place_size(place[1]) > limit) {
+            ask_all(e, number, true);
+            return ASIDE;
+        }
+    } else {
+        for (int k = 0; k < 3; k++)
+            at[k] -= e->places.origin[k];
+        int k = place_largest(at);
+        if (place_size(at[k]) >> NEAR == 0) {
+            ask_all(e, number, false);
+            return ASIDE;
+        }
+        view = 2 * (unsigned)k + (at[k] < 0);
+        for (int i = 0; i < 2; i++)
+            place[i] = wide_quotient(at[(k + 1 + i) % 3], place_size(at[k]), 28);
+    }
+    return view << 2 * SIDE_BITS | cell(-place[1]) << SIDE_BITS | cell(place[0]);
+}
+
+static void include(struct cells *c, uint32_t x, uint32_t y)
+{
+    c->x0 = c->count && c->x0 < x ? c->x0 : x;
+    c->y0 = c->count && c->y0 < y ? c->y0 : y;
+    c->x1 = c->count && c->x1 > x ? c->x1 : x + 1;
+    c->y1 = c->count && c->y1 > y ? c->y1 : y + 1;
+    c->count++;
+}
+
+#define X_OF(spot) ((spot) & ((1u << SIDE_BITS) - 1))
+#define Y_OF(spot) ((spot) >> SIDE_BITS & ((1u << SIDE_BITS) - 1))
+#define VIEW_OF(spot) ((spot) >> 2 * SIDE_BITS)
+
+/* Finds the place of each pixel whose face is turned to the light: it is lit until a face is found that hides it. */
+static void locate(struct exact *e, uint32_t number)
+{
+    const struct tia_raster_target *t = &e->tile->target;
+    size_t at = at_of(e, number);
+    uint32_t face = t->face[at], *spot = &e->filed[at].next;
+    int64_t place[3];
+
+    *spot = ASIDE;
+    e->filed[at].head = NONE;
+    if (face == TIA_NO_FACE)
+        return;
+    if (face != e->of.face) {
+        tia_seen_face_init(&e->of, &e->view->flat, face);
+        e->turned = tia_flat_is_turned(&e->view->flat, face, e->light);
+    }
+    if (!e->turned)
+        return;
+    e->tile->lit[at] |= e->bit;
+    if (!tia_place_seen(&e->places, t->area.x + (int)(number % t->area.width),
+                        t->area.y + (int)(number / t->area.width), face, place))
+        ask_all(e, number, false);
+    else
+        *spot = find(e, number, place);
+    if (*spot < ASIDE)
+        include(&e->cells[VIEW_OF(*spot)], X_OF(*spot), Y_OF(*spot));
+}
+
+/* No more cells than pixels. */
+static void choose_sizes(struct exact *e)
+{
+    uint32_t base = 0;
+
+    for (int i = 0; i < VIEWS; i++) {
+        struct cells *c = &e->cells[i];
+        c->base = base;
+        for (c->shift = 0; c->count; c->shift++) {
+            uint32_t columns = ((c->x1 - 1) >> c->shift) - (c->x0 >> c->shift) + 1;
+            uint32_t rows = ((c->y1 - 1) >> c->shift) - (c->y0 >> c->shift) + 1;
+            if (columns * rows <= c->count)
+                break;
+        }
+        c->x1 = ((c->x1 - 1) >> c->shift) + 1;
+        c->y1 = ((c->y1 - 1) >> c->shift) + 1;
+        c->x0 >>= c->shift;
+        c->y0 >>= c->shift;
+        base += c->count;
+    }
+}
+
+static struct filed *cell_at(const struct exact *e, const struct cells *c, uint32_t x, uint32_t y)
+{
+    return &e->filed[at_of(e, c->base + (y - c->y0) * (c->x1 - c->x0) + x - c->x0)];
+}
+
+static void file(struct exact *e, uint32_t number)
+{
+    uint32_t *spot = &e->filed[at_of(e, number)].next;
+
+    if (*spot >= ASIDE)
+        return;
+    const struct cells *c = &e->cells[VIEW_OF(*spot)];
+    struct filed *home = cell_at(e, c, X_OF(*spot) >> c->shift, Y_OF(*spot) >> c->shift);
+    *spot = home->head;
+    home->head = number;
+}
+
+/* ---- drawing ---- */
+
+/* Asks the face about all that is filed in some cells; who is hidden is asked about no more. */
+static void ask_run(void *ctx, int y, int x0, int x1)
+{
+    struct exact *e = ctx;
+
+    for (int x = x0; x < x1; x++)
+        for (uint32_t *link = &cell_at(e, e->now, (uint32_t)x, (uint32_t)y)->head; *link != NONE;) {
+            size_t at = at_of(e, *link);
+            if (!e->ready)
+                e->casts = tia_occluder_init(&e->occluder, &e->view->flat, e->light, e->face);
+            e->ready = true;
+            if (!e->casts || asker_stops(e->asker, 1))
+                return;
+            if (is_hidden(e, &e->occluder, *link)) {
+                e->tile->lit[at] &= ~e->bit;
+                *link = e->filed[at].next;
+            } else
+                link = &e->filed[at].next;
+        }
+}
+
+static struct tia_tile area_of(const struct cells *c)
+{
+    return (struct tia_tile){(uint16_t)c->x0, (uint16_t)c->y0, (uint16_t)(c->x1 - c->x0), (uint16_t)(c->y1 - c->y0)};
+}
+
+static void ask_box(struct exact *e, uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1)
+{
+    const struct cells *c = e->now;
+
+    x0 = x0 > c->x0 ? x0 : c->x0;
+    x1 = x1 < c->x1 ? x1 : c->x1;
+    for (uint32_t y = y0 > c->y0 ? y0 : c->y0; y < y1 && y < c->y1 && x0 < x1; y++)
+        ask_run(e, (int)y, (int)x0, (int)x1);
+}
+
+/* The cells around three corners, and one more to each side. */
+static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
+{
+    uint32_t x0 = NONE, y0 = NONE, x1 = 0, y1 = 0;
+
+    for (int i = 0; i < 3; i++) {
+        uint32_t x = cell(v[i].x) >> e->now->shift, y = cell(-v[i].y) >> e->now->shift;
+        x0 = x < x0 ? x : x0;
+        y0 = y < y0 ? y : y0;
+        x1 = x > x1 ? x : x1;
+        y1 = y > y1 ? y : y1;
+    }
+    ask_box(e, x0 ? x0 - 1 : 0, y0 ? y0 - 1 : 0, x1 + 2, y1 + 2);
+}
+
+/* Corners as a point sees them are exact. */
+static void seen_from_point(const struct exact *e, unsigned view, struct tia_raster_vertex *v)
+{
+    const struct tia_flat_scene *flat = &e->view->flat;
+    bool direction = tia_flat_is_direction(flat, v);
+    int k = (int)view / 2;
+    int64_t d[3], from[3];
+
+    tia_flat_affine(flat, v, d);
+    tia_flat_affine(flat, e->light, from);
+    for (int i = 0; i < 3 && !direction; i++)
+        d[i] -= from[i];
+    *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
+}
+
+/* Corners in a direction's view are rounded, by less than 4 of its 2^28 units; the smallest cells have 2^16. Where that
+ * could change the order of corners, their box is asked. False: a plane, which is everywhere. */
+static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        int64_t at[3], place[2];
+        if (tia_flat_is_direction(&e->view->flat, &v[i]))
+            return false;
+        tia_place_of_vertex(&e->places, &v[i], at);
+        tia_place_across(&e->places, at, place);
+        v[i] = (struct tia_raster_vertex){place[0], place[1], INT64_C(1) << 28, 0};
+    }
+    return true;
+}
+
+static bool is_thin(const struct tia_raster_vertex *v)
+{
+    int64_t area = (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
+
+    return place_size(area) < THIN;
+}
+
+static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t face)
+{
+    struct tia_raster_vertex v[TIA_SIDES];
+    unsigned count = tia_flat_corners(&e->view->flat, face, v);
+    struct polygon p;
+
+    e->face = face;
+    e->ready = false;
+    if (e->places.parallel && !is_flattened(e, v, count)) {
+        ask_box(e, e->now->x0, e->now->y0, e->now->x1, e->now->y1);
+        return;
+    }
+    if (e->places.parallel && is_thin(v)) {
+        ask_around(e, v);
+        return;
+    }
+    for (unsigned i = 0; i < count && !e->places.parallel; i++)
+        seen_from_point(e, (unsigned)(e->now - e->cells), &v[i]);
+    if (!tia_polygon_init_enlarged(&p, lattice, area_of(e->now), v, count) && p.count)
+        tia_polygon_rows(&p, ask_run, e);
+}
+
+static void draw_view(struct exact *e, unsigned view)
+{
+    struct tia_lattice lattice;
+    unsigned side = 1u << (SIDE_BITS - e->cells[view].shift);
+
+    e->now = &e->cells[view];
+    if (!e->now->count ||
+        tia_lattice_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
+        return;
+    for (uint32_t f = 0; f < e->view->flat.face_count && !asker_stops(e->asker, 1); f++)
+        draw(e, &lattice, f);
+}
+
+/* ---- the technique ---- */
+
+static uint64_t own_size(const struct tia_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+
+static int nothing(struct tia_shadow_view *view, struct asker *asker)
+{
+    (void)view;
+    (void)asker;
+    return TIA_OK;
+}
+
+static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
+                  struct asker *asker)
+{
+    uint32_t pixels = (uint32_t)tile->target.area.width * tile->target.area.height;
+    struct exact e = {.view = view,
+                      .tile = tile,
+                      .light = &view->samples[sample],
+                      .asker = asker,
+                      .filed = tile->more,
+                      .bit = UINT64_C(1) << sample};
+
+    e.of.face = TIA_NO_FACE;
+    tia_places_init(&e.places, &view->flat, e.light);
+    for (uint32_t i = 0; i < pixels && !asker_stops(asker, 1); i++)
+        locate(&e, i);
+    choose_sizes(&e);
+    for (uint32_t i = 0; i < pixels && !asker->stopped; i++)
+        file(&e, i);
+    for (unsigned i = 0; i < VIEWS && !asker->stopped; i++)
+        draw_view(&e, i);
+}
+
+const struct tia_shadow_technique tia_shadow_exact_maps = {
+    .own_size = own_size, .prepare = nothing, .set_lights = nothing, .light = light, .scratch = sizeof(struct filed)};

@@ -1,0 +1,147 @@
+/* The alias-free map against exact rays that try every face, in integers of 128 bits: in whole images and in tiles of
+ * any size, whose points are filed each time in other cells. Many corners lie on pixel centres, in one plane, in the
+ * plane of the light or the eye. */
+#include <string.h>
+
+#include "shadow/technique.h"
+#include "shadow_worlds.h"
+
+static struct asker nobody;
+
+struct tally {
+    uint32_t seen, dark, wrong, tiles;
+};
+
+/* Two more pixels a row than the image has. */
+#define PITCH (SIZE + 2)
+
+static struct drawn {
+    uint64_t lit[SIZE * PITCH], more[SIZE * PITCH], nearness[SIZE * PITCH];
+    uint32_t face[SIZE * PITCH];
+    struct tia_raster_plane planes[FACES];
+    struct tia_raster_target target;
+} drawn;
+
+static void draw(struct world *w)
+{
+    memset(&drawn, 0, sizeof drawn);
+    drawn.target = (struct tia_raster_target){.lattice = &w->flat.lattice,
+                                              .area = {0, 0, SIZE, SIZE},
+                                              .face = drawn.face,
+                                              .nearness = drawn.nearness,
+                                              .planes = drawn.planes,
+                                              .face_count = w->flat.face_count,
+                                              .pitch = PITCH};
+    tia_clear_depth(&drawn.target);
+    for (uint32_t f = 0; f < w->flat.face_count; f++) {
+        struct tia_raster_vertex corners[TIA_SIDES];
+        unsigned sides = tia_flat_corners(&w->flat, f, corners);
+        CHECK(!tia_raster_plane_init(&drawn.planes[f], &w->flat.lattice, corners, sides));
+    }
+    w->flat.planes = drawn.planes;
+    drawn.target.planes_known = true;
+    CHECK(!tia_shadow_faces(&drawn.target, &w->flat, &nobody));
+}
+
+static void light_tile(const struct tia_shadow_view *view, struct tia_tile area, unsigned sample)
+{
+    size_t first = (size_t)area.y * PITCH + area.x;
+    struct tia_shadow_tile tile = {.lit = drawn.lit + first, .more = drawn.more + first};
+
+    CHECK(!tia_raster_part(&tile.target, &drawn.target, area));
+    tia_shadow_exact_maps.light(view, &tile, sample, &nobody);
+}
+
+/* In columns and rows of random widths; the other half of the worlds whole. */
+static uint32_t light_all(const struct world *w)
+{
+    static struct tia_shadow_view view;
+    unsigned sample = (unsigned)below(TIA_SHADOW_SAMPLES);
+    bool whole = below(2) == 0;
+    uint32_t tiles = 0;
+
+    view.flat = w->flat;
+    view.samples[sample] = w->light;
+    for (unsigned y = 0, height; y < SIZE; y += height) {
+        height = whole ? SIZE : 1 + (unsigned)below((int32_t)(SIZE - y));
+        for (unsigned x = 0, width; x < SIZE; x += width, tiles++) {
+            width = whole ? SIZE : 1 + (unsigned)below((int32_t)(SIZE - x));
+            light_tile(&view, (struct tia_tile){(uint16_t)x, (uint16_t)y, (uint16_t)width, (uint16_t)height}, sample);
+        }
+    }
+    for (int i = 0; i < SIZE * PITCH; i++) {
+        CHECK(drawn.lit[i] == 0 || drawn.lit[i] == UINT64_C(1) << sample);
+        drawn.lit[i] = drawn.lit[i] != 0;
+    }
+    return tiles;
+}
+
+static void compare(struct world *w, struct tally *t)
+{
+    draw(w);
+    t->tiles += light_all(w);
+    for (int j = 0; j < SIZE; j++)
+        for (int i = 0; i < SIZE; i++) {
+            size_t at = (size_t)j * PITCH + (size_t)i;
+            uint32_t face = drawn.face[at];
+            bool lit = face != TIA_NO_FACE && is_lit(w, face, i, j);
+            CHECK_EQ(face, find_seen(w, i, j));
+            t->seen += face != TIA_NO_FACE;
+            t->dark += face != TIA_NO_FACE && !lit;
+            t->wrong += drawn.lit[at] != lit;
+        }
+    for (int j = 0; j < SIZE; j++)
+        CHECK(!drawn.lit[j * PITCH + SIZE] && !drawn.more[j * PITCH + SIZE + 1]);
+}
+
+static void check_worlds(enum tia_projection projection, enum contents contents, bool lattice)
+{
+    int32_t step = lattice ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = lattice ? 4 : 500;
+    struct tally t = {0};
+    struct world w;
+
+    for (int round = 0; round < 150; round++) {
+        begin(&w, projection);
+        make(&w, contents, range, step);
+        end(&w, range, step);
+        compare(&w, &t);
+    }
+    CHECK_EQ(t.wrong, 0);
+    CHECK_MSG(t.seen > 150 * SIZE * SIZE / 20 && t.dark > t.seen / 8 && t.dark < t.seen - t.seen / 20,
+              "%u see a face, %u are dark", t.seen, t.dark);
+    CHECK(t.tiles > 300);
+}
+
+TEST(soups)
+{
+    for (int lattice = 0; lattice < 2; lattice++) {
+        check_worlds(TIA_PERSPECTIVE, SOUP, lattice);
+        check_worlds(TIA_ORTHOGRAPHIC, SOUP, lattice);
+    }
+}
+
+TEST(solids)
+{
+    for (int lattice = 0; lattice < 2; lattice++) {
+        check_worlds(TIA_PERSPECTIVE, SOLIDS, lattice);
+        check_worlds(TIA_ORTHOGRAPHIC, SOLIDS, lattice);
+    }
+    check_worlds(TIA_PERSPECTIVE, CROOKED, false);
+    check_worlds(TIA_ORTHOGRAPHIC, CROOKED, false);
+}
+
+TEST(planes_and_all)
+{
+    for (int lattice = 0; lattice < 2; lattice++) {
+        check_worlds(TIA_PERSPECTIVE, MIXED, lattice);
+        check_worlds(TIA_ORTHOGRAPHIC, MIXED, lattice);
+    }
+}
+
+int main(void)
+{
+    RUN(soups);
+    RUN(solids);
+    RUN(planes_and_all);
+    return check_status();
+}
