@@ -105,7 +105,7 @@ static void make_map(unsigned border)
     struct asker nobody = {0};
 
     w.memory = malloc(tia_flat_size(&w.scene));
-    CHECK(!tia_flat_init(&w.flat, w.memory, tia_flat_size(&w.scene), &w.scene, 80, 60));
+    CHECK(!tia_flat_init(&w.flat, w.memory, tia_flat_size(&w.scene), &w.scene, 80, 60, &nobody));
     tia_world_init(&w.world, &w.flat);
     tia_flat_light_at(&w.flat, &w.light, 0, &w.at);
     CHECK(!tia_map_init(&w.map, &w.world, &(struct tia_map_light){&w.light, w.at}, SIZE, border));
