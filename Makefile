@@ -234,7 +234,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON)
 COMPILED := every $(filter-out thesis,$(patsubst scenes/%.tia,%,$(wildcard scenes/*.tia)))
 $(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
 	@mkdir -p $(@D)
-	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$*
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$(subst -,_,$*)
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_every
@@ -340,13 +340,18 @@ ifeq ($(BARE),)
 include port/boards/boards.mk
 endif
 
-# The pictures of README.md and docs/scenes.md, which a test compares with what is drawn.
+# The pictures of README.md and docs/, which a test compares with what is drawn.
 .PHONY: gallery
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all
-	$(foreach n,glass flake chess castle vase orrery,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
+	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))
+	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n)-bare.png,scenes/shadows/$(n)-bare.tia -s 240x180))
+	$(foreach n,1 2,$(call draw,docs/shadows/place-$(n).png,scenes/shadows/place.tia --time $(n) -s 240x180))
+	$(foreach n,zpass zpass-plain,$(call draw,docs/shadows/porch-$(n).png,scenes/porch.tia --shadows $(n) -s 400x300))
+	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 
 clean:
 	$(call say,REMOVE,$(BUILD))rm -rf $(BUILD)

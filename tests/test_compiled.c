@@ -10,7 +10,7 @@ enum { WIDTH = 72, HEIGHT = 54 };
 
 /* Each scene of the gallery, and one of everything: the Makefile compiles them. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
-    compiled_vase, compiled_orrery;
+    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -112,6 +112,20 @@ TEST(orrery)
 {
     compare("scenes/orrery.tia", &compiled_orrery);
 }
+TEST(porch)
+{
+    compare("scenes/porch.tia", &compiled_porch);
+    CHECK_EQ(compiled_porch.shadows, TIA_SHADOWS_ZPASS);
+}
+TEST(shadow_volume)
+{
+    compare("scenes/shadow-volume.tia", &compiled_shadow_volume);
+    CHECK_EQ(compiled_shadow_volume.shadows, TIA_SHADOWS_ZFAIL);
+}
+TEST(shadow_mapping)
+{
+    compare("scenes/shadow-mapping.tia", &compiled_shadow_mapping);
+}
 
 int main(void)
 {
@@ -122,5 +136,8 @@ int main(void)
     RUN(castle);
     RUN(vase);
     RUN(orrery);
+    RUN(porch);
+    RUN(shadow_volume);
+    RUN(shadow_mapping);
     return check_status();
 }

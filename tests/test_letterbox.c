@@ -3,6 +3,7 @@
  * The command is a program: its files are in no library, and are included here. */
 
 #include "tia/crc.c"
+#include "tia/label.c"
 #include "tia/letterbox.c"
 #include "tia/rotate.c"
 #include "tia/stats.c"
@@ -108,12 +109,25 @@ static tia_rgb565 expected_at(int x, int y, int width, int height, unsigned degr
     }
 }
 
+/* The label "7-z": squares of a pixel, and a black border. */
+static const char *const label[7] = {".............", ".###.....###.", "...#.......#.", "...#.###..#..",
+                                     "..#......#...", "..#......###.", "............."};
+
+/* What covers the pixel that pixel_at has made. */
+static tia_rgb565 with_label(tia_rgb565 pixel)
+{
+    unsigned x = pixel >> 7 & 127, y = pixel & 127;
+    if (letterbox.label[0] == '\0' || pixel == 0 || x >= 13 || y >= 7)
+        return pixel;
+    return label[y][x] == '#' ? 0xffff : 0;
+}
+
 static void check_screen(int width, int height, unsigned degrees)
 {
     for (int y = -EDGE; y < HEIGHT + EDGE; y++) {
         for (int x = -EDGE; x < WIDTH + EDGE; x++) {
             bool inside = x >= 0 && y >= 0 && x < WIDTH && y < HEIGHT;
-            tia_rgb565 want = inside ? expected_at(x, y, width, height, degrees) : UNTOUCHED;
+            tia_rgb565 want = inside ? with_label(expected_at(x, y, width, height, degrees)) : UNTOUCHED;
             tia_rgb565 got = pixels[y + EDGE][x + EDGE];
             CHECK_MSG(got == want, "%dx%d turned by %u: pixel (%d, %d) is %04x, not %04x", width, height, degrees, x, y,
                       got, want);
@@ -184,6 +198,37 @@ TEST(tiles_keep_the_screens_limits)
     CHECK_EQ(mode.tile_height, 5);
     letterbox_display.close(&letterbox);
     screen.tile_width = screen.tile_height = 0;
+}
+
+/* A label is on the picture's own corner, cut off where it does not fit, and not in the checksum. */
+TEST(labels)
+{
+    for (unsigned degrees = 0; degrees < 360; degrees += 90)
+        for (unsigned i = 0; i < 8; i++) {
+            const bool small = i & 1, limited = i & 2;
+            screen.tile_width = limited ? 5 : 0;
+            screen.tile_height = limited ? 3 : 0;
+            CHECK_EQ(open_stage(small ? 8 : 16, small ? 6 : 15, degrees, i & 4), TIA_OK);
+            (void)strcpy(letterbox.label, "7-z");
+            CHECK_EQ(draw_picture(), TIA_OK);
+            check_screen(small ? 8 : 16, small ? 6 : 15, degrees);
+            CHECK(!(i & 4) || letterbox.crc == crc_of_picture(small ? 8 : 16, small ? 6 : 15, degrees));
+            letterbox_display.close(&letterbox);
+        }
+    screen.tile_width = screen.tile_height = 0;
+}
+
+/* From 320 rows on letters grow with the picture. */
+TEST(large_labels)
+{
+    for (unsigned square = 1; square < 8; square++) {
+        unsigned height = 160 * square + 7;
+        struct tia_tile area = label_area("7-z", 1000, height);
+        CHECK(area.x == 0 && area.y == 0 && area.width == 13 * square && area.height == 7 * square);
+        for (unsigned y = 0; y < area.height; y++)
+            for (unsigned x = 0; x < area.width; x++)
+                CHECK_EQ(label_is_ink("7-z", height, x, y), label[y / square][x / square] == '#');
+    }
 }
 
 TEST(the_default_is_the_whole_screen)
@@ -307,6 +352,8 @@ int main(void)
 {
     RUN(a_smaller_picture_is_centred_on_black);
     RUN(tiles_keep_the_screens_limits);
+    RUN(labels);
+    RUN(large_labels);
     RUN(the_default_is_the_whole_screen);
     RUN(a_larger_picture_is_refused);
     RUN(a_failed_open_is_passed_on);

@@ -33,7 +33,13 @@ struct tia_surface {
 struct tia_options {
     bool dither;         /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
     uint32_t *path_hash; /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;       /* NULL, or receives what light reaches each pixel, row by row of the tile */
 };
+
+/* What light reaches a pixel does not depend on what colour it has there. The lights' samples are numbered through, in
+ * the order of the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the
+ * first sample of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit.
+ * The span renderer writes nothing there: bits 0..15 of its path hash say the same. */
 
 /* The path hash is equal for pixels whose colours came about along the same paths. Compare it between two
  * arithmetics to separate rounding from a ray that took another path.

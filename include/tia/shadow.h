@@ -20,10 +20,11 @@ enum tia_shadows {
     TIA_SHADOWS_ZPASS,  /* shadow volumes, counted before what is seen; where that cannot tell, as TIA_SHADOWS_ZFAIL */
     TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind what is seen; where that cannot tell, as TIA_SHADOWS_ZPASS */
     TIA_SHADOWS_MAP,    /* shadow maps, see struct tia_shadow_map: not exact */
-    TIA_SHADOWS_MAP_EXACT /* a map whose samples are what the pixels see, without aliases: exact */
+    TIA_SHADOWS_MAP_EXACT,  /* a map whose samples are what the pixels see, without aliases: exact */
+    TIA_SHADOWS_ZPASS_PLAIN /* as TIA_SHADOWS_ZPASS, with the eye taken to be in no volume: wrong where it is in one */
 };
 
-/* "traced", "rays", "zpass", "zfail", "map", "map-exact"; NULL beyond the last. */
+/* "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one

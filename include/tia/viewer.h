@@ -4,9 +4,10 @@
  * The arrow keys move the first light by 1 along x and z, page up and page down along y: once when pressed,
  * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US. The first light is the first that is not
  * ambient, since an ambient light has no position; a directional light is moved as the point at the distance
- * 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Every other key quits.
- * Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a light ends it
- * at the next tile if it has taken 250 ms, though not two frames in a row.
+ * 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it,
+ * TIA_KEY_SHADOWS takes the next technique for shadows that the scene qualifies for, where the caller wants that. Every
+ * other key quits. Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a
+ * light ends it at the next tile if it has taken 250 ms, though not two frames in a row.
  *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
@@ -19,14 +20,16 @@
 #define TIA_HOLD_DELAY_US 250000u
 #define TIA_HOLD_STEP_US 33333u
 #define TIA_PLAY_STEP_US 16666u
+#define TIA_KEY_SHADOWS 't'
 
-/* Reported after each frame. */
+/* Reported when a frame is drawn, and after it is shown. */
 struct tia_frame {
-    uint32_t number;  /* from 0 */
-    bool relit;       /* only lights changed: the previous frame's hits were used again */
-    uint64_t draw_us; /* time to draw, microseconds, without waiting for the display */
-    uint64_t key_us;  /* latency: from the oldest key press that this frame shows to the end of present;
-                         0 when there was none, or its time is unknown */
+    uint32_t number;          /* from 0 */
+    bool relit;               /* only lights changed: the previous frame's hits were used again */
+    uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
+    enum tia_shadows shadows; /* the technique that drew it */
+    uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
+                                 0 when there was none, its time is unknown, or the frame is not shown yet */
 };
 
 struct tia_viewer {
@@ -35,7 +38,8 @@ struct tia_viewer {
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;
     bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
-    struct tia_options options; /* `path_hash` must be NULL */
+    struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
+    struct tia_options options; /* `path_hash` and `lit` must be NULL */
     uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
     const uint16_t *keys;       /* keys to press before the first frame; NULL: none */
     size_t key_count;
@@ -52,10 +56,13 @@ struct tia_viewer {
     void *display_ctx, *input_ctx, *clock_ctx, *workers_ctx;
 
     /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
-     * discard what it returned before. Called again when the mode changes. When a whole frame's hits do not
-     * fit, the viewer takes memory for one tile's, and traces every frame anew. */
+     * discard what it returned before. Called again when the mode or the technique changes. When a whole frame's hits
+     * do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
     void *(*memory)(void *ctx, size_t size);
     void *memory_ctx;
+
+    /* NULL, or called when a frame is drawn, before it is shown: what it draws on the display is shown with it. */
+    void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
 
     /* NULL, or called after each frame. A result other than 0 ends the loop with that status. */
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
@@ -80,6 +87,10 @@ int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t 
 /* The index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
+
+/* The technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, of those that
+ * the scene qualifies for. */
+enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 /* The time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per second,
  * each 1..1000000: rounded to nearest, at most INT32_MAX. */

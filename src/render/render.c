@@ -26,7 +26,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options)
 {
-    static const struct tia_options plain = {false, NULL};
+    static const struct tia_options plain = {0};
 
     if (!has_tile(view, hits, tile) || !surface->pixels)
         return TIA_ERR_ARGUMENT;

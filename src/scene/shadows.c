@@ -5,7 +5,7 @@
 
 const char *tia_shadows_name(unsigned technique)
 {
-    static const char *const names[] = {"traced", "rays", "zpass", "zfail", "map", "map-exact"};
+    static const char *const names[] = {"traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"};
 
     return NAMED(names, technique);
 }

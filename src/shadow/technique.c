@@ -7,6 +7,7 @@ const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows techniq
         return &tia_shadow_rays;
     case TIA_SHADOWS_ZPASS:
     case TIA_SHADOWS_ZFAIL:
+    case TIA_SHADOWS_ZPASS_PLAIN:
         return &tia_shadow_volumes;
     case TIA_SHADOWS_MAP:
         return &tia_shadow_maps;

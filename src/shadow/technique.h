@@ -54,7 +54,7 @@ unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_ligh
 
 /* TIA_SHADOWS_RAYS. */
 extern const struct tia_shadow_technique tia_shadow_rays;
-/* TIA_SHADOWS_ZPASS and TIA_SHADOWS_ZFAIL. */
+/* TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL and TIA_SHADOWS_ZPASS_PLAIN. */
 extern const struct tia_shadow_technique tia_shadow_volumes;
 /* TIA_SHADOWS_MAP. */
 extern const struct tia_shadow_technique tia_shadow_maps;

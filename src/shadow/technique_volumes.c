@@ -32,6 +32,9 @@ static struct counted count_ends(const struct tia_shadow_view *view, unsigned sa
 {
     const tia_flat_light *light = &view->samples[sample];
     uint32_t eye, far;
+
+    if (view->scene->shadows == TIA_SHADOWS_ZPASS_PLAIN)
+        return (struct counted){BEFORE, 0};
     bool knows_eye = tia_shadow_count_eye(&view->flat, light, &eye, asker);
     bool knows_far = tia_shadow_count_far(&view->flat, light, &far, asker);
 

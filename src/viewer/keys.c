@@ -4,6 +4,11 @@
 int tia_viewer_press(struct loop *loop, uint16_t key)
 {
     const struct tia_viewer *v = loop->viewer;
+
+    if (tia_viewer_is_switch(loop, key)) {
+        tia_viewer_switch(loop);
+        return TIA_OK;
+    }
     uint32_t light = tia_key_light(loop->scene, v->lights, loop->light_count, key);
     int status = tia_press(loop->scene, v->lights, &loop->light_count, v->light_capacity, key);
 

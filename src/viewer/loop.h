@@ -16,7 +16,9 @@
 struct loop {
     const struct tia_viewer *viewer;
     const struct tia_core *core;
-    const struct tia_scene *scene; /* the viewer's scene, or *current when it has tracks */
+    const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
+    const struct tia_scene *scene; /* base, or *current when it has tracks */
+    bool switched;                 /* a key has changed the technique since the last frame */
     uint32_t light_count;
 
     /* The display's mode, and what depends on it. */
@@ -63,14 +65,20 @@ static inline uint64_t viewer_now(const struct loop *loop)
     return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
 }
 
+/* press.c: whether a key ends the loop; whether it changes the technique for shadows. */
+bool tia_viewer_quits(const struct loop *loop, uint16_t key);
+bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
+
 /* keys.c. tia_viewer_take_events handles all waiting events. VIEWER_QUIT when a key quits. */
 int tia_viewer_press(struct loop *loop, uint16_t key);
-bool tia_viewer_quits(const struct tia_scene *scene, uint16_t key);
 int tia_viewer_take_events(struct loop *loop);
 void tia_viewer_repeat_held(struct loop *loop);
 
 /* When a held key next moves the light; 0: none is held. */
 uint64_t tia_viewer_repeat_us(const struct loop *loop);
+
+/* shadows.c: takes the next technique. */
+void tia_viewer_switch(struct loop *loop);
 
 /* play.c: sets up the scene at the viewer's start time; brings it up to date before a frame. */
 int tia_viewer_play_begin(struct loop *loop);

@@ -53,7 +53,7 @@ static void follow(struct loop *loop)
 static int update_scene(struct loop *loop, tia_q16 time)
 {
     int status = tia_scene_at_until(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
-                                    loop->viewer->scene, time, tia_viewer_stops, loop);
+                                    loop->base, time, tia_viewer_stops, loop);
 
     if (status)
         return status;
@@ -75,7 +75,7 @@ int tia_viewer_play_begin(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
-    loop->scene = v->scene;
+    loop->scene = loop->base;
     loop->plays = v->scene->track_count > 0;
     if (!loop->plays)
         return TIA_OK;

@@ -85,9 +85,14 @@ static int put_light(const struct tia_binding *binding, struct tia_light *lights
     return 1;
 }
 
-bool tia_viewer_quits(const struct tia_scene *scene, uint16_t key)
+bool tia_viewer_is_switch(const struct loop *loop, uint16_t key)
 {
-    return !find_binding(scene, key) && !find_move(key);
+    return loop->viewer->variant && key == TIA_KEY_SHADOWS && !find_binding(loop->scene, key);
+}
+
+bool tia_viewer_quits(const struct loop *loop, uint16_t key)
+{
+    return !find_binding(loop->scene, key) && !find_move(key) && !tia_viewer_is_switch(loop, key);
 }
 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)

@@ -19,7 +19,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
     uint64_t sizes[] = {loop->current_size, loop->bvh_size, loop->view_size, loop->tiles,
-                        loop->core->hits_size(v->scene, hits)};
+                        loop->core->hits_size(loop->base, hits)};
     size_t sum = 0;
     char *parts[5] = {NULL}, *memory;
 
@@ -64,11 +64,9 @@ static bool get_most_memory(struct loop *loop)
 
 int tia_viewer_prepare(struct loop *loop)
 {
-    const struct tia_viewer *v = loop->viewer;
-
     loop->view_ready = false;
-    loop->view_size = loop->core->view_size(v->scene, v->light_capacity);
-    loop->bvh_size = loop->plays && v->scene->bvh ? tia_bvh_size(v->scene) : 0;
+    loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
+    loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 

@@ -17,7 +17,7 @@ static int idle_ms(const struct loop *loop)
 static int draw_frame(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    struct tia_frame frame = {.number = loop->frame, .relit = loop->traced};
+    struct tia_frame frame = {.number = loop->frame, .relit = loop->traced, .shadows = loop->base->shadows};
     uint64_t start = viewer_now(loop), key_us = loop->key_us;
     int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
 
@@ -28,11 +28,14 @@ static int draw_frame(struct loop *loop)
     if (loop->gave_up)
         return TIA_OK;
     frame.draw_us = viewer_now(loop) - start;
+    if (!status && v->frame_drawn)
+        v->frame_drawn(v->frame_ctx, &frame);
     if (!status)
         status = v->display->present(v->display_ctx);
     if (status)
         return status;
     loop->traced = loop->whole;
+    loop->switched = false;
     loop->changed = false;
     loop->key_us = 0;
     loop->frame++;
@@ -46,6 +49,24 @@ static bool same_mode(const struct tia_mode *a, const struct tia_mode *b)
            a->tile_height == b->tile_height && a->concurrent == b->concurrent;
 }
 
+/* A technique that cannot draw what the check lets pass, such as a point that is too far away, is left out. The one
+ * before the key can. */
+static int prepare(struct loop *loop)
+{
+    enum tia_shadows first = loop->base->shadows;
+    int status;
+
+    do {
+        status = loop->view ? TIA_OK : tia_viewer_prepare(loop);
+        if (!status)
+            status = tia_viewer_play(loop);
+        if (status != TIA_ERR_RANGE || !loop->switched)
+            break;
+        tia_viewer_switch(loop);
+    } while (loop->base->shadows != first);
+    return status;
+}
+
 /* Draws a frame if one is needed. TIA_HIDDEN while another program has the display. */
 static int show(struct loop *loop)
 {
@@ -55,12 +76,12 @@ static int show(struct loop *loop)
 
     if (status == TIA_HIDDEN)
         loop->changed = true;
-    if (!status && (!loop->view || !same_mode(&mode, &loop->mode))) {
+    if (!status && !same_mode(&mode, &loop->mode)) {
         loop->mode = mode;
-        status = tia_viewer_prepare(loop);
+        loop->view = NULL;
     }
     if (!status)
-        status = tia_viewer_play(loop);
+        status = prepare(loop);
     if (!status && (loop->changed || v->frame_limit))
         status = draw_frame(loop);
     return status;
@@ -105,18 +126,23 @@ static int step(struct loop *loop)
 static bool is_acceptable(const struct tia_viewer *v)
 {
     return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
-           v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
+           !v->options.lit && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
 }
 
 int tia_viewer_run(struct tia_viewer *viewer)
 {
-    struct loop loop = {.viewer = viewer, .core = viewer->core ? viewer->core : &tia_core_q16, .changed = true};
+    struct loop loop = {
+        .viewer = viewer, .core = viewer->core ? viewer->core : &tia_core_q16, .base = viewer->scene, .changed = true};
     const struct tia_scene *scene = viewer->scene;
     int status = is_acceptable(viewer) ? TIA_OK : TIA_ERR_ARGUMENT;
 
     for (uint32_t i = 0; !status && i < scene->light_count; i++)
         viewer->lights[i] = scene->lights[i];
     loop.light_count = scene->light_count;
+    if (viewer->variant) {
+        *viewer->variant = *scene;
+        loop.base = viewer->variant;
+    }
     if (!status)
         status = tia_viewer_play_begin(&loop);
     for (size_t i = 0; !status && i < viewer->key_count; i++)

@@ -15,7 +15,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
 {
     bool is_press = event->kind != TIA_EVENT_RELEASE;
 
-    loop->ends = is_press && tia_viewer_quits(loop->scene, event->key);
+    loop->ends = is_press && tia_viewer_quits(loop, event->key);
     loop->outdated = loop->outdated || is_press;
     loop->queue[loop->queued++] = *event;
 }

@@ -18,6 +18,9 @@ struct options {
     const char *heatmap;
     double require_identical;      /* percent; negative: not given */
     int64_t max_flips, max_levels; /* negative: not given */
+    bool shadows;                  /* compare techniques for shadows instead */
+    unsigned light, best_of;       /* with shadows; light 0: all */
+    const char *technique;         /* only this one; NULL: all */
 };
 
 /* 0: continue; 1: done (--help); -1: usage error, after an error message. */

@@ -36,8 +36,7 @@ static void json_tallies(const struct report *report, const struct tally *tallie
     }
 }
 
-/* Escapes a frame's name; a file's name can contain any bytes. */
-static void json_string(const char *text)
+void report_json_string(const char *text)
 {
     putchar('"');
     for (; *text != '\0'; text++)
@@ -66,7 +65,7 @@ void report_frame(struct report *report, const char *name, unsigned width, unsig
     (void)snprintf(size, sizeof size, "%ux%u", width, height);
     if (report->json && !report->summary) {
         printf("%s\n{\"frame\": ", report->frames > 0 ? "," : "");
-        json_string(name);
+        report_json_string(name);
         printf(", \"width\": %u, \"height\": %u, ", width, height);
         json_tallies(report, tallies);
         printf("}");

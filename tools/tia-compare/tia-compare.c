@@ -12,6 +12,7 @@
 #include "options.h"
 #include "pictures.h"
 #include "report.h"
+#include "shadows.h"
 
 #ifdef TIA_HAVE_F64
 
@@ -48,7 +49,8 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     what.width = run->options.width > 0 ? run->options.width : width;
     what.height = run->options.width > 0 ? run->options.height : height;
     if (run->options.heatmap) {
-        status = heatmap_alloc(&map, what.width, what.height, what.core_count) ? TIA_OK : TIA_ERR_MEMORY;
+        status =
+            heatmap_alloc(&map, what.width, what.height, what.core_count, heatmap_verdicts) ? TIA_OK : TIA_ERR_MEMORY;
         what.picture = map.picture;
         what.differs = heatmap_mark;
         what.arg = &map;
@@ -162,6 +164,17 @@ static int check_bounds(const struct run *run)
     return result;
 }
 
+static int compare_arithmetics(struct run *run)
+{
+    report_begin(&run->report);
+    int result = run_frames(run);
+    if (result == 0) {
+        report_end(&run->report);
+        result = check_bounds(run);
+    }
+    return result;
+}
+
 int main(int argc, char **argv)
 {
     struct run run = {0};
@@ -179,12 +192,7 @@ int main(int argc, char **argv)
                                 .workers = &threads_workers,
                                 .workers_ctx = pool};
     run.report = (struct report){.json = run.options.json, .summary = run.options.summary, .what = &run.what};
-    report_begin(&run.report);
-    result = run_frames(&run);
-    if (result == 0) {
-        report_end(&run.report);
-        result = check_bounds(&run);
-    }
+    result = run.options.shadows ? shadows_compare(&run.options, pool) : compare_arithmetics(&run);
     threads_destroy(pool);
     if (fflush(stdout) != 0 || ferror(stdout))
         result = failed("standard output", "cannot be written");

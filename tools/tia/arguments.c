@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "common/keys.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "parse.h"
@@ -80,7 +81,7 @@ int arguments_parse(struct options *options, int argc, char **argv)
 
 /* ---- loading the scene and its keys ---- */
 
-/* Lists the keys that parse_keys accepts, for a message: "a d s w <left> ...". */
+/* Lists the keys that keys_parse accepts, for a message: "a d s w <left> ...". */
 static void name_keys(const struct tia_scene *scene, char *text, size_t size)
 {
     size_t used = 0;
@@ -102,7 +103,7 @@ static int load_keys(struct options *options)
     options->keys = malloc((strlen(text) + 1) * sizeof *options->keys);
     if (!options->keys)
         return fail(EXIT_RUNNING, "memory: exhausted");
-    if (!parse_keys(text, &options->scene, options->keys, &options->key_count, &bad)) {
+    if (!keys_parse(text, &options->scene, options->keys, &options->key_count, &bad)) {
         name_keys(&options->scene, names, sizeof names);
         return fail(EXIT_USAGE, "--keys '%.200s': no key that moves the light (%s)", bad, names);
     }

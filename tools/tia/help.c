@@ -13,7 +13,7 @@ const char options_help[] =
     "  -s, --size WxH               1x1 to 8192x8192; default the display's, 640x480 for a file\n"
     "      --samples N              1, 4 or 16 rays a pixel, against jagged edges; default the scene's\n"
     "      --depth N                bends and reflections of a ray, 1 to 16; default the scene's\n"
-    "      --shadows NAME           traced, rays, zpass, zfail, map or map-exact\n"
+    "      --shadows NAME           traced, rays, zpass, zfail, map, map-exact or zpass-plain\n"
     "      --map-size N             texels along a shadow map's side, 64 to 4096\n"
     "      --bias none|KIND=A       of shadow maps: constant, slope, normal or plane, its amount\n"
     "      --filter NAME            of shadow maps: none, bilinear, 3x3, 5x5, 7x7, poisson or pcss\n"
@@ -40,4 +40,5 @@ const char options_help[] =
     "  -V, --version\n"
     "\n"
     "Keys: a scene's own put lights (a d s w: above left, above right, near, far); arrows and page\n"
-    "up/down move the first one; every other key quits.\n";
+    "up/down move the first one; t changes the technique for shadows, but not in the built-in scene;\n"
+    "every other key quits.\n";

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/signals.h"
+#include "label.h"
 #include "ports.h"
 
 /* ---- size and place ---- */
@@ -200,6 +201,42 @@ static int draw_border(struct letterbox *letterbox)
     return status;
 }
 
+static int label_tile(struct letterbox *letterbox, struct tia_tile tile)
+{
+    struct tia_tile place = on_screen(letterbox, tile);
+    struct tia_surface under;
+    int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &under);
+    if (status)
+        return status;
+    struct tia_surface surface = rotation_surface(&letterbox->rotation, &under, place.width, place.height);
+    for (unsigned y = 0; y < tile.height; y++) {
+        char *at = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch;
+        for (unsigned x = 0; x < tile.width; x++, at += surface.step) {
+            bool ink = label_is_ink(letterbox->label, letterbox->rotation.height, tile.x + x, tile.y + y);
+            *(tia_rgb565 *)(void *)at = ink ? 0xffff : 0;
+        }
+    }
+    return letterbox->screen->submit(letterbox->screen_ctx, place);
+}
+
+/* A pixel's row or column at a time, in pieces that the screen takes. */
+static int draw_label(struct letterbox *letterbox)
+{
+    struct tia_tile area = label_area(letterbox->label, letterbox->rotation.width, letterbox->rotation.height);
+    struct tia_mode mode;
+    int status = TIA_OK;
+
+    get_picture_mode(letterbox, &mode);
+    unsigned step = mode.tile_width != 0 ? mode.tile_width : area.width;
+    for (unsigned y = 0; letterbox->label[0] != '\0' && y < area.height; y++)
+        for (unsigned x = 0; x < area.width && !status; x += step) {
+            unsigned left = area.width - x;
+            status = label_tile(letterbox,
+                                (struct tia_tile){(uint16_t)x, (uint16_t)y, (uint16_t)(left < step ? left : step), 1});
+        }
+    return status;
+}
+
 /* That of the largest frame takes so long that signals must be looked at. */
 static int compute_crc(struct letterbox *letterbox)
 {
@@ -220,6 +257,8 @@ static int letterbox_present(void *ctx)
     int status = draw_border(letterbox);
     if (!status && letterbox->checksum)
         status = compute_crc(letterbox);
+    if (!status)
+        status = draw_label(letterbox);
     return status ? status : letterbox->screen->present(letterbox->screen_ctx);
 }
 

@@ -1,5 +1,5 @@
 /* letterbox.h - a display (tia/port.h) that draws on another one: it centres a smaller picture on black, rotates
- * it, and computes its checksum.
+ * it, puts a label on it, and computes its checksum, without the label.
  *
  * Without a checksum, the picture is drawn straight into the other display's memory.
  */
@@ -19,6 +19,8 @@ struct letterbox {
     unsigned degrees;       /* clockwise */
     bool checksum;
     char *why; /* [PORT_WHY]: as in port/ports.h */
+
+    char label[40]; /* see label.h; empty: none. May change from frame to frame */
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */

@@ -20,8 +20,4 @@ bool parse_seconds(const char *text, tia_q16 *seconds);
 /* "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);
 
-/* "ad<left>" as key codes, at most one per character; accepts only keys that set or move a light of `scene`. *bad is
- * set to the place of an error. */
-bool parse_keys(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);
-
 #endif

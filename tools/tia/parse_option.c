@@ -150,7 +150,7 @@ static int set_shadows(struct options *options, const char *value)
             options->shadows = i + 1;
             return EXIT_FINE;
         }
-    return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass, zfail, map or map-exact", value);
+    return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass, zfail, map, map-exact or zpass-plain", value);
 }
 
 static int set_map_size(struct options *options, const char *value)

@@ -110,6 +110,16 @@ static int print_checksum(struct session *session, uint32_t number)
     return TIA_OK;
 }
 
+/* Once a key has changed the technique for shadows, each frame says which one drew it, and how long that took. */
+static void frame_drawn(void *ctx, const struct tia_frame *frame)
+{
+    struct session *session = ctx;
+    session->labelled = session->labelled || frame->shadows != session->options->scene.shadows;
+    if (session->labelled)
+        (void)snprintf(session->letterbox.label, sizeof session->letterbox.label, "%s %" PRIu64 ".%" PRIu64 " ms",
+                       tia_shadows_name(frame->shadows), frame->draw_us / 1000, frame->draw_us % 1000 / 100);
+}
+
 static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
@@ -151,6 +161,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,
                                .detached = session->lights.detached,
+                               .variant = options->scene_path ? &session->variant : NULL,
                                .options = {.dither = options->dither},
                                .frame_limit = options->frames,
                                .keys = options->keys,
@@ -166,6 +177,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .workers_ctx = session->pool,
                                .memory = get_memory,
                                .memory_ctx = session,
+                               .frame_drawn = frame_drawn,
                                .frame_done = frame_done,
                                .frame_ctx = session,
                                .stop = signals_asked};

@@ -4,9 +4,9 @@
 
 #include <stdio.h>
 
+#include "common/lights.h"
 #include "common/thread_pool.h"
 #include "letterbox.h"
-#include "lights.h"
 #include "options.h"
 #include "ports.h"
 #include "stats.h"
@@ -21,7 +21,9 @@ struct session {
     struct tia_mode mode;
     struct threads *pool;
     struct lights lights;
-    void *memory; /* the viewer's */
+    struct tia_scene variant; /* the scene, with the technique for shadows that a key has chosen */
+    bool labelled;            /* the technique is told on the picture */
+    void *memory;             /* the viewer's */
     size_t memory_bytes;
     FILE *lines; /* for checksums: standard output, or memory until the display is closed */
     char *text;

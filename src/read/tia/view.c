@@ -144,7 +144,7 @@ int tia_line_shadows(struct tia_job *job)
     struct tia_word word;
     unsigned technique;
     int status = named(t, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
-                       "traced, rays, zpass, zfail, map or map-exact", &technique);
+                       "traced, rays, zpass, zfail, map, map-exact or zpass-plain", &technique);
 
     job->scene->shadows = (enum tia_shadows)technique;
     *map = (struct tia_shadow_map){.size = 0};

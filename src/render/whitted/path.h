@@ -5,6 +5,7 @@
 #include "render/trace/trace.h"
 
 #define PATH_BLOCKERS 8
+#define PATH_REACHED 64
 
 /* What light comes to a point. Number n is set in `bits` when some arrives, and then shares[n] 2^-15 of it, or all when
  * shares is NULL. */
@@ -28,7 +29,9 @@ struct path {
     const struct first_hits *first; /* NULL: they are traced */
     struct arrivals lit;            /* while `known` */
     bool known;
-    unsigned class; /* of the pixel, see light.h */
+    unsigned class;        /* of the pixel, see light.h */
+    uint64_t reached;      /* see tia_options.lit */
+    unsigned next_reached; /* the next sample's number there; PATH_REACHED: it has none */
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */
     uint32_t blocker[PATH_BLOCKERS]; /* what last stood before each of the first lights */

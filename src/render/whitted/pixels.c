@@ -43,6 +43,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
         struct hit hit;
         num_length colour[3];
 
+        path->next_reached = i == 0 ? 0 : PATH_REACHED;
         ray_camera_ray(camera, x, y, i, &ray);
         find_first(path, x, y, i == 0 ? &object : NULL, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
@@ -65,7 +66,8 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 static bool row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
                 ptrdiff_t step, const struct tia_options *options, const struct first_hits *first)
 {
-    uint32_t *path_hash = options->path_hash ? options->path_hash + (size_t)(y - (int)tile.y) * tile.width : NULL;
+    size_t before = (size_t)(y - (int)tile.y) * tile.width;
+    uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
     struct path path = {.view = view->prepared, .first = first, .hashed = path_hash};
     num_u threshold[8];
@@ -79,10 +81,13 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
 
         path.class = first ? 0 : ray_pixel_class(x, y);
         path.hash = PATH_HASH;
+        path.reached = 0;
         pixel(&path, x, y, objects[i], mean);
         *(tia_rgb565 *)(void *)(out + i * step) = pack(mean, threshold[x & 7]);
         if (path_hash)
             path_hash[i] = path.hash;
+        if (options->lit)
+            options->lit[before + (size_t)i] = path.reached;
     }
     return !path.stopped;
 }

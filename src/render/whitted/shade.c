@@ -122,6 +122,12 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     return true;
 }
 
+static void note_reached(struct path *path, bool reached)
+{
+    if (path->next_reached < PATH_REACHED)
+        path->reached |= (uint64_t)reached << path->next_reached++;
+}
+
 static void add_light(struct path *path, const struct shading *s, uint32_t n, num_length own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
@@ -136,8 +142,11 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
         return;
     }
     ray_light_aim(&aim, light, s->point, path->class);
-    for (unsigned i = 0; i < light->samples && !path_stops(path); i++)
-        path_hash_word(path, add_sample(path, s, &aim, i, bit + step * i, blocker, mean));
+    for (unsigned i = 0; i < light->samples && !path_stops(path); i++) {
+        bool reached = add_sample(path, s, &aim, i, bit + step * i, blocker, mean);
+        path_hash_word(path, reached);
+        note_reached(path, reached);
+    }
     for (int c = 0; c < 3; c++)
         own[c] = num_sum_within(own[c], num_product_within(mean[c], light->emission[c]));
 }

@@ -100,6 +100,7 @@ void path_colour(struct path *path, const struct ray *ray, const struct hit *fir
     stack.count = 0;
     follow(path, &b, &hit, &stack, colour);
     path->known = false;
+    path->next_reached = PATH_REACHED;
     while (stack.count > 0 && rays++ < TIA_RAYS && !path_stops(path)) {
         b = stack.bounces[--stack.count];
         ray_intersect(path->view, &b.ray, &hit);

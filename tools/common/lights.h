@@ -1,6 +1,6 @@
 /* lights.h - a copy of the scene's lights that keys can move. */
-#ifndef TOOLS_TIA_LIGHTS_H
-#define TOOLS_TIA_LIGHTS_H
+#ifndef TOOLS_COMMON_LIGHTS_H
+#define TOOLS_COMMON_LIGHTS_H
 
 #include <tia/scene.h>
 

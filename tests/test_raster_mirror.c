@@ -1,0 +1,207 @@
+/* A plane mirror by the stencil buffer, as tia/raster.h draws it, against the mirror that rays trace: the scene is
+ * drawn, then the mirror's own pixels are marked, and the mirrored scene is drawn where the mark is. Triangles shine by
+ * themselves, each in a colour of its own, so a colour tells which one is seen. */
+#include <stdlib.h>
+
+#include <tia/raster.h>
+#include <tia/tia.h>
+
+#include "check.h"
+#include "random.h"
+#include "shadow/faces.h"
+
+enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRROR = 2, SCENES = 20 };
+
+/* The triangles, the mirror's two, and the triangles mirrored; tracing knows nothing of the last. */
+static struct tia_shape shapes[2 * TRIANGLES + MIRROR];
+static struct tia_material materials[TRIANGLES + 1];
+static tia_rgb565 traced[PIXELS], drawn[PIXELS];
+
+/* ---- scenes ---- */
+
+#define PLACE (TIA_Q16_ONE * -8) /* the mirror is where z is this */
+
+static tia_rgb565 colour_of(uint32_t i)
+{
+    return (tia_rgb565)(((i + 1) % 32) << 11 | (i + 1) / 32);
+}
+
+static tia_q16 within(double low, double high)
+{
+    return (tia_q16)((low + (high - low) * (random_double() + 1) / 2) * 65536);
+}
+
+static void make_triangle(uint32_t i)
+{
+    struct tia_triangle *t = &shapes[i].triangle, *m = &shapes[TRIANGLES + MIRROR + i].triangle;
+    tia_q16 x = within(-3, 3), y = within(-2, 2), z = within(-6.5, -3.5);
+
+    for (int k = 0; k < 3; k++) {
+        t->corner[k] = (struct tia_vec3){x + within(-0.6, 0.6), y + within(-0.6, 0.6), z + within(-0.6, 0.6)};
+        m->corner[k] = t->corner[k];
+        m->corner[k].z = 2 * PLACE - t->corner[k].z;
+    }
+    shapes[i].kind = shapes[TRIANGLES + MIRROR + i].kind = TIA_TRIANGLE;
+    shapes[i].material = shapes[TRIANGLES + MIRROR + i].material = i;
+    tia_rgb565 colour = colour_of(i);
+    materials[i] = (struct tia_material){.emission = {(tia_q30)((int64_t)(colour >> 11) * TIA_Q30_ONE / 31), 0,
+                                                      (tia_q30)((int64_t)(colour & 31) * TIA_Q30_ONE / 31)}};
+}
+
+static void make_scene(struct tia_scene *scene)
+{
+    const struct tia_vec3 corner[4] = {{TIA_Q16(-3), TIA_Q16(-2), PLACE},
+                                       {TIA_Q16(3), TIA_Q16(-2), PLACE},
+                                       {TIA_Q16(3), TIA_Q16(2), PLACE},
+                                       {TIA_Q16(-3), TIA_Q16(2), PLACE}};
+
+    for (uint32_t i = 0; i < TRIANGLES; i++)
+        make_triangle(i);
+    for (uint32_t i = 0; i < MIRROR; i++)
+        shapes[TRIANGLES + i] = (struct tia_shape){
+            .kind = TIA_TRIANGLE, .material = TRIANGLES, .triangle = {{corner[0], corner[1 + i], corner[2 + i]}}};
+    materials[TRIANGLES] = (struct tia_material){.mirror = TIA_RGB(1, 1, 1)};
+    *scene = (struct tia_scene){.camera = {.eye = {within(-2, 2), within(-1, 1), 0}, .fov = TIA_Q16(45)},
+                                .materials = materials,
+                                .shapes = shapes,
+                                .material_count = TRIANGLES + 1,
+                                .shape_count = TRIANGLES + MIRROR};
+}
+
+/* ---- the two mirrors ---- */
+
+static void trace(const struct tia_core *core, const struct tia_scene *scene)
+{
+    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+    const struct tia_surface surface = {traced, 2, 2 * WIDTH};
+    size_t view_size = core->view_size(scene, 0), hits_size = core->hits_size(scene, all);
+    void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
+    struct tia_view *view;
+    struct tia_hits *hits;
+
+    CHECK_EQ(core->view_init(&view, view_memory, view_size, scene, 0, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(core->hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
+    CHECK_EQ(core->trace(view, hits, all), TIA_OK);
+    CHECK_EQ(core->light(view, hits, all, &surface, NULL), TIA_OK);
+    free(view_memory);
+    free(hits_memory);
+}
+
+static void draw_objects(struct tia_raster_target *target, const struct tia_flat_scene *flat, uint32_t first,
+                         uint32_t count, struct tia_raster_state *state)
+{
+    for (uint32_t i = first; i < first + count; i++) {
+        struct tia_raster_vertex corners[TIA_SIDES];
+        uint32_t face = flat->objects[i].first_face, material = shapes[flat->objects[i].object].material;
+        unsigned sides = tia_flat_corners(flat, face, corners);
+        state->colour[0] = material < TRIANGLES ? colour_of(material) : 0;
+        CHECK_EQ(tia_draw_polygon(target, state, corners, sides, face), TIA_OK);
+    }
+}
+
+#define ANY                                                                                                            \
+    {                                                                                                                  \
+        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+    }
+
+/* Three passes, as in the manuals of OpenGL. Nothing is behind the mirror, so its plane needs not clip. */
+static void draw_mirrored(struct tia_raster_target *target, const struct tia_flat_scene *flat)
+{
+    struct tia_raster_state state = {
+        .depth = TIA_LESS, .depth_write = true, .front = ANY, .back = ANY, .colour_write = {true, true, true}};
+
+    draw_objects(target, flat, 0, TRIANGLES + MIRROR, &state);
+    state.depth = TIA_EQUAL;
+    state.front.reference = state.back.reference = 1;
+    state.front.zpass = state.back.zpass = TIA_REPLACE;
+    draw_objects(target, flat, TRIANGLES, MIRROR, &state);
+    tia_clear_depth(target);
+    state.depth = TIA_LESS;
+    state.front.test = state.back.test = TIA_EQUAL;
+    state.front.zpass = state.back.zpass = TIA_KEEP;
+    draw_objects(target, flat, TRIANGLES + MIRROR, TRIANGLES, &state);
+}
+
+static unsigned draw(const struct tia_scene *given)
+{
+    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+    const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR;
+    struct tia_scene scene = *given;
+    struct tia_raster_target target;
+    struct tia_flat_scene flat;
+    unsigned mirrored = 0;
+
+    scene.shape_count += TRIANGLES;
+    size_t flat_size = tia_flat_size(&scene), size;
+    void *flat_memory = malloc(flat_size);
+    CHECK_EQ(tia_flat_init(&flat, flat_memory, flat_size, &scene, WIDTH, HEIGHT), TIA_OK);
+    size = tia_raster_size(all, buffers, flat.face_count);
+    void *memory = malloc(size);
+    CHECK_EQ(tia_raster_init(&target, memory, size, &flat.lattice, all, buffers, flat.face_count), TIA_OK);
+    draw_mirrored(&target, &flat);
+    for (unsigned i = 0; i < PIXELS; i++) {
+        drawn[i] = target.colour[3 * i];
+        mirrored += target.stencil[i] == 1 && drawn[i] != 0;
+    }
+    free(flat_memory);
+    free(memory);
+    return mirrored;
+}
+
+/* ---- comparison ---- */
+
+/* A ray that leaves the mirror has a rounded point and direction: it may pass an edge on the other side. So what it
+ * sees is what a neighbour of the pixel sees. */
+static bool is_beside(unsigned i)
+{
+    unsigned x = i % WIDTH, y = i / WIDTH;
+
+    for (unsigned v = y ? y - 1 : 0; v <= y + 1 && v < HEIGHT; v++)
+        for (unsigned u = x ? x - 1 : 0; u <= x + 1 && u < WIDTH; u++)
+            if (drawn[v * WIDTH + u] == traced[i])
+                return true;
+    return false;
+}
+
+static void compare(const struct tia_core *core)
+{
+    unsigned mirrored = 0, differ = 0;
+
+    random_state = 11;
+    for (unsigned s = 0; s < SCENES; s++) {
+        struct tia_scene scene;
+        make_scene(&scene);
+        trace(core, &scene);
+        mirrored += draw(&scene);
+        for (unsigned i = 0; i < PIXELS; i++) {
+            bool other = drawn[i] != traced[i];
+            CHECK_MSG(!other || is_beside(i), "scene %u, pixel %u: %04x, traced %04x", s, i, drawn[i], traced[i]);
+            differ += other;
+        }
+    }
+    printf("# %s: %u of %u pixels differ; %u see a triangle in the mirror\n", core->name, differ, SCENES * PIXELS,
+           mirrored);
+    CHECK(mirrored > SCENES * 500);
+    CHECK(differ * 20000 <= SCENES * PIXELS);
+}
+
+TEST(the_traced_mirror_in_integers)
+{
+    compare(&tia_core_q16);
+}
+
+#ifdef TIA_HAVE_F64
+TEST(the_traced_mirror_in_double)
+{
+    compare(&tia_core_f64);
+}
+#endif
+
+int main(void)
+{
+    RUN(the_traced_mirror_in_integers);
+#ifdef TIA_HAVE_F64
+    RUN(the_traced_mirror_in_double);
+#endif
+    return check_status();
+}

@@ -1,0 +1,215 @@
+/* tia_viewer_run with the key that changes the technique for shadows. */
+#include <tia/motion.h>
+
+#include "viewer_world.h"
+
+#define SMALL_WIDTH 32
+#define SMALL_HEIGHT 24
+
+/* A box on the ground. */
+static const struct tia_shape shapes[] = {
+    {.kind = TIA_PLANE, .material = 0, .plane = {TIA_VEC3(0, 0, 0), {0, TIA_Q30_ONE, 0}}},
+    {.kind = TIA_BOX, .material = 0, .box = {TIA_VEC3(-1, 0, -1), TIA_VEC3(1, 2, 1)}},
+};
+static const struct tia_material material[] = {{.colour = TIA_RGB(0.5, 0.5, 0.5)}};
+static const struct tia_light light[] = {
+    {.centre = TIA_VEC3(3, 5, 2), .radius = TIA_Q16(1), .emission = TIA_RGB(1, 1, 1)}};
+static struct tia_scene yard, variant;
+static unsigned techniques; /* there are */
+
+static struct world *yard_world(void)
+{
+    struct world *w = world_new();
+
+    yard = (struct tia_scene){.camera = {.eye = TIA_VEC3(0, 3, 9), .fov = TIA_Q16(45)},
+                              .materials = material,
+                              .shapes = shapes,
+                              .lights = light,
+                              .material_count = 1,
+                              .shape_count = 2,
+                              .light_count = 1};
+    w->mode.width = SMALL_WIDTH;
+    w->mode.height = SMALL_HEIGHT;
+    w->viewer.scene = &yard;
+    w->viewer.variant = &variant;
+    return w;
+}
+
+/* Each technique in its turn, then the first one again; each frame is compared with what that one draws. */
+static const struct tia_scene *scene_of_frame(const struct world *w)
+{
+    static struct tia_scene now;
+
+    now = yard;
+    now.shadows = (enum tia_shadows)(w->frame_count % techniques);
+    return &now;
+}
+
+TEST(one_technique_after_the_other)
+{
+    struct world *w = yard_world();
+
+    w->scene_now = scene_of_frame;
+    for (unsigned i = 0; i < techniques + 1; i++)
+        world_event(w, START + 1000 * (i + 1), TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, techniques + 2);
+    for (unsigned i = 0; i < w->frame_count; i++) {
+        CHECK_EQ(w->frames[i].told.shadows, i % techniques);
+        CHECK_EQ(w->frames[i].told.relit, 0);
+    }
+    CHECK_EQ(yard.shadows, TIA_SHADOWS_TRACED);
+}
+
+/* Lights stay where keys have put them, and moved lights need no new hits. */
+TEST(lights_between_techniques)
+{
+    struct world *w = yard_world();
+
+    w->scene_now = NULL;
+    world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    world_event(w, START + 2000, TIA_EVENT_TAP, 't');
+    world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    quit_at(w, START + 90000);
+    yard.shadows = TIA_SHADOWS_ZPASS; /* then zfail, and the two draw the same */
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 4);
+    CHECK_EQ(w->frames[2].told.shadows, TIA_SHADOWS_ZFAIL);
+    CHECK(w->frames[1].told.relit && !w->frames[2].told.relit && w->frames[3].told.relit);
+    CHECK_EQ(w->frames[3].light.x, ONE);
+}
+
+/* Without memory for it, the key is like any other; where the scene has it, it is the scene's. */
+TEST(whose_key_it_is)
+{
+    struct world *w = yard_world();
+    const struct tia_binding binding = {.key = 't', .light = 0, .state = {.centre = TIA_VEC3(-3, 5, 2), .radius = ONE}};
+
+    w->viewer.variant = NULL;
+    world_event(w, START + 500, TIA_EVENT_TAP, 't');
+    world_event(w, START + 900, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->next_event == 1 && w->frame_count == 1);
+    w = yard_world();
+    yard.bindings = &binding;
+    yard.binding_count = 1;
+    world_event(w, START + 500, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 2);
+    CHECK_EQ(w->frames[1].light.x, -3 * ONE);
+    CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
+}
+
+/* Balls: only rays are left, and the key does not quit. Through a narrow lens, far corners are out of the
+ * rasteriser's range, which only preparing tells. */
+TEST(what_only_rays_can_draw)
+{
+    static const struct tia_shape wide = {.kind = TIA_BOX, .box = {TIA_VEC3(-1, 0, -1), TIA_VEC3(20000, 2, 1)}};
+    struct world *w = yard_world();
+
+    w->viewer.scene = &tia_thesis_scene;
+    world_event(w, START + 500, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 2);
+    CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
+    w = yard_world();
+    yard.shapes = &wide;
+    yard.shape_count = 1;
+    yard.camera.fov = TIA_Q16(1);
+    world_event(w, START + 500, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 2);
+    CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
+}
+
+/* While a frame is drawn that takes long, the key gives it up like one that moves a light. */
+TEST(in_the_middle_of_a_frame)
+{
+    struct world *w = yard_world();
+
+    w->mode.tile_height = 4;
+    w->tile_us = 100000;
+    world_event(w, START + 50000, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 5000000);
+    w->scene_now = NULL;
+    yard.shadows = TIA_SHADOWS_ZPASS;
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK_EQ(w->frames[0].told.shadows, TIA_SHADOWS_ZFAIL);
+}
+
+static unsigned drawn;
+
+static void note_drawn(void *ctx, const struct tia_frame *frame)
+{
+    struct world *w = ctx;
+
+    CHECK(w->tiles > 0 && !w->acquired); /* all tiles are there, and not yet shown */
+    CHECK_EQ(frame->number, w->frame_count);
+    CHECK_EQ(frame->draw_us, 300 * w->tiles);
+    CHECK_EQ(frame->shadows, drawn++ % 2 ? TIA_SHADOWS_ZFAIL : TIA_SHADOWS_ZPASS);
+}
+
+TEST(told_before_it_is_shown)
+{
+    struct world *w = yard_world();
+
+    drawn = 0;
+    w->tile_us = 300;
+    w->present_us = 7000;
+    w->viewer.frame_drawn = note_drawn;
+    yard.shadows = TIA_SHADOWS_ZPASS;
+    world_event(w, START + 50000, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(drawn, 2);
+}
+
+/* The eye moves; its time goes on through a change of the technique. */
+static const struct tia_scene *moving_scene(const struct world *w)
+{
+    static uint64_t memory[512];
+    static struct tia_scene now;
+    uint64_t drawn_us = w->frames[w->frame_count].drawn_us;
+
+    CHECK_EQ(tia_scene_at(&now, memory, sizeof memory, &yard, (tia_q16)((drawn_us - START) * TIA_Q16_ONE / 1000000)),
+             TIA_OK);
+    return &now;
+}
+
+TEST(while_it_plays)
+{
+    static const struct tia_keyframe keyframes[] = {{0, TIA_VEC3(0, 3, 9)}, {TIA_Q16(30), TIA_VEC3(3, 3, 9)}};
+    static const struct tia_track tracks[] = {{.target = TIA_MOVES_EYE, .keys = keyframes, .key_count = 2}};
+    struct world *w = yard_world();
+
+    w->scene_now = moving_scene;
+    yard.tracks = tracks;
+    yard.track_count = 1;
+    yard.shadows = TIA_SHADOWS_ZPASS;
+    world_event(w, START + 100000, TIA_EVENT_TAP, 't');
+    quit_at(w, START + 200000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->frame_count >= 8);
+    for (unsigned i = 0; i < w->frame_count; i++)
+        CHECK_EQ(w->frames[i].told.shadows,
+                 w->frames[i].drawn_us < START + 100000 ? TIA_SHADOWS_ZPASS : TIA_SHADOWS_ZFAIL);
+}
+
+int main(void)
+{
+    while (tia_shadows_name(techniques))
+        techniques++;
+    RUN(one_technique_after_the_other);
+    RUN(lights_between_techniques);
+    RUN(whose_key_it_is);
+    RUN(what_only_rays_can_draw);
+    RUN(in_the_middle_of_a_frame);
+    RUN(told_before_it_is_shown);
+    RUN(while_it_plays);
+    return check_status();
+}

@@ -1,0 +1,11 @@
+/* keys.h - the keys of an option, pressed before the first frame. */
+#ifndef TOOLS_COMMON_KEYS_H
+#define TOOLS_COMMON_KEYS_H
+
+#include <tia/scene.h>
+
+/* "ad<left>" as key codes, at most one per character; accepts only keys that set or move a light of `scene`. *bad is
+ * set to the place of an error. */
+bool keys_parse(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);
+
+#endif

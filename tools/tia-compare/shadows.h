@@ -1,0 +1,11 @@
+/* shadows.h - tia-compare --shadows: the techniques for shadows compared with exact ones, scene by scene. */
+#ifndef TIA_COMPARE_SHADOWS_H
+#define TIA_COMPARE_SHADOWS_H
+
+#include "common/thread_pool.h"
+#include "options.h"
+
+/* Compares in each scene of the command line; returns the exit status, after an error message. */
+int shadows_compare(const struct options *options, struct threads *pool);
+
+#endif

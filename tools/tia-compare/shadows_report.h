@@ -1,0 +1,39 @@
+/* shadows_report.h - what tia-compare --shadows has counted, as a table or as JSON, on standard output. */
+#ifndef TIA_COMPARE_SHADOWS_REPORT_H
+#define TIA_COMPARE_SHADOWS_REPORT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <tia/scene.h>
+
+/* A technique in a scene. The counts are of pixels; where an object is seen that the reference does not see, light is
+ * not compared. */
+struct shadows_row {
+    const char *name;
+    bool fits;              /* else `fault` says what does not, and the rest is not there */
+    struct tia_fault fault; /* without a field: a point is too far away */
+    uint64_t objects, dark, lit, colours;
+    uint64_t wall_us, cpu_us, bytes;
+};
+
+struct shadows_report {
+    bool json;
+    unsigned scenes; /* so far */
+};
+
+/* What is common to the rows of a scene. */
+struct shadows_table {
+    const char *scene, *reference;
+    unsigned width, height;
+    uint64_t seen;  /* pixels that see an object */
+    unsigned light; /* 0: all */
+    const struct shadows_row *rows;
+    unsigned count;
+};
+
+void shadows_report_begin(const struct shadows_report *report);
+void shadows_report_scene(struct shadows_report *report, const struct shadows_table *table);
+void shadows_report_end(const struct shadows_report *report);
+
+#endif

@@ -1,0 +1,39 @@
+/* technique.h - a scene drawn with one technique for shadows: what light reaches each pixel, and what it costs. */
+#ifndef TIA_COMPARE_TECHNIQUE_H
+#define TIA_COMPARE_TECHNIQUE_H
+
+#include <tia/port.h>
+
+/* What to draw: the scene's own technique does not count. */
+struct technique_job {
+    const struct tia_scene *scene;
+    const struct tia_light *lights;
+    uint32_t light_count, light_capacity;
+    unsigned width, height, rounds; /* it is timed so often */
+    const struct tia_workers *workers;
+    void *workers_ctx;
+};
+
+struct technique_frame {
+    const struct technique_job *job;
+    enum tia_shadows technique;
+    tia_rgb565 *pixels;
+    uint32_t *object;
+    uint64_t *lit; /* see struct tia_options */
+    uint64_t wall_us, cpu_us, bytes;
+
+    /* Private. */
+    struct tia_scene scene;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    void *view_memory, *hits_memory;
+    bool timed;
+    int *status; /* of each job of rows */
+};
+
+/* Draws a frame; wall_us and cpu_us are the least of all rounds from new lights to the pixels, and `bytes` is what the
+ * view and the hits of the whole picture take. A negative tia_status on failure; call technique_free in either case. */
+int technique_draw(struct technique_frame *frame, const struct technique_job *job, enum tia_shadows technique);
+void technique_free(struct technique_frame *frame);
+
+#endif
