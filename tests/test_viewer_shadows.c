@@ -27,7 +27,8 @@ static struct world *yard_world(void)
                               .lights = light,
                               .material_count = 1,
                               .shape_count = 2,
-                              .light_count = 1};
+                              .light_count = 1,
+                              .shadow_map = {.size = TIA_MAP_SIZE_MIN}};
     w->mode.width = SMALL_WIDTH;
     w->mode.height = SMALL_HEIGHT;
     w->viewer.scene = &yard;

@@ -53,7 +53,7 @@ struct world {
     tia_rgb565 pixels[WORLD_WIDTH * WORLD_HEIGHT];
 };
 
-static uint64_t world_memory[16384], world_reference[16384];
+static uint64_t world_memory[65536], world_reference[65536];
 
 static inline int world_result(const struct world *w, enum world_call call)
 {

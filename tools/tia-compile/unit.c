@@ -82,7 +82,6 @@ static void write_scene(struct unit *unit)
     field_unsigned(unit, "depth", s->depth);
     write_shadows(unit);
     field_unsigned(unit, "scale_bits", s->scale_bits);
-    field_unsigned(unit, "shadows", s->shadows);
     if (s->fine)
         text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);
     if (s->bvh)
