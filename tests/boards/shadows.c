@@ -33,6 +33,7 @@ static struct tia_scene scene = {
     .shape_count = sizeof shapes / sizeof *shapes,
     .transforms = &turned,
     .transform_count = 1,
+    .shadow_map = {.size = TIA_MAP_SIZE_MIN},
 };
 
 static uint64_t memory[MEMORY / sizeof(uint64_t)];
