@@ -146,6 +146,21 @@ endif
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
 CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c,$(call c_below,src))
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
+# Vector units: a library of its own, with floating point. A level is a file of src/levels with its own flags, and there
+# where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
+LEVELS_SRC := $(filter src/levels/%,$(CORE_SRC))
+CORE_SRC  := $(filter-out src/levels/%,$(CORE_SRC))
+LEVEL_NAMES := sse41 avx2 avx512 neon neon32
+flags_sse41  := -msse4.1
+flags_avx2   := -mavx2 -mfma
+flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
+flags_neon   :=
+flags_neon32 := -mfpu=neon
+LEVELS ?= $(if $(BARE),no,yes)
+# tools/generate would be too late: the compiler is asked with a line for each level.
+LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+LEVELS_SRC := $(filter-out $(patsubst %,src/levels/%.c,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES))),$(LEVELS_SRC))
+HAVE_LEVELS := $(addprefix -DTIA_HAVE_,$(shell echo $(LEVELS_HAD) | tr a-z A-Z))
 # Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow read scene/bvh scene/shapes render/geometry render/trace render/whitted render/raster)),$(CORE_SRC)) \
              $(addprefix src/,math/rotation.c math/sort.c scene/bounds.c scene/hull.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c shadows.c)
@@ -161,12 +176,13 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_
 obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
+LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
+all: $(LIBTIA) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
@@ -187,6 +203,10 @@ $(BUILD)/f64/%.o: %.c
 	$(call compile,CC f64,$(CORE) -DTIA_NUM_F64 -fno-math-errno)
 $(BUILD)/f32/%.o: %.c
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
+$(BUILD)/levels/src/levels/%.o: src/levels/%.c
+	$(call compile,CC,$(filter-out -ffreestanding,$(CORE)) $(flags_$*) -fno-math-errno -ffp-contract=off)
+$(BUILD)/levels/port/levels/%.o: port/levels/%.c
+	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
 $(BUILD)/host/%.o: %.c
 	$(call compile,CC,$(HOSTED))
 $(BUILD)/tests/%.o: tests/%.c
@@ -206,6 +226,8 @@ $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
+# What is common to all levels is there even where there is none: tests ask it.
+$(LIBLEVELS): $(call obj,levels,$(LEVELS_SRC) port/levels/best.c)
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
@@ -215,7 +237,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 
 # A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -227,7 +249,7 @@ $(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BUILD)/bench: LDFL
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$(link)
 
 # Scenes as const tables: for a test, and for boards without files.
@@ -303,7 +325,7 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c)) $(if $(GL),bench/gl/raster.c)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBTIA)
+$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c)) $(if $(GL),bench/gl/raster.c)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$(link)
 $(call obj,host,bench/shadow_scene.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
 bench: $(BUILD)/bench
@@ -329,11 +351,12 @@ install: all
 	$(foreach p,$(INSTALLED),$(call put,755,$(BUILD)/$(p),bin/$(p))$(call put,644,man/$(p).1,share/man/man1/$(p).1))
 	$(call put,644,man/tia-scene.5,share/man/man5/tia-scene.5)
 	$(call put,644,$(LIBTIA),lib/libtia.a)
+	$(if $(BARE),,$(call put,644,$(LIBLEVELS),lib/libtia-levels.a))
 	$(foreach h,$(wildcard include/tia/*.h),$(call put,644,$(h),$(h)))
 	$(call put,644,$(BUILD)/tia.pc,lib/pkgconfig/tia.pc)
 uninstall:
 	$(call say,REMOVE,$(DESTDIR)$(PREFIX))rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(INSTALLED:%=bin/%) \
-	    $(INSTALLED:%=share/man/man1/%.1) share/man/man5/tia-scene.5 lib/libtia.a lib/pkgconfig/tia.pc $(wildcard include/tia/*.h))
+	    $(INSTALLED:%=share/man/man1/%.1) share/man/man5/tia-scene.5 lib/libtia.a lib/libtia-levels.a lib/pkgconfig/tia.pc $(wildcard include/tia/*.h))
 	@rmdir $(DESTDIR)$(PREFIX)/include/tia 2>/dev/null || :
 
 ifeq ($(BARE),)

@@ -1,11 +1,13 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
- * the median of each and of their ratios. `bench raster` measures the rasteriser alone. */
+ * the median of each and of their ratios. `bench levels` measures the vector units alone,
+ * `bench raster` the rasteriser. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tia.h>
 
+#include "levels.h"
 #include "milliseconds.h"
 #include "plain.h"
 #include "raster.h"
@@ -96,10 +98,15 @@ int main(int argc, char **argv)
         bench_shadows();
         return 0;
     }
+    if (argc > 1 && strcmp(argv[1], "levels") == 0) {
+        bench_levels();
+        return 0;
+    }
     printf("| size | full, ms | relit, ms | plain float, ms | float/full | float/relit |\n");
     printf("|---|---|---|---|---|---|\n");
     measure(640, 480);
     measure(1920, 1080);
+    bench_levels();
     bench_rays();
     bench_raster();
     bench_shadows();

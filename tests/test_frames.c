@@ -1,5 +1,9 @@
 /* The frames of tests/arch/frames.h against the checksums in tests/golden/frames.crc, on this machine;
  * tests/slow/arch does the same for others. */
+#include <stdlib.h>
+
+#include <tia/levels.h>
+
 #include "arch/frames.h"
 #include "check.h"
 
@@ -40,9 +44,43 @@ TEST(pinned_frames)
     CHECK_EQ(frame_count, pinned_count);
 }
 
+/* The same frames by each level of vector units: a core that gives its views one. */
+static const struct tia_level *level;
+static void *level_memory[1000];
+static size_t memory_count, level_count;
+
+static int view_init_with_level(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                                uint32_t light_capacity, unsigned width, unsigned height)
+{
+    size_t more = tia_level_size(level, scene, light_capacity);
+    int status = tia_view_init(view, memory, size, scene, light_capacity, width, height);
+
+    if (status || memory_count == sizeof level_memory / sizeof *level_memory)
+        return status;
+    void *constants = level_memory[memory_count++] = malloc(more + 1);
+    status = tia_view_set_level(*view, level, constants, more);
+    level_count += strcmp(tia_view_level(*view), "plain") != 0;
+    return status;
+}
+
+TEST(pinned_frames_by_a_level)
+{
+    struct tia_core core = tia_core_q16;
+
+    core.view_init = view_init_with_level;
+    frame_count = memory_count = level_count = 0;
+    frames_all(&core, compare, NULL);
+    CHECK_EQ(frame_count, pinned_count);
+    CHECK(level_count > 5);
+    while (memory_count > 0)
+        free(level_memory[--memory_count]);
+}
+
 int main(void)
 {
     read_pinned();
     RUN(pinned_frames);
+    for (unsigned i = 0; (level = tia_level_at(i)); i++)
+        RUN(pinned_frames_by_a_level);
     return check_status();
 }

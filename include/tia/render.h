@@ -109,6 +109,9 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
 int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                         uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
+/* What draws with a processor's vector units, see tia/levels.h. */
+struct tia_level;
+
 /* These functions in one arithmetic. A program can link several and choose at run time. */
 struct tia_core {
     const char *name; /* "q16", "f64", ... */
@@ -123,6 +126,9 @@ struct tia_core {
                  const struct tia_options *);
     int (*view_init_until)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned,
                            bool (*)(void *), void *);
+    size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t);
+    int (*set_level)(struct tia_view *, const struct tia_level *, void *, size_t);
+    const char *(*level_name)(const struct tia_view *);
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the functions above */

@@ -9,6 +9,7 @@
  *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
+ *   levels.h  vector units
  *   raster.h  polygons: depth, stencil and colour buffers
  *   port.h    display, input and clock, as a board or an OS provides them
  *   viewer.h  the interactive loop
@@ -19,6 +20,7 @@
 #define TIA_VERSION "0.1.0"
 
 #include <tia/bvh.h>
+#include <tia/levels.h>
 #include <tia/motion.h>
 #include <tia/raster.h>
 #include <tia/read.h>

@@ -30,10 +30,12 @@ struct tia_frame {
     enum tia_shadows shadows; /* the technique that drew it */
     uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
                                  0 when there was none, its time is unknown, or the frame is not shown yet */
+    const char *level;        /* what drew it: see tia_view_level */
 };
 
 struct tia_viewer {
-    const struct tia_core *core; /* NULL: tia_core_q16 */
+    const struct tia_core *core;   /* NULL: tia_core_q16 */
+    const struct tia_level *level; /* NULL: plain C; see tia/levels.h */
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;

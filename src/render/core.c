@@ -1,6 +1,8 @@
 /* core.c - the renderer as a table. */
 #include "num/num.h"
 
+#include <tia/levels.h>
+
 const struct tia_core NUM_CORE = {
     .name = NUM_NAME,
     .view_size = tia_view_size,
@@ -12,4 +14,7 @@ const struct tia_core NUM_CORE = {
     .trace = tia_trace,
     .light = tia_light_tile,
     .view_init_until = tia_view_init_until,
+    .level_size = tia_level_size,
+    .set_level = tia_view_set_level,
+    .level_name = tia_view_level,
 };

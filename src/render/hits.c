@@ -24,6 +24,7 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
         return TIA_ERR_ARGUMENT;
     if (size < tia_hits_size(view->scene, area))
         return TIA_ERR_MEMORY;
+    h->view = view;
     h->area = area;
     h->object = (uint32_t *)(void *)((char *)memory + HEADER);
     h->buffer = (char *)h->object + objects_size((uint32_t)area.width * area.height);
@@ -31,7 +32,21 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
     return TIA_OK;
 }
 
+/* With a level there are no hits: the pixel is traced. */
+static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned y)
+{
+    uint32_t object = TIA_NO_OBJECT;
+    num_u distance;
+    struct tia_tile tile = {(uint16_t)x, (uint16_t)y, 1, 1};
+    struct tia_hits one = {view, tile, &object, &distance};
+
+    view->renderer->trace(view, &one, tile);
+    return object;
+}
+
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 {
+    if (hits->view->level)
+        return traced_object(hits->view, x, y);
     return hits->object[hits_index(hits, x, y)];
 }

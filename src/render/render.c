@@ -19,7 +19,8 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 {
     if (!has_tile(view, hits, tile))
         return TIA_ERR_ARGUMENT;
-    view->renderer->trace(view, hits, tile);
+    if (!view->level) /* a level finds what is seen while it lights */
+        view->renderer->trace(view, hits, tile);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
@@ -31,7 +32,10 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
     if (!has_tile(view, hits, tile) || !surface->pixels)
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
-    view->renderer->light(view, hits, tile, surface, options);
+    if (view->level)
+        view->level->light(view, tile, surface, options);
+    else
+        view->renderer->light(view, hits, tile, surface, options);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 

@@ -10,6 +10,8 @@
 #include "num/num.h"
 #include "scene/asker.h"
 
+#include <tia/levels.h> /* after num.h, which may rename its functions */
+
 struct renderer {
     /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
     bool (*draws)(const struct tia_scene *scene);
@@ -27,12 +29,35 @@ struct renderer {
     void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
+
+    bool takes_levels; /* what a level draws is this renderer's */
+};
+
+/* What draws scenes of spheres in place of plain C on a processor with vector units: the same bits. See tia/levels.h
+ * and src/levels. */
+struct tia_level {
+    const char *name;
+    const struct span_kernels *plain; /* those whose bits it gives: one arithmetic's */
+
+    /* Bytes behind view->level_memory, SIZE_MAX when there are too many. */
+    size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
+
+    /* Whether it can draw the view, whatever the lights; then, whenever the lights change, prepares its memory. */
+    bool (*draws)(const struct tia_view *view);
+    void (*prepare)(struct tia_view *view);
+
+    /* As in struct renderer, but without hits: their buffer stays unused. */
+    void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                  const struct tia_options *options);
+    const struct level_kernels *kernels;
 };
 
 /* A scene prepared for one image size. */
 struct tia_view {
     const struct tia_scene *scene;
     const struct renderer *renderer;
+    const struct tia_level *level; /* NULL: plain C */
+    void *level_memory;
     void *prepared;           /* the renderer's */
     struct tia_light *lights; /* our copy */
     uint32_t light_count, light_capacity;
@@ -54,6 +79,7 @@ static inline struct asker view_asker(const struct tia_view *view)
 
 /* What each pixel of an area sees, row by row. */
 struct tia_hits {
+    const struct tia_view *view;
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's */

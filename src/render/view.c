@@ -1,6 +1,7 @@
 #include "math/align.h"
 #include "renderer.h"
 #include "scene/check/check.h"
+#include "span/kernels.h"
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
@@ -37,6 +38,8 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
         return TIA_ERR_MEMORY;
     v->scene = scene;
     v->renderer = renderer_for(scene);
+    v->level = NULL;
+    v->level_memory = NULL;
     v->lights = (struct tia_light *)(void *)((char *)memory + ALIGN(sizeof *v));
     v->light_count = 0;
     v->light_capacity = light_capacity;
@@ -74,5 +77,35 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
     view->light_count = count;
     for (uint32_t i = 0; i < count; i++)
         view->lights[i] = lights[i];
-    return view->renderer->set_lights(view);
+    status = view->renderer->set_lights(view);
+    if (!status && view->level)
+        view->level->prepare(view);
+    return status;
+}
+
+size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity)
+{
+    bool drawn = level && level->plain == &span_kernels_plain && renderer_for(scene)->takes_levels;
+
+    return drawn ? level->size(scene, light_capacity) : 0;
+}
+
+int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size)
+{
+    bool drawn = level && level->plain == &span_kernels_plain && view->renderer->takes_levels && level->draws(view);
+
+    view->level = NULL;
+    if (!drawn)
+        return TIA_OK;
+    if (size < tia_level_size(level, view->scene, view->light_capacity))
+        return TIA_ERR_MEMORY;
+    view->level = level;
+    view->level_memory = memory;
+    level->prepare(view);
+    return TIA_OK;
+}
+
+const char *tia_view_level(const struct tia_view *view)
+{
+    return view->level ? view->level->name : "plain";
 }

@@ -25,8 +25,8 @@ struct loop {
     struct tia_mode mode;
     struct tia_view *view;
     struct tia_hits *hits;
-    size_t view_size, hits_size;
-    void *hits_memory;
+    size_t view_size, hits_size, level_size;
+    void *hits_memory, *level_memory;
     int8_t *status; /* of each tile */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;

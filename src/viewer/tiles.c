@@ -14,22 +14,24 @@ static void set_tiles(struct loop *loop, unsigned height)
     loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
-/* Gets memory from the caller for the current scene, its hierarchy, the view, a status for each tile, and hits. */
+/* Gets memory from the caller for the current scene, its hierarchy, the view, a status for each tile, hits, and the
+ * level's constants. */
 static bool get_memory(struct loop *loop, struct tia_tile hits)
 {
     const struct tia_viewer *v = loop->viewer;
-    uint64_t sizes[] = {loop->current_size, loop->bvh_size, loop->view_size, loop->tiles,
-                        loop->core->hits_size(loop->base, hits)};
+    uint64_t sizes[] = {
+        loop->current_size, loop->bvh_size, loop->view_size, loop->tiles, loop->core->hits_size(loop->base, hits),
+        loop->level_size};
     size_t sum = 0;
-    char *parts[5] = {NULL}, *memory;
+    char *parts[6] = {NULL}, *memory;
 
-    for (int i = 0; i < 5; i++) {
+    for (int i = 0; i < 6; i++) {
         if (sizes[i] >= SIZE_MAX / 8)
             return false;
         sum += ALIGN((size_t)sizes[i]);
     }
     memory = v->memory(v->memory_ctx, sum);
-    for (int i = 0; memory && i < 5; i++) {
+    for (int i = 0; memory && i < 6; i++) {
         parts[i] = memory;
         memory += ALIGN((size_t)sizes[i]);
     }
@@ -41,6 +43,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits)
     loop->status = (int8_t *)parts[3];
     loop->hits_memory = parts[4];
     loop->hits_size = (size_t)sizes[4];
+    loop->level_memory = parts[5];
     return true;
 }
 
@@ -66,6 +69,8 @@ int tia_viewer_prepare(struct loop *loop)
 {
     loop->view_ready = false;
     loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
+    loop->level_size =
+        loop->viewer->level ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity) : 0;
     loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
@@ -77,6 +82,8 @@ int tia_viewer_prepare_view(struct loop *loop)
         loop->core->view_init_until(&loop->view, loop->view, loop->view_size, loop->scene, loop->viewer->light_capacity,
                                     loop->mode.width, loop->mode.height, tia_viewer_stops, loop);
 
+    if (!status && loop->viewer->level)
+        status = loop->core->set_level(loop->view, loop->viewer->level, loop->level_memory, loop->level_size);
     if (!status && loop->whole)
         status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
     loop->view_ready = !status;

@@ -21,6 +21,7 @@ static int draw_frame(struct loop *loop)
     uint64_t start = viewer_now(loop), key_us = loop->key_us;
     int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
 
+    frame.level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain";
     tia_viewer_watch_begin(loop);
     if (!status)
         status = tia_viewer_draw_tiles(loop);

@@ -58,6 +58,17 @@ static int refuse(int what, char **argv)
     return fail(EXIT_USAGE, "%.200s: unknown option (tia -h lists them)", name);
 }
 
+/* The widest level that there is and that the environment does not mask. */
+static int choose_level(struct options *options)
+{
+    const char *most = getenv("TIA_LEVEL");
+
+    options->level = tia_level_best();
+    if (most && tia_level_called(most, &options->level))
+        return fail(EXIT_USAGE, "TIA_LEVEL '%.200s': not plain, sse41, avx2, avx512 or neon", most);
+    return EXIT_FINE;
+}
+
 int arguments_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.scene_format = SCENE_UNKNOWN,
@@ -76,7 +87,8 @@ int arguments_parse(struct options *options, int argc, char **argv)
     if (optind + 1 < argc)
         return fail(EXIT_USAGE, "%.200s: one scene at a time", argv[optind + 1]);
     options->scene_path = argv[optind]; /* NULL after the last argument */
-    return check(options);
+    int status = check(options);
+    return status ? status : choose_level(options);
 }
 
 /* ---- loading the scene and its keys ---- */

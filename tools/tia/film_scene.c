@@ -58,6 +58,15 @@ static int build_bvh(struct film_scene *film)
     return tia_bvh_build(&moved->bvh, film->bvh_memory, size, NULL, moved);
 }
 
+static int set_level(struct film_scene *film)
+{
+    const struct options *options = film->options;
+    size_t size = options->core->level_size(options->level, film->scene, film->lights.capacity);
+    if (!get_memory(&film->level_memory, &film->level_bytes, size))
+        return TIA_ERR_MEMORY;
+    return options->core->set_level(film->view, options->level, film->level_memory, size);
+}
+
 static int prepare_view(struct film_scene *film)
 {
     const struct options *options = film->options;
@@ -68,7 +77,9 @@ static int prepare_view(struct film_scene *film)
     struct rotation rotation = film_rotation(options);
     int status = options->core->view_init(&film->view, film->view_memory, size, film->scene, lights->capacity,
                                           rotation.width, rotation.height);
-    return !status ? options->core->set_lights(film->view, lights->array, lights->count) : status;
+    if (!status)
+        status = options->core->set_lights(film->view, lights->array, lights->count);
+    return !status ? set_level(film) : status;
 }
 
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why)
@@ -101,5 +112,6 @@ void film_scene_end(struct film_scene *film)
     free(film->arrays);
     free(film->bvh_memory);
     free(film->view_memory);
+    free(film->level_memory);
     lights_free(&film->lights);
 }

@@ -13,8 +13,8 @@ struct film_scene {
 
     /* Private. */
     struct tia_scene moved;
-    void *arrays, *bvh_memory, *view_memory;
-    size_t arrays_bytes, bvh_bytes, view_bytes;
+    void *arrays, *bvh_memory, *view_memory, *level_memory;
+    size_t arrays_bytes, bvh_bytes, view_bytes, level_bytes;
     struct lights lights;
 };
 

@@ -124,6 +124,7 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
     session->stats.frames++;
+    session->stats.level = frame->level;
     stats_add(&session->stats.draw, frame->draw_us);
     if (frame->key_us != 0)
         stats_add(&session->stats.flip, frame->key_us);
@@ -157,6 +158,7 @@ static struct tia_viewer viewer_of(struct session *session)
 {
     const struct options *options = session->options;
     return (struct tia_viewer){.core = options->core,
+                               .level = options->level,
                                .scene = &options->scene,
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,

@@ -36,20 +36,15 @@ static void print_samples(const char *name, struct samples *samples)
                   p50 / 1000, p50 % 1000, p95 / 1000, p95 % 1000);
 }
 
-/* The instruction set of the kernels; so far there is only plain C. */
-static const char *isa(void)
-{
-    return "scalar";
-}
-
 int stats_print(struct stats *stats)
 {
     (void)fprintf(stderr, "{\"frames\": %" PRIu64 ", ", stats->frames);
     print_samples("frame_ms", &stats->draw);
     print_samples("input_to_flip_ms", &stats->flip);
     (void)fprintf(stderr,
-                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"isa\": \"%s\", \"threads\": %u, "
+                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"level\": \"%s\", \"threads\": %u, "
                   "\"scale_bits\": %u}\n",
-                  stats->display, stats->format, stats->width, stats->height, isa(), stats->threads, stats->scale_bits);
+                  stats->display, stats->format, stats->width, stats->height, stats->level ? stats->level : "plain",
+                  stats->threads, stats->scale_bits);
     return fflush(stderr) != 0 || ferror(stderr) != 0 ? -1 : 0;
 }

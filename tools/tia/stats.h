@@ -15,7 +15,7 @@ struct samples {
 struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
-    const char *display, *format;
+    const char *display, *format, *level;
     unsigned width, height, threads, scale_bits; /* the last: of the scene */
 };
 

@@ -124,4 +124,4 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 const struct renderer whitted_renderer = {draws,       ray_prepared_size, ray_prepare, ray_set_lights,
-                                          buffer_size, trace_tile,        light_tile};
+                                          buffer_size, trace_tile,        light_tile,  false};

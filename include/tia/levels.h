@@ -1,0 +1,40 @@
+/* levels.h - vector units: scenes of spheres many times as fast, with the same bits as plain C.
+ *
+ * A level is a set of a processor's instructions, such as AVX2. Levels are a library of their own, libtia-levels.a,
+ * for programs on an operating system; libtia.a alone has none, contains no floating point and links without it.
+ * A program picks a level, asks how much memory it needs, and hands it to a view that has been prepared:
+ *
+ *     level = tia_level_best();
+ *     size_t size = tia_level_size(level, scene, light_capacity);
+ *     tia_view_set_level(view, level, malloc(size), size);
+ *
+ * A level draws what scene.h says scenes of spheres without mirrors are; whatever else, such as a view whose eye is in
+ * a sphere, stays with plain C. No pixel, object or hash differs. It needs the rounding mode in which C programs
+ * start.
+ */
+#ifndef TIA_LEVELS_H
+#define TIA_LEVELS_H
+
+#include <tia/render.h>
+
+/* The widest level that this library has and this processor too; NULL when there is none. */
+const struct tia_level *tia_level_best(void);
+
+/* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "sse41", "avx2",
+ * "avx512" or "neon". TIA_ERR_ARGUMENT when no level anywhere has that name. */
+int tia_level_called(const char *name, const struct tia_level **level);
+
+/* The levels that this library has and this processor too, from the narrowest; NULL from their number on. */
+const struct tia_level *tia_level_at(unsigned index);
+
+/* Bytes that the level needs for a view of `scene`; 0 for NULL. SIZE_MAX when there are too many. */
+size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity);
+
+/* From now on the level draws the view; NULL: plain C. `memory`, aligned for uint64_t, must outlive the view. Hits
+ * traced before are of no use. TIA_ERR_MEMORY when `size` is too small. */
+int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size);
+
+/* The name of the level that draws the view, or "plain". */
+const char *tia_view_level(const struct tia_view *view);
+
+#endif

@@ -1,0 +1,95 @@
+/* best.c - which levels this library has, and which of them this processor. */
+#include <string.h>
+
+#include <tia/levels.h>
+
+#if defined __arm__ && defined TIA_HAVE_NEON32
+#include <sys/auxv.h>
+#endif
+
+struct entry {
+    const char *name;
+    const struct tia_level *level; /* NULL: not in this library */
+    bool (*there)(void);
+};
+
+/* gcc's cpu model also asks whether the system saves the wide registers. */
+#define THERE(name, question)                                                                                          \
+    static bool name(void)                                                                                             \
+    {                                                                                                                  \
+        return (question);                                                                                             \
+    }
+
+#ifdef TIA_HAVE_SSE41
+extern const struct tia_level tia_level_sse41;
+THERE(has_sse41, __builtin_cpu_supports("sse4.1") != 0)
+#define SSE41 &tia_level_sse41, has_sse41
+#else
+#define SSE41 NULL, NULL
+#endif
+#ifdef TIA_HAVE_AVX2
+extern const struct tia_level tia_level_avx2;
+THERE(has_avx2, __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0)
+#define AVX2 &tia_level_avx2, has_avx2
+#else
+#define AVX2 NULL, NULL
+#endif
+#ifdef TIA_HAVE_AVX512
+extern const struct tia_level tia_level_avx512;
+THERE(has_avx512, __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                      __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0)
+#define AVX512 &tia_level_avx512, has_avx512
+#else
+#define AVX512 NULL, NULL
+#endif
+#if defined TIA_HAVE_NEON32
+extern const struct tia_level tia_level_neon;
+THERE(has_neon, (getauxval(AT_HWCAP) & 1 << 12) != 0) /* HWCAP_NEON */
+#define NEON &tia_level_neon, has_neon
+#elif defined TIA_HAVE_NEON
+extern const struct tia_level tia_level_neon;
+THERE(has_neon, true) /* every AArch64 */
+#define NEON &tia_level_neon, has_neon
+#else
+#define NEON NULL, NULL
+#endif
+
+/* From the narrowest; those of one processor side by side. */
+static const struct entry entries[] = {{"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}};
+#define ENTRIES (sizeof entries / sizeof *entries)
+
+const struct tia_level *tia_level_at(unsigned index)
+{
+    for (size_t i = 0; i < ENTRIES; i++)
+        if (entries[i].level && entries[i].there() && index-- == 0)
+            return entries[i].level;
+    return NULL;
+}
+
+const struct tia_level *tia_level_best(void)
+{
+    const struct tia_level *best = NULL;
+
+    for (unsigned i = 0; tia_level_at(i); i++)
+        best = tia_level_at(i);
+    return best;
+}
+
+int tia_level_called(const char *name, const struct tia_level **level)
+{
+    const struct tia_level *found = NULL;
+
+    *level = NULL;
+    if (strcmp(name, "plain") == 0)
+        return TIA_OK;
+    for (size_t i = 0; i < ENTRIES; i++) {
+        if (entries[i].level && entries[i].there())
+            found = entries[i].level;
+        if (strcmp(name, entries[i].name) == 0) {
+            /* "neon" allows nothing that a processor of the other kind has */
+            *level = i < 3 || entries[i].level ? found : NULL;
+            return TIA_OK;
+        }
+    }
+    return TIA_ERR_ARGUMENT;
+}

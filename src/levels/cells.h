@@ -1,0 +1,162 @@
+/* cells.h - the kernels' cells: 16 pixels between two samples, see kernel.h, which includes this. */
+#ifndef TIA_LEVELS_CELLS_H
+#define TIA_LEVELS_CELLS_H
+
+#define CELLS (LEVEL_RUN / LEVEL_CELL)
+#define SAMPLES (CELLS + 2 * N)
+#define HALF_CELL (LEVEL_CELL / 2)
+#define FAINT_CELL .06f /* of a level that interpolating may cost before it pays no more */
+
+struct cells {
+    float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                  /* at samples: 1/S, |S'|, D */
+    float lambert[LEVEL_LIGHTS][SAMPLES], far[LEVEL_LIGHTS][SAMPLES]; /* not clamped; |w| */
+    float weight[LEVEL_LIGHTS][3][SAMPLES];                           /* of cells: colours with what casters leave */
+    float near31[SAMPLES], near63[SAMPLES];
+    uint64_t good;
+};
+
+INLINE void take_samples(const struct level_run *r, const struct body *k, int count, int lights, struct cells *cells)
+{
+    for (int i = 0; i < count; i += N) {
+        F x = f_fma(f_add(f_iota(), f_set((float)i)), f_set(LEVEL_CELL), f_set(r->x0));
+        struct value o = value_at(k, x);
+        F slope = f_fma(f_add(x, x), k->d2, k->d1), per_root = f_rsqrt(o.d);
+        F turn = f_fma(f_mul(slope, f_set(.5f)), per_root, k->b1), per_s = f_inverse(o.s);
+        f_store(cells->per_s + i, per_s);
+        f_store(cells->turn + i, f_abs(turn));
+        f_store(cells->d + i, o.d);
+        for (int l = 0; l < lights; l++) {
+            F square = square_of(&r->light[l], x, &o);
+            f_store(cells->lambert[l] + i, lambert_of(&r->light[l], x, &o, square));
+            F root = f_mul(square, f_rsqrt(square));
+            f_store(cells->far[l] + i, f_mul(f_mul(root, per_s), f_set(r->c)));
+        }
+    }
+}
+
+INLINE F larger_end(const float *samples)
+{
+    return f_max(f_load(samples), f_load(samples + 1));
+}
+
+INLINE F smaller_end(const float *samples)
+{
+    return f_min(f_load(samples), f_load(samples + 1));
+}
+
+/* |P'| and |P''| over a cell, at most. P = t v and t = c/S, so with a = |S'|/S and b = |S''|/S
+ *
+ *     |t'| = t a,  |t''| <= t (2 a^2 + b),  |P'| <= t (|v'| + |v| a),  |P''| <= t (|v| (2 a^2 + b) + 2 |v'| a).
+ *
+ * S is concave, since the half of a sphere that is seen bounds a convex set in every plane through the eye, and stays
+ * so when the plane is mapped to (x, 1/t): so 1/S and |S'| are largest at an end of the cell. S'' = -bend/D^1.5. */
+struct motion {
+    F first, second;
+};
+
+INLINE struct motion motion_over(const struct level_run *r, const struct cells *cells, int i, M *good)
+{
+    F per_s = larger_end(cells->per_s + i), a = f_mul(larger_end(cells->turn + i), per_s);
+    F d = f_sub(smaller_end(cells->d + i), f_set(r->d_sag)), per_root = f_rsqrt(d);
+    F b = f_mul(f_mul(f_mul(per_root, per_root), f_mul(per_root, f_set(r->bend))), per_s);
+    F t = f_mul(per_s, f_set(r->c * 1.001f)), v = f_set(r->v_most), step = f_set(r->v_step);
+    F twice = f_add(a, a);
+
+    *good = m_and(f_ge(d, f_set(r->cut)), f_gt(d, f_set(0)));
+    return (struct motion){f_mul(t, f_fma(v, a, step)), f_mul(t, f_fma(v, f_fma(twice, a, b), f_mul(step, twice)))};
+}
+
+/* Whether a caster leaves all of a cell alone, or none. As P moves by up to p along the cell's half, the shadow ray's
+ * distance h from C changes by up to m = p (turn/d + shift). With what the integer code may err by, e, it stays above R
+ * when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2 + 2 R m + 2 m sqrt(e); and below R
+ * when it is below that in size. A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p). */
+INLINE struct verdict judge_cell(const struct level_cast *c, F x, const struct value *o, F square, F p, F per_d, F far,
+                                 float per_c2)
+{
+    const F two = f_set(2), unit = f_set(per_c2 * 1.2f);
+    struct toward t = toward_caster(c, x, o);
+    F m = f_mul(p, f_fma(per_d, f_set(c->turn), f_set(c->shift)));
+    F e = f_fma(per_d, f_set(c->fuzz_a), f_set(c->fuzz_k));
+    F near = f_fma(two, f_fma(m, f_add(m, f_set(c->radius)), e), e);
+    F aside = f_mul(p, f_fma(far, f_set(3), f_add(p, f_set(c->size))));
+
+    aside = f_fma(f_mul(far, far), f_set(c->ew), aside);
+    return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
+}
+
+/* Of a light over cells: takes what interpolation costs off the margins, and leaves good those that no shadow's edge
+ * crosses. (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit
+ * vector w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being
+ * the share of w' across w. Between two samples that are 16 pixels apart a line is off by 16^2/8 of that. */
+INLINE M light_cells(const struct level_run *r, int l, F x, const struct value *o, const struct motion *p,
+                     struct cells *cells, int i, F *lost, int channels, int casts)
+{
+    const struct level_light *q = &r->light[l];
+    const F zero = f_set(0), half = f_mul(p->first, f_set(HALF_CELL));
+    F d = f_sub(smaller_end(cells->far[l] + i), half), per_d = f_inverse(d), per_r = f_set(q->per_r);
+    F bend = f_mul(p->second, f_add(per_r, per_d));
+    F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set(1.16f), per_d)));
+    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(LEVEL_CELL * LEVEL_CELL / 8 * 1.01f));
+    F tint[3] = {f_set(1), f_set(1), f_set(1)};
+    M good = f_gt(d, f_mul(f_set(.01f), half));
+
+    *lost = f_fma(off, f_set(q->colour_most), *lost);
+    if (casts) {
+        F square = square_of(q, x, o), far = f_add(larger_end(cells->far[l] + i), half);
+        M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
+        for (int j = 0; j < casts; j++) {
+            struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
+            good = m_and(good, m_or(away, m_or(v.lit, v.dark)));
+            tint_by(&q->cast[j], v.dark, tint, channels);
+        }
+    }
+    for (int c = 0; c < channels; c++)
+        f_store(cells->weight[l][c] + i, f_mul(tint[c], f_set(q->colour[c])));
+    return good;
+}
+
+INLINE void judge_cells(const struct level_run *r, const struct body *k, int count, bool grey, int lights, int casts,
+                        struct cells *cells)
+{
+    cells->good = 0;
+    for (int i = 0; i < count; i += N) {
+        F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(r->x0)), lost = f_set(0);
+        struct value o = value_at(k, x);
+        M good;
+        struct motion p = motion_over(r, cells, i, &good);
+        for (int l = 0; l < lights; l++)
+            good = m_and(good, light_cells(r, l, x, &o, &p, cells, i, &lost, grey ? 1 : 3,
+                                           casts < 2 ? casts : r->light[l].casts));
+        F lost63 = f_mul(lost, f_set(63));
+        good = m_and(good, f_ge(f_set(FAINT_CELL), lost63));
+        f_store(cells->near63 + i, f_sub(f_set(r->near63), lost63));
+        f_store(cells->near31 + i, f_fma(lost, f_set(-31), f_set(r->near31)));
+        cells->good |= (uint64_t)m_bits(good) << i;
+    }
+}
+
+/* One cell from its ends' samples. */
+INLINE int draw_cell(const struct level_run *r, const struct cells *cells, int cell, bool grey, int lights,
+                     const F half[2], uint16_t *out, uint16_t *list, int n)
+{
+    const F one = f_set(1), zero = f_set(0);
+    F near31 = f_set(cells->near31[cell]), near63 = f_set(cells->near63[cell]);
+
+    for (int i = 0; i < LEVEL_CELL; i += N) {
+        F sum[3] = {f_set(r->emission[0]), f_set(r->emission[1]), f_set(r->emission[2])};
+        F at = f_add(f_iota(), f_set((float)i));
+        for (int l = 0; l < lights; l++) {
+            float start = cells->lambert[l][cell], step = (cells->lambert[l][cell + 1] - start) * (1.f / LEVEL_CELL);
+            F lambert = f_max(zero, f_fma(at, f_set(step), f_set(start)));
+            for (int c = 0; c < (grey ? 1 : 3); c++)
+                sum[c] = f_min(one, f_fma(lambert, f_set(cells->weight[l][c][cell]), sum[c]));
+        }
+        struct levels found = levels_of(sum, half[i / N & 1], near31, near63, grey);
+        i_pack(found.red, found.green, found.blue, out + cell * LEVEL_CELL + i);
+        if (__builtin_expect(m_any(m_not(found.sure)), 0))
+            n = note_open(found.sure, cell * LEVEL_CELL + i, N, list, n);
+    }
+    return n;
+}
+
+#endif

@@ -1,0 +1,153 @@
+/* light.c - a tile by a level: rows, runs of one object, and what becomes of each. */
+#include "exact.h"
+#include "level.h"
+#include "render/dither.h"
+#include "render/span/shade.h"
+#include "seen.h"
+
+/* Frames of scenes with the eye in a sphere are for plain C. */
+bool tia_level_draws(const struct tia_view *view)
+{
+    const struct span_view *spans = span_view_of(view);
+
+    for (uint32_t n = 0; n < view->scene->sphere_count; n++)
+        if (spans->spheres[n].radius > 0 && spans->spheres[n].c <= 0)
+            return false;
+    return true;
+}
+
+/* ---- with path hashes: plain C, from hits of its own ---- */
+
+#define PIECE 512 /* pixels of a row that are traced at once */
+
+static void light_piece(const struct tia_view *view, struct tia_tile piece, const struct tia_surface *surface,
+                        const struct tia_options *options)
+{
+    uint32_t object[PIECE];
+    num_u distance[PIECE];
+    struct tia_hits hits = {view, piece, object, distance};
+
+    span_trace(view, &hits, piece);
+    span_light(view, &hits, piece, surface, options);
+}
+
+static void light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                        const struct tia_options *options)
+{
+    for (unsigned y = 0; y < tile.height; y++)
+        for (unsigned x = 0; x < tile.width; x += PIECE) {
+            unsigned width = tile.width - x < PIECE ? tile.width - x : PIECE;
+            struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
+            char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
+            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
+            struct tia_options mine = {options->dither, options->path_hash + (size_t)y * tile.width + x};
+            light_piece(view, piece, &part, &mine);
+        }
+}
+
+/* ---- rows ---- */
+
+static void fill(tia_rgb565 *out, int count, tia_rgb565 pixel)
+{
+    for (int i = 0; i < count; i++)
+        out[i] = pixel;
+}
+
+/* The background, or a light itself: one colour, but for dithering. */
+static void light_flat(const struct span_view *spans, const struct tia_rgb *colour, const struct level_span *span,
+                       const num_u threshold[8], tia_rgb565 *out)
+{
+    const tia_q30 channel[3] = {colour->r, colour->g, colour->b};
+    int count = span->end - span->first;
+    num_u rgb[3][8];
+    tia_rgb565 pixels[8];
+
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 8; i++)
+            rgb[c][i] = num_clamp(num_colour(channel[c]));
+    spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, span->first, 8, pixels);
+    if (threshold[0] == threshold[1])
+        fill(out, count, pixels[0]);
+    else
+        for (int i = 0; i < count; i++)
+            out[i] = pixels[i & 7];
+}
+
+static void light_part(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
+                       const num_u threshold[8], tia_rgb565 *out)
+{
+    struct level_fine fine;
+    struct level_run run;
+    uint16_t list[LEVEL_RUN + 64];
+
+    if (!tia_level_fine(view, row, sphere, first, end, &fine) ||
+        !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT)) {
+        tia_level_plain(view, sphere, first, row->y, end - first, threshold, out);
+        return;
+    }
+    tia_level_run(&fine, threshold, &run);
+    int count = view->level->kernels->shade(&run, out, list);
+    tia_level_decide(&fine, list, count, threshold, out);
+}
+
+static void light_span(const struct tia_view *view, const struct level_row *row, const struct level_span *span,
+                       const num_u threshold[8], tia_rgb565 *out)
+{
+    const struct tia_scene *scene = view->scene;
+
+    if (span->object == TIA_NO_OBJECT) {
+        light_flat(span_view_of(view), &scene->background, span, threshold, out);
+        return;
+    }
+    if (span->object >= scene->sphere_count) {
+        const struct tia_light *light = &view->lights[span->object - scene->sphere_count];
+        light_flat(span_view_of(view), &light->emission, span, threshold, out);
+        return;
+    }
+    for (int x = span->first; x < span->end; x += LEVEL_RUN) {
+        int end = span->end - x < LEVEL_RUN ? span->end : x + LEVEL_RUN;
+        light_part(view, row, span->object, x, end, threshold, out + (x - span->first));
+    }
+}
+
+static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t step)
+{
+    for (unsigned i = 0; i < count; i++)
+        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * step) = pixels[i];
+}
+
+static void light_row(const struct tia_view *view, const struct level_row *row, struct tia_tile tile,
+                      const struct level_line *line, const struct tia_surface *surface, bool dither)
+{
+    char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
+    bool direct = surface->step == sizeof(tia_rgb565);
+    tia_rgb565 pixels[TIA_SIZE_MAX], *place = direct ? (tia_rgb565 *)(void *)out : pixels;
+    num_u threshold[8];
+
+    dither_thresholds(dither, row->y, threshold);
+    for (int i = 0; i < line->count; i++) {
+        const struct level_span *span = &line->spans[line->which][i];
+        light_span(view, row, span, threshold, place + (span->first - (int)tile.x));
+    }
+    if (!direct)
+        copy(pixels, tile.width, out, surface->step);
+}
+
+void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                     const struct tia_options *options)
+{
+    const struct span_view *spans = span_view_of(view);
+    struct span guess[LEVEL_GUESSES] = {{0, 0}};
+    struct level_line line;
+
+    if (options->path_hash) {
+        light_plain(view, tile, surface, options);
+        return;
+    }
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
+        struct level_row row;
+        tia_level_row(&spans->primary, y, &row);
+        tia_level_find(view, &row, tile, guess, &line);
+        light_row(view, &row, tile, &line, surface, options->dither);
+    }
+}

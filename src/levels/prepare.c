@@ -1,0 +1,211 @@
+#include "prepare.h"
+
+#include <math.h>
+
+#include "proved.h"
+
+#include "scene/colour.h"
+
+static const struct span_sphere *sphere_of(const struct level_fine *fine)
+{
+    return &span_view_of(fine->view)->spheres[fine->sphere];
+}
+
+static void cast_forms(const struct level_fine *fine, const struct level_fine_light *light,
+                       const struct level_caster *from, struct level_fine_cast *cast)
+{
+    const struct span_view *spans = span_view_of(fine->view);
+    double sum[2], centre[2];
+
+    tia_level_form(&spans->primary, fine->row, &fine->place, from->sum, sum);
+    tia_level_form(&spans->primary, fine->row, &fine->place, spans->spheres[from->sphere].centre, centre);
+    cast->a[0] = from->aq;
+    cast->k[0] = from->p0;
+    for (int i = 0; i < 2; i++) {
+        cast->a[i + 1] = -(sum[i] + light->lamp->swell * light->g[i]);
+        cast->k[i + 1] = -2 * centre[i];
+    }
+}
+
+static bool light_forms(struct level_fine *fine, uint32_t l)
+{
+    const struct span_view *spans = span_view_of(fine->view);
+    struct level_fine_light *light = &fine->light[l];
+    const struct level_lamp *lamp = level_lamp_of(fine->view, fine->sphere, l);
+
+    if (lamp->plain)
+        return false;
+    light->lamp = lamp;
+    tia_level_form(&spans->primary, fine->row, &fine->place, lamp->g, light->g);
+    tia_level_form(&spans->primary, fine->row, &fine->place, lamp->light, light->q);
+    light->q[0] *= -2;
+    light->q[1] *= -2;
+    for (int j = 0; j < lamp->casts; j++)
+        cast_forms(fine, light, &lamp->cast[j], &light->cast[j]);
+    return true;
+}
+
+bool tia_level_fine(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
+                    struct level_fine *fine)
+{
+    const struct span_view *spans = span_view_of(view);
+    const struct tia_material *material = &view->scene->materials[view->scene->spheres[sphere].material];
+
+    fine->view = view;
+    fine->row = row;
+    fine->sphere = sphere;
+    fine->first = first;
+    fine->end = end;
+    if (view->light_count > LEVEL_LIGHTS)
+        return false;
+    tia_level_place(&spans->primary, row, first, end, &fine->place);
+    if (!tia_level_see(&spans->primary, row, &fine->place, sphere_of(fine), &fine->seen))
+        return false;
+    fine->grey = spans->grey && colour_is_grey(&material->colour) && colour_is_grey(&material->emission);
+    fine->emission[0] = (double)material->emission.r * 0x1p-30;
+    fine->emission[1] = (double)material->emission.g * 0x1p-30;
+    fine->emission[2] = (double)material->emission.b * 0x1p-30;
+    for (uint32_t l = 0; l < view->light_count; l++)
+        if (!light_forms(fine, l))
+            return false;
+    return true;
+}
+
+static double size_of(const double form[2], const struct level_place *place)
+{
+    return fabs(form[0]) + fabs(form[1]) * place->reach;
+}
+
+static bool light_bounds(struct level_fine *fine, struct level_fine_light *light, double unit)
+{
+    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
+    const struct level_lamp *lamp = light->lamp;
+
+    tia_level_bound_light(primary, lamp, &fine->place, &fine->depth, unit, size_of(light->g, &fine->place),
+                          size_of(light->q, &fine->place), &light->bounds);
+    if (!(light->bounds.lambert < .01))
+        return false;
+    for (int j = 0; j < lamp->casts; j++) {
+        struct level_fine_cast *cast = &light->cast[j];
+        tia_level_bound_cast(primary, lamp, &lamp->cast[j], &fine->place, &fine->depth, &light->bounds, unit,
+                             size_of(cast->a + 1, &fine->place), size_of(cast->k + 1, &fine->place), &cast->bounds);
+    }
+    return true;
+}
+
+/* A colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, LEVEL_COLOUR
+ * units and 2^-30 a light and as many a caster; interpolating takes LEVEL_LINE units more. max, min and the clamps only
+ * bring values nearer. A level: as many times that, and 6 units of 63 for scaling and rounding. */
+bool tia_level_fine_bounds(struct level_fine *fine, double unit, double cut)
+{
+    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
+    double off[3] = {0, 0, 0}, step = LEVEL_COLOUR * unit + 0x1p-30;
+
+    tia_level_depth(primary, fine->row, &fine->place, sphere_of(fine), &fine->seen, unit, cut, &fine->depth);
+    if (!(fine->depth.es + fine->depth.et < .01))
+        return false;
+    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+        struct level_fine_light *light = &fine->light[l];
+        if (!light_bounds(fine, light, unit))
+            return false;
+        for (int c = 0; c < 3; c++)
+            off[c] +=
+                light->lamp->colour[c] * (light->bounds.lambert + LEVEL_LINE * unit) + step * (1 + light->lamp->casts);
+    }
+    double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
+
+    fine->near31 = .5 - (31 * side + 31 * 6 * unit) * 1.01 - 6 * unit;
+    fine->near63 = .5 - (63 * green + 63 * 6 * unit) * 1.01 - 6 * unit;
+    return fine->near31 > .1 && fine->near63 > .1;
+}
+
+/* ---- for the kernels ---- */
+
+/* Takes coefficients for s to those for S = c s. */
+static void scaled(const double from[3], double per_c, float *square, float *start, float *step)
+{
+    *square = (float)(from[0] * per_c * per_c);
+    *start = (float)(from[1] * per_c);
+    *step = (float)(from[2] * per_c);
+}
+
+static void run_cast(const struct level_fine *fine, const struct level_fine_light *light, int j,
+                     struct level_cast *cast)
+{
+    const struct level_lamp *lamp = light->lamp;
+    const struct level_caster *from = &lamp->cast[j];
+    const struct level_fine_cast *fine_cast = &light->cast[j];
+    const struct level_cast_bounds *b = &fine_cast->bounds;
+    double per_c = 1 / fine->seen.c, size = from->size + fine->depth.p_most + 1, bias = 0x1p-13;
+
+    scaled(fine_cast->a, per_c, &cast->aq, &cast->h0, &cast->h1);
+    scaled(fine_cast->k, per_c, &cast->p0, &cast->c0, &cast->c1);
+    cast->swell = (float)(1 + lamp->swell);
+    cast->ea = (float)(b->a * per_c * per_c * 1.01);
+    cast->ek = (float)(b->k * per_c * per_c * 1.01);
+    cast->ew = (float)(b->w * 1.1);
+    for (int c = 0; c < 3; c++)
+        cast->through[c] = (float)from->through[c];
+    cast->clear = from->clear;
+    cast->radius = (float)(from->radius * 1.001);
+    cast->turn = (float)((from->apart + bias) * 1.001);
+    cast->shift = (float)(bias * lamp->per_r * 1.001);
+    cast->size = (float)(size * 1.001);
+    cast->fuzz_a = (float)(2.01 * size * b->a);
+    cast->fuzz_k = (float)((b->k + size * size * b->w) * 1.01);
+}
+
+static void run_light(const struct level_fine *fine, const struct level_fine_light *from, struct level_light *light)
+{
+    const struct level_lamp *lamp = from->lamp;
+    double per_c = 1 / fine->seen.c;
+
+    light->k = (float)(lamp->k * per_c);
+    light->g0 = (float)from->g[0];
+    light->g1 = (float)from->g[1];
+    scaled((const double[3]){lamp->qq, from->q[0], from->q[1]}, per_c, &light->qq, &light->q0, &light->q1);
+    light->per_r = (float)lamp->per_r;
+    light->colour_most = 0;
+    for (int c = 0; c < 3; c++) {
+        light->colour[c] = (float)lamp->colour[c];
+        light->colour_most = light->colour[c] > light->colour_most ? light->colour[c] : light->colour_most;
+    }
+    light->faint = (float)from->bounds.lambert;
+    light->casts = lamp->casts;
+    for (int j = 0; j < lamp->casts; j++)
+        run_cast(fine, from, j, &light->cast[j]);
+}
+
+void tia_level_run(const struct level_fine *fine, const num_u threshold[8], struct level_run *run)
+{
+    const struct level_seen *seen = &fine->seen;
+    const struct level_place *place = &fine->place;
+    const double *d = seen->d;
+
+    run->count = fine->end - fine->first;
+    run->grey = fine->grey;
+    run->lights = (int)fine->view->light_count;
+    run->x0 = (float)place->low;
+    run->b0 = (float)seen->b[0];
+    run->b1 = (float)seen->b[1];
+    run->d0 = (float)d[0];
+    run->d1 = (float)d[1];
+    run->d2 = (float)d[2];
+    run->cut = (float)fine->depth.cut;
+    run->c = (float)seen->c;
+    run->v0 = (float)place->v0;
+    run->v1 = (float)place->v1;
+    run->v2 = (float)place->v2;
+    run->v_step = (float)(place->v_step * 1.001);
+    run->v_most = (float)(place->v_most * 1.001);
+    run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * 1.01);
+    run->d_sag = (float)((d[2] > 0 ? d[2] * LEVEL_CELL * LEVEL_CELL / 4 : 0) + seen->size * 0x1p-20);
+    for (int c = 0; c < 3; c++)
+        run->emission[c] = (float)fine->emission[c];
+    run->near31 = (float)fine->near31;
+    run->near63 = (float)fine->near63;
+    for (int i = 0; i < (int)(sizeof run->threshold / sizeof *run->threshold); i++)
+        run->threshold[i] = (float)((double)threshold[(fine->first + i) & 7] * 0x1p-30 - .5);
+    for (int l = 0; l < run->lights; l++)
+        run_light(fine, &fine->light[l], &run->light[l]);
+}

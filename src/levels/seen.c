@@ -1,0 +1,170 @@
+#include "seen.h"
+
+#include "bounds.h"
+#include "level.h"
+
+static struct span none_seen(void)
+{
+    return (struct span){0, 0};
+}
+
+/* Appends a run, or lengthens the last one. */
+static void push(struct level_line *line, int first, int end, uint32_t object)
+{
+    struct level_span *spans = line->spans[line->which];
+
+    if (first >= end)
+        return;
+    if (line->count > 0 && spans[line->count - 1].object == object)
+        spans[line->count - 1].end = (uint16_t)end;
+    else
+        spans[line->count++] = (struct level_span){(uint16_t)first, (uint16_t)end, object};
+}
+
+/* Two spheres, n and the m that is there already, over the same pixels. */
+struct contest {
+    const struct tia_view *view;
+    const struct level_row *row;
+    uint32_t n, m;
+    struct level_place place;
+    struct level_seen seen[2];
+    struct level_depth depth[2];
+};
+
+/* The integer code's verdict: in a tie the one that is there stays. */
+static bool wins_exactly(const struct contest *c, int x)
+{
+    const struct span_view *spans = span_view_of(c->view);
+    num_u t, u;
+
+    span_distances(spans, c->n, c->row->y, x, 1, &t);
+    span_distances(spans, c->m, c->row->y, x, 1, &u);
+    return num_nearer(t, spans->spheres[c->n].t_exponent, u, spans->spheres[c->m].t_exponent);
+}
+
+static struct level_body body_of(const struct level_seen *seen, const struct level_depth *depth)
+{
+    const double *b = seen->b, *d = seen->d;
+
+    return (struct level_body){(float)b[0], (float)b[1],       (float)d[0],         (float)d[1],
+                               (float)d[2], (float)depth->cut, (float)(1 / seen->c)};
+}
+
+/* The bounds of 1/t, with what multiplying and comparing add. */
+static float bound_of(const struct level_depth *depth)
+{
+    return (float)((depth->es + depth->et) * 1.05 + 4 * LEVEL_FLOAT);
+}
+
+/* Pixels first..end-1, at most 64: who wins where, pixel by pixel. */
+static void settle(const struct contest *c, int first, int end, struct level_line *line)
+{
+    struct level_pair pair = {.count = end - first, .x0 = (float)(first - c->place.middle)};
+    uint64_t win, open;
+
+    for (int i = 0; i < 2; i++) {
+        pair.body[i] = body_of(&c->seen[i], &c->depth[i]);
+        pair.bound[i] = bound_of(&c->depth[i]);
+    }
+    c->view->level->kernels->nearer(&pair, &win, &open);
+    for (int i = 0; i < end - first; i++) {
+        bool nearer = open >> i & 1 ? wins_exactly(c, first + i) : win >> i & 1;
+        push(line, first + i, first + i + 1, nearer ? c->n : c->m);
+    }
+}
+
+/* Whether sphere i is nearer all along, by the extremes of its distance. */
+static bool wins_all(const struct contest *c, int i)
+{
+    const struct level_depth *near = &c->depth[i], *far = &c->depth[!i];
+
+    return near->cut <= 0 && far->cut <= 0 &&
+           near->t_most * (1 + near->es + near->et) < far->t_least * (1 - far->es - far->et);
+}
+
+static bool look(struct contest *c, int first, int end)
+{
+    const struct span_view *spans = span_view_of(c->view);
+    const uint32_t sphere[2] = {c->n, c->m};
+    bool good = true;
+
+    tia_level_place(&spans->primary, c->row, first, end, &c->place);
+    for (int i = 0; good && i < 2; i++) {
+        const struct span_sphere *s = &spans->spheres[sphere[i]];
+        good = tia_level_see(&spans->primary, c->row, &c->place, s, &c->seen[i]);
+        if (good)
+            tia_level_depth(&spans->primary, c->row, &c->place, s, &c->seen[i], LEVEL_FLOAT, LEVEL_FLOAT_CUT,
+                            &c->depth[i]);
+        good = good && c->depth[i].es + c->depth[i].et < .01;
+    }
+    return good;
+}
+
+/* By halves, until all of a part is decided at once or it is short. */
+static void contend(struct contest *c, int first, int end, struct level_line *line)
+{
+    int part = end - first;
+
+    for (int at = first; at < end; at += part) {
+        part = end - at < part ? end - at : part;
+        bool good = look(c, at, at + part);
+        while (part > 64 && !(good && (wins_all(c, 0) || wins_all(c, 1)))) {
+            part = (part + 1) / 2;
+            good = look(c, at, at + part);
+        }
+        if (good && (wins_all(c, 0) || wins_all(c, 1)))
+            push(line, at, at + part, wins_all(c, 0) ? c->n : c->m);
+        else if (good)
+            settle(c, at, at + part, line);
+        else
+            for (int x = at; x < at + part; x++)
+                push(line, x, x + 1, wins_exactly(c, x) ? c->n : c->m);
+    }
+}
+
+/* Puts object n, seen in `span`, among the runs of the line. */
+static void merge(const struct tia_view *view, const struct level_row *row, uint32_t n, struct span span,
+                  struct level_line *line)
+{
+    const struct level_span *old = line->spans[line->which];
+    int count = line->count;
+    struct contest contest = {.view = view, .row = row, .n = n};
+
+    line->which = !line->which;
+    line->count = 0;
+    for (int i = 0; i < count; i++) {
+        struct span both = span_within(span, old[i].first, old[i].end);
+        contest.m = old[i].object;
+        if (both.first >= both.end) {
+            push(line, old[i].first, old[i].end, old[i].object);
+            continue;
+        }
+        push(line, old[i].first, both.first, old[i].object);
+        if (old[i].object == TIA_NO_OBJECT)
+            push(line, both.first, both.end, n);
+        else
+            contend(&contest, both.first, both.end, line);
+        push(line, both.end, old[i].end, old[i].object);
+    }
+}
+
+void tia_level_find(const struct tia_view *view, const struct level_row *row, struct tia_tile tile, struct span *guess,
+                    struct level_line *line)
+{
+    const struct span_view *spans = span_view_of(view);
+    uint32_t objects = view->scene->sphere_count + view->light_count;
+
+    line->which = 0;
+    line->count = 0;
+    push(line, (int)tile.x, tile_right(tile), TIA_NO_OBJECT);
+    for (uint32_t n = 0; n < objects; n++) {
+        const struct span_sphere *sphere = &spans->spheres[n];
+        struct span *last = &guess[n < LEVEL_GUESSES ? n : LEVEL_GUESSES - 1];
+        if (row->y < sphere->rows.first || row->y >= sphere->rows.end)
+            continue;
+        *last = span_sphere_row(&spans->primary, sphere, row->y, n < LEVEL_GUESSES ? *last : none_seen());
+        struct span span = span_within(*last, (int)tile.x, tile_right(tile));
+        if (span.first < span.end)
+            merge(view, row, n, span, line);
+    }
+}

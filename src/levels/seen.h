@@ -1,0 +1,25 @@
+/* seen.h - what a row sees, as runs: no pixel is asked for where one comparison says it for many. */
+#ifndef TIA_LEVELS_SEEN_H
+#define TIA_LEVELS_SEEN_H
+
+#include "render/renderer.h"
+#include "row.h"
+
+struct level_span {
+    uint16_t first, end;
+    uint32_t object; /* a sphere, then a light; or TIA_NO_OBJECT */
+};
+
+#define LEVEL_GUESSES 300 /* more than the spheres that spans draw, and some lights */
+
+/* A row of runs from the tile's left to its right, in one of two lists. */
+struct level_line {
+    struct level_span spans[2][TIA_SIZE_MAX];
+    int which, count;
+};
+
+/* Fills the line for a row of the tile. `guess` has an entry for each sphere and light: where the row before saw it. */
+void tia_level_find(const struct tia_view *view, const struct level_row *row, struct tia_tile tile, struct span *guess,
+                    struct level_line *line);
+
+#endif

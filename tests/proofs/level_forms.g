@@ -1,0 +1,45 @@
+# The sums of src/levels, with a factor 1 + e, |e| <= u, for each rounding (the standard model; the float of NEON on ARMv7
+# takes what is below 2^-126 for 0, which is far below what counts). x is a whole number below 2^13, or that and a half:
+# exact. A sum's error is at most the largest factor's times the sum of its terms' sizes.
+#
+# linear: (c0 (1 + e0) + c1 x (1 + e1) (1 + e2)) (1 + e3)
+linear0 = (1 + e0) * (1 + e3) - 1;
+linear1 = (1 + e1) * (1 + e2) * (1 + e3) - 1;
+# quadratic: ((d2 x + d1) x + d0), coefficients, two products and two sums
+quadratic2 = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4) - 1;
+quadratic1 = (1 + e0) * (1 + e2) * (1 + e3) * (1 + e4) - 1;
+# b + sqrt(D): sqrt(D) is at most half of the sum, as b^2 = D + c v.v. From an estimate it is x/sqrt(x), good for r.
+sum = (half * (1 + r) * (1 + e0) + (1 - half)) * (1 + e1) - 1;
+# a s^2: coefficient, two products and two sums, and a's own two roundings in double; h s: linear, sum, product, sum
+term2 = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4) * (1 + e5) - 1;
+term1 = (1 + l) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
+term0 = (1 + q) * (1 + e3) - 1;
+# K s + G.v: coefficient, product, sum; linear, sum
+facing = (1 + e0) * (1 + e1) * (1 + e2) - 1;
+turn = (1 + l) * (1 + e2) - 1;
+# times 1/r, rounded, and 1/sqrt; two products
+lambert = (1 + e0) * (1 + e1) * (1 + e2) * (1 + r) - 1;
+# lambert, at most 1, times tint and colour (rounded), added to a sum of at most 1; a caster: colour, product
+colour = (1 + e0) * (1 + e1) * (1 + e2) - 1;
+colour_sum = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
+caster = (1 + e0) * (1 + e1) - 1;
+# (A'.w)^2: a product and the difference; |w|^2 k (1 + B): coefficient, two products, the difference
+delta0 = (1 + e0) * (1 + e1) - 1;
+delta1 = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
+
+{ e0 in [-1b-24,1b-24] /\ e1 in [-1b-24,1b-24] /\ e2 in [-1b-24,1b-24] /\ e3 in [-1b-24,1b-24]
+  /\ e4 in [-1b-24,1b-24] /\ e5 in [-1b-24,1b-24] /\ half in [0,0.5] /\ r in [-LEVEL_ROOTb-24,LEVEL_ROOTb-24]
+  /\ l in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24] /\ q in [-6b-24,6b-24]
+  -> linear0 in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24] /\ linear1 in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24]
+  /\ quadratic2 in [-6b-24,6b-24] /\ quadratic1 in [-6b-24,6b-24]
+  /\ quadratic2 in [-LEVEL_QUADRATICb-24,LEVEL_QUADRATICb-24]
+  /\ sum in [-LEVEL_SUMb-24,LEVEL_SUMb-24]
+  /\ term2 in [-LEVEL_TERMb-24,LEVEL_TERMb-24] /\ term1 in [-LEVEL_TERMb-24,LEVEL_TERMb-24]
+  /\ term0 in [-LEVEL_TERMb-24,LEVEL_TERMb-24]
+  /\ facing in [-LEVEL_FACINGb-24,LEVEL_FACINGb-24] /\ turn in [-LEVEL_TURNb-24,LEVEL_TURNb-24]
+  /\ lambert in [-LEVEL_LAMBERTb-24,LEVEL_LAMBERTb-24]
+  /\ colour in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24] /\ colour_sum in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24]
+  /\ caster in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24]
+  /\ delta0 in [-LEVEL_DELTAb-24,LEVEL_DELTAb-24] /\ delta1 in [-LEVEL_DELTAb-24,LEVEL_DELTAb-24] }
+
+sum -> half * ((1 + r) * (1 + e0) - 1) * (1 + e1) + e1;

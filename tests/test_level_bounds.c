@@ -1,0 +1,143 @@
+/* The bounds of src/levels against what they bound: never exceeded, and within ten times of what is reached in the
+ * worst of some thousand runs. So a bound that is ten times too small is seen here, as one that is too small at all. */
+#include <math.h>
+
+#include "check.h"
+#include "corpus/corpus.h"
+#include "edge_scene.h"
+#include "levels/prepare.h"
+#include "levels/proved.h"
+
+#include <stdlib.h>
+
+enum { FLOAT_T, INTEGER_T, LAMBERT, SQUARE, BOUNDS };
+static const char *const names[BOUNDS] = {"float's 1/t", "the integer t", "the integer cosine", "the integer |w|^2"};
+static double worst[BOUNDS];
+static unsigned long tried[BOUNDS];
+
+static void note(int which, long double error, double bound)
+{
+    double ratio = (double)(fabsl(error) / (long double)bound);
+
+    tried[which]++;
+    worst[which] = ratio > worst[which] ? ratio : worst[which];
+}
+
+/* 1/t of a pixel to some 60 bits; the coefficients are good for 50, of D's size. */
+static long double per_t(const struct level_fine *f, long double x)
+{
+    const double *b = f->seen.b, *d = f->seen.d;
+    long double depth = d[0] + x * (d[1] + x * (long double)d[2]);
+
+    return ((long double)b[0] + b[1] * x + sqrtl(depth)) / f->seen.c;
+}
+
+static void try_float(const struct level_fine *f, int i)
+{
+    const double *b = f->seen.b, *d = f->seen.d;
+    float x = (float)(f->place.low + i), depth = (float)d[0] + x * ((float)d[1] + x * (float)d[2]);
+    float root = sqrtf(depth), s = (float)b[0] + (float)b[1] * x + root;
+    long double exact = per_t(f, x) * f->seen.c;
+
+    if (depth >= (float)f->depth.cut)
+        note(FLOAT_T, (s - exact) / exact, f->depth.es);
+}
+
+/* The integers' t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without roundings. */
+static void try_integers(const struct level_fine *f, int i)
+{
+    const struct span_view *spans = span_view_of(f->view);
+    const struct span_sphere *sphere = &spans->spheres[f->sphere];
+    const struct level_fine_light *light = &f->light[0];
+    const struct level_lamp *lamp = light->lamp;
+    struct light_source source = {.sphere = sphere, .light = lamp->light};
+    struct light_line line;
+    struct lit lit;
+    num_u t, cosine;
+    int x = f->first + i;
+    long double at = f->place.low + i, exact = per_t(f, at);
+
+    span_distances(spans, f->sphere, f->row->y, x, 1, &t);
+    double unit = f->row->per_depth * tia_level_power(spans->primary.exponent);
+    long double scaled = (long double)t * tia_level_power(-sphere->t_exponent) / unit;
+    note(INTEGER_T, scaled * exact - 1, f->depth.et);
+    light_line_prepare(&spans->primary, &source, x, f->row->y, &line);
+    line.count = 1;
+    if (!spans->kernels->light(&line, &t, &lit))
+        return;
+    spans->kernels->lambert(&lit, sphere->inverse, 1, &cosine);
+    long double vv = f->place.v0 + at * (f->place.v1 + at * (long double)f->place.v2);
+    long double w = (lamp->qq * exact + light->q[0] + light->q[1] * at) * exact + vv;
+    long double facing = lamp->k * exact + light->g[0] + light->g[1] * at;
+    note(SQUARE, lit.square[0] * (long double)lamp->ud * exact * exact / w - 1, light->bounds.square);
+    note(LAMBERT, cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
+}
+
+static void try_run(const struct tia_view *view, const struct level_row *row, uint32_t sphere, struct span span)
+{
+    static struct level_fine fine;
+
+    if (span.end - span.first > LEVEL_RUN)
+        span.end = span.first + LEVEL_RUN;
+    if (span.first >= span.end || !tia_level_fine(view, row, sphere, span.first, span.end, &fine))
+        return;
+    if (tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT))
+        for (int i = 0; i < span.end - span.first; i += 3)
+            try_float(&fine, i);
+    if (!tia_level_fine_bounds(&fine, 0, LEVEL_DOUBLE_CUT))
+        return;
+    for (int i = 0; i < span.end - span.first; i += 5) {
+        double x = fine.place.low + i, *d = fine.seen.d;
+        if (d[0] + x * (d[1] + x * d[2]) >= fine.depth.cut)
+            try_integers(&fine, i);
+    }
+}
+
+static void try_scene(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    size_t size = tia_view_size(scene, scene->light_count), more = tia_level_pairs_size(scene, scene->light_count);
+    void *memory = malloc(size), *pairs = malloc(more + 1);
+    struct tia_view *view;
+
+    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height)) {
+        const struct span_view *spans = span_view_of(view);
+        view->level_memory = pairs;
+        tia_level_prepare(view);
+        for (int y = 0; y < (int)height; y += 3) {
+            struct level_row row;
+            tia_level_row(&spans->primary, y, &row);
+            for (uint32_t n = 0; n < scene->sphere_count; n++)
+                if (y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
+                    try_run(view, &row, n,
+                            span_sphere_row(&spans->primary, &spans->spheres[n], y, (struct span){0, 0}));
+        }
+    }
+    free(memory);
+    free(pairs);
+}
+
+TEST(bounds_hold_and_are_not_ten_times_too_wide)
+{
+    static struct edge_scene e;
+    static struct corpus_scene c;
+
+    for (unsigned i = 1; i <= 1500; i++) {
+        edge_make(&e, i);
+        try_scene(&e.scene, e.width, e.height);
+    }
+    for (unsigned i = 0; i < 12; i++) {
+        corpus_random(&c, 7, i);
+        try_scene(&c.scene, 320, 240);
+    }
+    for (int i = 0; i < BOUNDS; i++) {
+        printf("# %-20s %9lu values, the worst has %.3f of its bound\n", names[i], tried[i], worst[i]);
+        CHECK_MSG(worst[i] <= 1, "%s: %g times its bound", names[i], worst[i]);
+        CHECK_MSG(worst[i] > .1, "%s: no value has more than %g of its bound", names[i], worst[i]);
+    }
+}
+
+int main(void)
+{
+    RUN(bounds_hold_and_are_not_ten_times_too_wide);
+    return check_status();
+}
