@@ -40,7 +40,8 @@ static void light_plain(const struct tia_view *view, struct tia_tile tile, const
             struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
             struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
-            struct tia_options mine = {options->dither, options->path_hash + (size_t)y * tile.width + x};
+            struct tia_options mine = {.dither = options->dither,
+                                       .path_hash = options->path_hash + (size_t)y * tile.width + x};
             light_piece(view, piece, &part, &mine);
         }
 }
