@@ -1,6 +1,7 @@
 /* The rasteriser as 32-bit machines have it, without 128-bit integers, against the library's: the same bits. */
 #define TIA_NO_INT128
 #define tia_polygon_init halves_polygon_init
+#define tia_polygon_init_enlarged halves_polygon_init_enlarged
 #define tia_polygon_box halves_polygon_box
 #define tia_polygon_rows halves_polygon_rows
 #define tia_depth_scale_init halves_depth_scale_init
