@@ -77,9 +77,12 @@ struct tia_scene {
     uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
     enum tia_shadows shadows; /* another technique than traced rays, see shadow.h */
     struct tia_shadow_map shadow_map; /* of TIA_SHADOWS_MAP; all zero: the defaults */
-    uint32_t scale_bits;              /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
-    const struct tia_fine *fine;      /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
-    const struct tia_bvh *bvh;        /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    tia_q16 tessellated; /* for all techniques but traced rays, 0: what is curved is left to rays; else it becomes flat
+                            faces, none of which is farther than this from its surface: 2^-16 or more, at most
+                            TIA_OBJECTS_MAX faces */
+    uint32_t scale_bits; /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
+    const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;

@@ -1,11 +1,18 @@
-/* shadow.h - techniques for shadows, to compare with each other. All but the first draw scenes of planes, boxes,
- * triangles and meshes by the rasteriser, see raster.h, whose vertices are rounded once and whose depths are exact.
- * There each technique gives the same picture, but for those that are known not to be exact.
+/* shadow.h - techniques for shadows, to compare with each other. All but the first draw planes, boxes, triangles and
+ * meshes by the rasteriser, see raster.h, whose vertices are rounded once and whose depths are exact. There each
+ * technique gives the same picture, but for those that are known not to be exact. Spheres, discs, cylinders, cones and
+ * grids are left to rays: those find them where they are nearer than all faces, and look for them on the way from a
+ * face to a light that no face hides. What is seen of them has traced shadows.
  *
- * What else such a scene needs: opaque materials (transmission 0, no opacity), one sample a pixel, no disc and sphere
- * lights, and at most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample
- * points at each pixel, those of b = 0 in light.h. Only what is seen directly has these shadows; in mirrors they are
- * traced.
+ * With `tessellated` in scene.h they become flat faces instead, all but grids: that decides what is seen and lit, while
+ * colour, normal and mirrors stay those of the true surface where the ray meets it. So outlines and the borders of
+ * shadows have corners, and where a face turns from the light the true surface may not have yet.
+ *
+ * What such a scene needs: opaque materials (transmission 0, no opacity), no sphere lights but with TIA_FILTER_PCSS,
+ * and at most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample points
+ * at each pixel, those of b = 0 in light.h. Only what is seen directly has these shadows; in mirrors they are traced.
+ * Hits take 28 bytes for each sample of a pixel and 4 more; TIA_SHADOWS_MAP_EXACT 36, filters of maps 2 more for each
+ * sample of all lights.
  */
 #ifndef TIA_SHADOW_H
 #define TIA_SHADOW_H
@@ -29,7 +36,7 @@ const char *tia_shadows_name(unsigned technique);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
  * around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees one around the cone; other
- * lights have six, the faces of a cube. Each sample of a rectangle has its own, 4 bytes a texel.
+ * lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes a texel.
  *
  * A point is lit where the map has nothing nearer than its distance less a bias, against faces that shadow themselves.
  * A texel is 2 w/size long at the distance w where the map shows 90 degrees. With the amount a the bias is

@@ -115,6 +115,8 @@
 #define path_hash_word NAMES(path_hash_word)
 #define path_colour NAMES(path_colour)
 #define raster_renderer NAMES(raster_renderer)
+#define curved_intersect NAMES(curved_intersect)
+#define curved_passes NAMES(curved_passes)
 #define whitted_light_tile NAMES(whitted_light_tile)
 #define dither_thresholds NAMES(dither_thresholds)
 

@@ -39,18 +39,13 @@ static void place(struct tia_lattice *l, int32_t n, int32_t sample)
     l->centre[1] = row * (32768 / (n * n));
 }
 
-static int64_t larger(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-/* The largest size of D.x, D.y and D.w together, a pixel around the image included. */
+/* At least the size of D.x, D.y and D.w together, a pixel around the image included: the same for all samples, so that
+ * their vertices are. */
 static uint64_t reach(const struct tia_lattice *l)
 {
-    int64_t x = larger(-l->x, (int64_t)l->right * l->width + l->x);
-    int64_t y = larger(l->y, (int64_t)l->down * l->height - l->y);
+    int64_t x = (int64_t)l->right * (l->width + 4) / 2, y = (int64_t)l->down * (l->height + 4) / 2;
 
-    return (uint64_t)(x + l->right + y + l->down + l->w);
+    return (uint64_t)(x + y + l->w);
 }
 
 /* With coordinates up to m a normal has at most 2 m^2 in each component. N has twice that: without directions it is

@@ -54,6 +54,13 @@ int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p)
            tia_scaled_product(w[2], p.z, 36);
 }
 
+int64_t tia_frame_place_finely(const struct frame *frame, int k, const int64_t p[3])
+{
+    const int64_t *w = frame->rows[k];
+    return frame->position[k] + tia_scaled_product(w[0], p[0], 52) + tia_scaled_product(w[1], p[1], 52) +
+           tia_scaled_product(w[2], p[2], 52);
+}
+
 static uint64_t size_of(int64_t x)
 {
     return (uint64_t)(x < 0 ? -x : x);

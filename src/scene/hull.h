@@ -42,8 +42,9 @@ struct hull {
 /* NULL: no transform. */
 void tia_frame_prepare(struct frame *frame, const struct tia_transform *transform);
 
-/* Where a shape's point lies in the world, along axis k: Q31.32. */
+/* Where a shape's point lies in the world, along axis k: Q31.32; and one that is Q31.32 itself. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p);
+int64_t tia_frame_place_finely(const struct frame *frame, int k, const int64_t p[3]);
 
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);
 void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius);

@@ -74,6 +74,20 @@ void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3])
     }
 }
 
+void tia_eye_across(const int64_t n[3], int64_t across[2][3])
+{
+    int64_t e[3] = {0, 0, 0}, aside[3];
+    int least = 0;
+
+    for (int k = 1; k < 3; k++)
+        if ((n[k] < 0 ? -n[k] : n[k]) < (n[least] < 0 ? -n[least] : n[least]))
+            least = k;
+    e[least] = INT64_C(1) << 61;
+    tia_eye_cross(e, n, aside);
+    (void)wide_normalise(aside, across[0]);
+    tia_eye_cross(n, across[0], across[1]);
+}
+
 /* Q39.24, with the fine digits if there are any. */
 static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {

@@ -2,95 +2,31 @@
 
 #include "math/align.h"
 #include "math/wide.h"
-#include "scene/hull.h"
-
-/* ---- a shape's points and faces, in its own axes ---- */
-
-static const struct tia_mesh *mesh_of(const struct tia_scene *scene, const struct tia_shape *shape)
-{
-    return &scene->meshes[shape->mesh];
-}
-
-static uint32_t count_points(const struct tia_scene *scene, const struct tia_shape *shape)
-{
-    switch (shape->kind) {
-    case TIA_PLANE:
-        return TIA_PLANE_POINTS;
-    case TIA_BOX:
-        return 8;
-    case TIA_TRIANGLE:
-        return 3;
-    default:
-        return mesh_of(scene, shape)->vertex_count;
-    }
-}
-
-static uint32_t count_faces(const struct tia_scene *scene, const struct tia_shape *shape)
-{
-    switch (shape->kind) {
-    case TIA_PLANE:
-        return TIA_PLANE_FACES;
-    case TIA_BOX:
-        return 12;
-    case TIA_TRIANGLE:
-        return 1;
-    default:
-        return mesh_of(scene, shape)->face_count;
-    }
-}
-
-/* Of a plane only point 0 is one, the others are directions. */
-static struct tia_vec3 point_of(const struct tia_scene *scene, const struct tia_shape *shape, uint32_t i)
-{
-    const struct tia_box *box = &shape->box;
-
-    switch (shape->kind) {
-    case TIA_PLANE:
-        return shape->plane.point;
-    case TIA_BOX:
-        return (struct tia_vec3){i & 1 ? box->max.x : box->min.x, i & 2 ? box->max.y : box->min.y,
-                                 i & 4 ? box->max.z : box->min.z};
-    case TIA_TRIANGLE:
-        return shape->triangle.corner[i];
-    default:
-        return mesh_of(scene, shape)->vertices[i];
-    }
-}
-
-/* Its corners, as numbers of the shape's points. Rounded, four corners need not lie in one plane, so a box has
- * triangles; those of a plane are exact opposites. */
-static struct tia_flat_face face_of(const struct tia_scene *scene, const struct tia_shape *shape, uint32_t i)
-{
-    static const struct tia_flat_face plane[TIA_PLANE_FACES] = {{{0, 1, 2, 3}}, {{0, 3, 4, 1}}};
-    static const uint8_t box[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                      {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-    const uint8_t *q = box[i / 2 % 6];
-
-    if (shape->kind == TIA_PLANE)
-        return plane[i];
-    if (shape->kind == TIA_BOX)
-        return (struct tia_flat_face){{q[0], q[i % 2 ? 2 : 1], q[i % 2 ? 3 : 2], TIA_NO_CORNER}};
-    if (shape->kind == TIA_TRIANGLE)
-        return (struct tia_flat_face){{0, 1, 2, TIA_NO_CORNER}};
-    const struct tia_corner *c = mesh_of(scene, shape)->faces[i].corner;
-    return (struct tia_flat_face){{c[0].vertex, c[1].vertex, c[2].vertex, TIA_NO_CORNER}};
-}
 
 /* ---- how many there are ---- */
 
 struct counts {
-    uint64_t points, faces;
-    uint32_t most; /* points of one object */
+    uint64_t points, faces, most; /* most: points of one object */
+    uint32_t objects;
 };
+
+static uint32_t objects_of(const struct tia_scene *scene)
+{
+    return scene->sphere_count + scene->shape_count;
+}
 
 static struct counts count(const struct tia_scene *scene)
 {
-    struct counts all = {0, 0, 0};
+    struct counts all = {0, 0, 0, 0};
 
-    for (uint32_t i = 0; i < scene->shape_count; i++) {
-        uint32_t points = count_points(scene, &scene->shapes[i]);
+    for (uint32_t i = 0; i < objects_of(scene); i++) {
+        uint64_t points, faces;
+        if (!tia_flat_takes(scene, i))
+            continue;
+        tia_flat_count(scene, i, &points, &faces);
         all.points += points;
-        all.faces += count_faces(scene, &scene->shapes[i]);
+        all.faces += faces;
+        all.objects++;
         all.most = points > all.most ? points : all.most;
     }
     return all;
@@ -100,7 +36,7 @@ static struct counts count(const struct tia_scene *scene)
  * edges. */
 static uint64_t room_size(struct counts n)
 {
-    uint64_t weld = n.most * (uint64_t)sizeof(uint32_t) + tia_weld_room(n.most),
+    uint64_t weld = n.most * sizeof(uint32_t) + tia_weld_room((uint32_t)n.most),
              edges = tia_edges_room((uint32_t)n.faces);
 
     return weld > edges ? weld : edges;
@@ -111,45 +47,46 @@ uint64_t tia_flat_face_count(const struct tia_scene *scene)
     return count(scene).faces;
 }
 
+unsigned tia_flat_samples(const struct tia_scene *scene)
+{
+    uint32_t samples = scene->camera.samples; /* of a scene that may not be checked yet */
+
+    return samples > TIA_SAMPLES_MAX ? TIA_SAMPLES_MAX : samples ? samples : 1;
+}
+
 size_t tia_flat_size(const struct tia_scene *scene)
 {
     struct counts n = count(scene);
 
     if (n.faces > UINT32_C(1) << 28 || n.points > UINT32_MAX)
         return SIZE_MAX;
-    uint64_t size = ALIGN((uint64_t)scene->shape_count * sizeof(struct tia_flat_object)) +
+    uint64_t size = ALIGN((uint64_t)n.objects * sizeof(struct tia_flat_object)) +
                     ALIGN(n.faces * sizeof(struct tia_flat_face)) + ALIGN(n.faces * TIA_SIDES * sizeof(uint32_t)) +
-                    ALIGN(n.faces * sizeof(struct tia_raster_plane)) +
+                    ALIGN(n.faces * tia_flat_samples(scene) * sizeof(struct tia_raster_plane)) +
                     ALIGN(n.points * sizeof(struct tia_raster_vertex)) + ALIGN(room_size(n));
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
 
 /* ---- points ---- */
 
-static const struct tia_transform *transform_of(const struct tia_scene *scene, const struct tia_shape *shape)
+/* Of a plane's points only the first is one. */
+static uint32_t places_of(const struct tia_flat_source *source)
 {
-    return shape->transform ? &scene->transforms[shape->transform - 1] : NULL;
-}
-
-static void in_world(const struct frame *frame, struct tia_vec3 p, int64_t world[3])
-{
-    for (int k = 0; k < 3; k++)
-        world[k] = tia_frame_place(frame, k, p);
+    return source->kind == TIA_PLANE ? 1 : source->points;
 }
 
 static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
 {
     unsigned most = 0;
 
-    for (uint32_t s = 0; s < scene->shape_count; s++) {
-        const struct tia_shape *shape = &scene->shapes[s];
-        uint32_t points = shape->kind == TIA_PLANE ? 1 : count_points(scene, shape);
-        struct frame frame;
-
-        tia_frame_prepare(&frame, transform_of(scene, shape));
-        for (uint32_t i = 0; i < points && !asker_stops(asker, 1); i++) {
+    for (uint32_t s = 0; s < objects_of(scene); s++) {
+        struct tia_flat_source source;
+        if (!tia_flat_takes(scene, s))
+            continue;
+        tia_flat_source_init(&source, scene, s);
+        for (uint32_t i = 0; i < places_of(&source) && !asker_stops(asker, 1); i++) {
             int64_t world[3];
-            in_world(&frame, point_of(scene, shape, i), world);
+            tia_flat_source_point(&source, i, world);
             unsigned range = tia_eye_range(eye, world);
             most = range > most ? range : most;
         }
@@ -157,18 +94,22 @@ static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *ey
     return most;
 }
 
-/* The corners of a rectangle, or the same point four times. */
+/* Corners around a rectangle or a disc, or the same point eight times. */
 static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
 {
-    bool extends = light->kind == TIA_RECTANGLE_LIGHT;
+    const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
+    const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
+    const int64_t b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
     unsigned most = 0;
 
-    for (int i = 0; i < 4; i++) {
-        struct tia_vec3 a = light->side[0], b = light->side[1];
-        int64_t s = extends ? i % 2 * 2 - 1 : 0, t = extends ? i / 2 * 2 - 1 : 0;
-        const int64_t at[3] = {(light->centre.x + s * a.x + t * b.x) * 65536,
-                               (light->centre.y + s * a.y + t * b.y) * 65536,
-                               (light->centre.z + s * a.z + t * b.z) * 65536};
+    for (int i = 0; i < 8; i++) {
+        const int64_t s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+        int64_t at[3];
+        for (int k = 0; k < 3; k++)
+            at[k] = (centre[k] + (light->kind == TIA_RECTANGLE_LIGHT ? s[0] * a[k] + s[1] * b[k]
+                                  : light->kind == TIA_DISC_LIGHT    ? s[k] * light->radius
+                                                                     : 0)) *
+                    65536;
         unsigned range = tia_eye_range(eye, at);
         most = range > most ? range : most;
     }
@@ -203,53 +144,39 @@ static void add_directions(const struct tia_flat_scene *flat, const struct tia_d
                            struct tia_raster_vertex *to)
 {
     const int64_t given[3] = {normal->x, normal->y, normal->z};
-    int64_t n[3], across[3], along[3];
-    int least = 0;
+    int64_t n[3], across[2][3];
 
     (void)wide_normalise(given, n);
-    for (int k = 1; k < 3; k++)
-        if ((n[k] < 0 ? -n[k] : n[k]) < (n[least] < 0 ? -n[least] : n[least]))
-            least = k;
-    const int64_t e[3] = {least == 0 ? INT64_C(1) << 61 : 0, least == 1 ? INT64_C(1) << 61 : 0,
-                          least == 2 ? INT64_C(1) << 61 : 0};
-    tia_eye_cross(e, n, along);
-    (void)wide_normalise(along, across);
-    tia_eye_cross(n, across, along);
-    tia_eye_direction(&flat->eye, across, flat->bits, &to[0]);
-    tia_eye_direction(&flat->eye, along, flat->bits, &to[1]);
-    to[2] = opposite(to[0]);
-    to[3] = opposite(to[1]);
+    tia_eye_across(n, across);
+    for (int i = 0; i < 2; i++) {
+        tia_eye_direction(&flat->eye, across[i], flat->bits, &to[i]);
+        to[2 + i] = opposite(to[i]);
+    }
 }
 
-static void add_points(struct tia_flat_scene *flat, const struct tia_scene *scene, const struct tia_shape *shape,
-                       struct asker *asker)
+static void add_points(struct tia_flat_scene *flat, const struct tia_flat_source *source, struct asker *asker)
 {
     struct tia_raster_vertex *to = &flat->points[flat->point_count];
-    uint32_t points = shape->kind == TIA_PLANE ? 1 : count_points(scene, shape);
-    struct frame frame;
 
-    tia_frame_prepare(&frame, transform_of(scene, shape));
-    for (uint32_t i = 0; i < points && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < places_of(source) && !asker_stops(asker, 1); i++) {
         int64_t world[3];
-        in_world(&frame, point_of(scene, shape, i), world);
+        tia_flat_source_point(source, i, world);
         tia_eye_point(&flat->eye, world, flat->lattice.fraction, &to[i]);
     }
-    if (shape->kind == TIA_PLANE)
-        add_directions(flat, &shape->plane.normal, to + 1);
+    if (source->kind == TIA_PLANE)
+        add_directions(flat, &source->shape->plane.normal, to + 1);
 }
 
 /* ---- faces ---- */
 
-static void add_faces(struct tia_flat_scene *flat, const struct tia_scene *scene, const struct tia_shape *shape,
-                      uint32_t *room)
+static void add_faces(struct tia_flat_scene *flat, const struct tia_flat_source *source, uint32_t *room)
 {
-    uint32_t points = count_points(scene, shape), faces = count_faces(scene, shape);
-    bool weld = shape->kind == TIA_MESH;
+    bool weld = source->kind == TIA_MESH;
 
     if (weld)
-        tia_weld(room, mesh_of(scene, shape)->vertices, points, room + points);
-    for (uint32_t i = 0; i < faces; i++) {
-        struct tia_flat_face face = face_of(scene, shape, i), *to = &flat->faces[flat->face_count + i];
+        tia_weld(room, source->scene->meshes[source->shape->mesh].vertices, source->points, room + source->points);
+    for (uint32_t i = 0; i < source->faces; i++) {
+        struct tia_flat_face face = tia_flat_source_face(source, i), *to = &flat->faces[flat->face_count + i];
         for (int k = 0; k < TIA_SIDES; k++)
             to->corner[k] = face.corner[k] == TIA_NO_CORNER
                                 ? TIA_NO_CORNER
@@ -288,19 +215,21 @@ static void find_box(const struct tia_flat_scene *flat, struct tia_flat_object *
 static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scene, uint32_t i, uint32_t *room,
                        struct asker *asker)
 {
-    const struct tia_shape *shape = &scene->shapes[i];
-    uint32_t faces = count_faces(scene, shape);
-
-    uint32_t points = count_points(scene, shape);
     struct tia_flat_object *object = &flat->objects[flat->object_count++];
+    struct tia_flat_source source;
 
-    *object =
-        (struct tia_flat_object){.kind = shape->kind, .object = i, .first_face = flat->face_count, .face_count = faces};
-    add_points(flat, scene, shape, asker);
-    add_faces(flat, scene, shape, room);
-    find_box(flat, object, flat->point_count, flat->point_count + points);
-    flat->point_count += points;
-    flat->face_count += faces;
+    tia_flat_source_init(&source, scene, i);
+    *object = (struct tia_flat_object){.kind = source.kind,
+                                       .object = i,
+                                       .first_face = flat->face_count,
+                                       .face_count = source.faces,
+                                       .parts = {source.parts[0], source.parts[1]},
+                                       .divided = source.divided};
+    add_points(flat, &source, asker);
+    add_faces(flat, &source, room);
+    find_box(flat, object, flat->point_count, flat->point_count + source.points);
+    flat->point_count += source.points;
+    flat->face_count += source.faces;
 }
 
 static bool closes(const struct tia_flat_scene *flat, const struct tia_flat_object *object)
@@ -330,6 +259,30 @@ static int make_plane(struct tia_flat_scene *flat, uint32_t face)
     return tia_raster_plane_init(&flat->planes[face], &flat->lattice, corners, sides);
 }
 
+static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scene, struct asker *asker)
+{
+    struct tia_flat_scene sampled;
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < tia_flat_samples(scene); i++) {
+        tia_flat_sample(&sampled, flat, scene, i);
+        for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, 1); f++)
+            status = make_plane(&sampled, f);
+    }
+    return status;
+}
+
+void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
+                     unsigned sample)
+{
+    const struct tia_lattice *l = &flat->lattice;
+    unsigned range = (unsigned)(flat->bits - l->fraction);
+
+    *out = *flat;
+    (void)tia_lattice_init(&out->lattice, l->projection, l->width, l->height, tia_flat_samples(scene), sample, range);
+    out->planes = flat->planes + (size_t)flat->face_count * sample;
+}
+
 static char *take(char **memory, size_t size)
 {
     char *at = *memory;
@@ -348,10 +301,10 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     if (size < tia_flat_size(scene))
         return TIA_ERR_MEMORY;
     *flat = (struct tia_flat_scene){.object_count = 0};
-    flat->objects = (void *)take(&next, (size_t)scene->shape_count * sizeof *flat->objects);
+    flat->objects = (void *)take(&next, (size_t)n.objects * sizeof *flat->objects);
     flat->faces = (void *)take(&next, (size_t)n.faces * sizeof *flat->faces);
     flat->across = (void *)take(&next, (size_t)n.faces * TIA_SIDES * sizeof *flat->across);
-    flat->planes = (void *)take(&next, (size_t)n.faces * sizeof *flat->planes);
+    flat->planes = (void *)take(&next, (size_t)n.faces * tia_flat_samples(scene) * sizeof *flat->planes);
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
@@ -360,16 +313,17 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
         return TIA_ERR_RANGE;
     if (scene->camera.projection == TIA_ORTHOGRAPHIC)
         range = range_with_lights(scene, &flat->eye, range);
-    int status = tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, 1, 0, range);
+    int status =
+        tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, tia_flat_samples(scene), 0, range);
     flat->bits = flat->lattice.fraction + (int)range;
-    for (uint32_t i = 0; !status && i < scene->shape_count && !asker_stops(asker, 1); i++)
-        add_object(flat, scene, i, room, asker);
+    for (uint32_t i = 0; !status && i < objects_of(scene) && !asker_stops(asker, 1); i++)
+        if (tia_flat_takes(scene, i))
+            add_object(flat, scene, i, room, asker);
     if (!asker_stops(asker, 0))
         (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room, asker);
     for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++)
         flat->objects[i].closed = closes(flat, &flat->objects[i]);
-    for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, 1); f++)
-        status = make_plane(flat, f);
+    status = status ? status : make_planes(flat, scene, asker);
     return asker->stopped ? TIA_STOPPED : status;
 }
 
@@ -392,5 +346,7 @@ uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face)
     const struct tia_flat_object *object = tia_flat_object_of(flat, face);
     uint32_t n = face - object->first_face;
 
-    return object->kind == TIA_MESH ? n : object->kind == TIA_BOX ? n / 2 : 0;
+    if (object->kind == TIA_MESH || object->kind == TIA_BOX)
+        return object->kind == TIA_MESH ? n : n / 2;
+    return n < object->parts[0] ? 0 : n - object->parts[0] < object->parts[1] ? 1 : 2;
 }

@@ -2,10 +2,8 @@
 #ifndef TIA_SHADOW_FACES_H
 #define TIA_SHADOW_FACES_H
 
-#include <tia/scene.h>
-
-#include "edges.h"
 #include "eye.h"
+#include "source.h"
 
 /* An object: faces first_face .. first_face + face_count - 1, in the order of its elements, see render.h; an element of
  * a box has two. */
@@ -13,13 +11,11 @@ struct tia_flat_object {
     enum tia_shape_kind kind;
     uint32_t object;
     uint32_t first_face, face_count;
+    uint32_t parts[2];       /* how many faces the elements 0 and 1 have; not of boxes and meshes */
+    bool divided;            /* its faces stand for a curved surface */
     bool closed;             /* each edge has a face on either side: its silhouette makes its shadow */
     int64_t low[3], high[3]; /* a box around the points of a closed one, in the coordinates of tia_flat_affine */
 };
-
-/* The two faces of a plane are its halves. They meet along a line, from a direction to the opposite one. */
-#define TIA_PLANE_FACES 2
-#define TIA_PLANE_POINTS 5
 
 /* Orthographic views have vertices for lights up to 2^TIA_FLAT_LIGHT_BITS times as far as the scene reaches. */
 #define TIA_FLAT_LIGHT_BITS 9
@@ -32,7 +28,7 @@ struct tia_flat_scene {
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
-    struct tia_raster_plane *planes; /* of the faces */
+    struct tia_raster_plane *planes; /* of the faces, where the lattice is that of the first sample; then of the next */
     uint32_t object_count, face_count, point_count;
 };
 
@@ -45,6 +41,9 @@ void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_
 /* How many faces a scene has that tia_scene_check accepts with shadows. */
 uint64_t tia_flat_face_count(const struct tia_scene *scene);
 
+/* Samples of a pixel: at least 1. */
+unsigned tia_flat_samples(const struct tia_scene *scene);
+
 /* Bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more than 2^28
  * faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
@@ -54,6 +53,10 @@ size_t tia_flat_size(const struct tia_scene *scene);
  * asker is stopped. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct asker *asker);
+
+/* The same faces where sample `sample` of each pixel is. */
+void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
+                     unsigned sample);
 
 /* A face's corners; returns how many. */
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,

@@ -144,6 +144,7 @@ static int set_lights(struct tia_shadow_view *view, struct asker *asker)
 
 struct lighting {
     const struct tia_shadow_view *view;
+    struct tia_world world; /* as the view's pixels see it, the samples of a pixel differ */
     struct tia_shadow_tile *tile;
     unsigned sample, shares;
     bool turned; /* the point's face is, to the light */
@@ -165,7 +166,7 @@ static void light_pixel(struct lighting *l, int x, int y, size_t at)
     }
     if (!l->turned)
         return;
-    tia_world_seen(&maps->world, x, y, tia_raster_distance(&flat->planes[face], &flat->lattice, x, y), place);
+    tia_world_seen(&l->world, x, y, tia_raster_distance(&flat->planes[face], &flat->lattice, x, y), place);
     tia_map_place(&l->point, &maps->look, place);
     unsigned share = tia_map_share(&l->point, maps->look.filter, maps->radius[l->sample], (unsigned)(x + 3 * y));
     l->tile->lit[at] |= (uint64_t)(share > 0) << l->sample;
@@ -181,7 +182,8 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
     struct lighting l = {.view = view, .tile = tile, .sample = sample, .shares = shares(view->scene)};
 
     l.point.map = &maps->map[sample];
-    l.point.world = &maps->world;
+    tia_world_init(&l.world, &view->flat);
+    l.point.world = &l.world;
     l.point.face = TIA_NO_FACE;
     for (unsigned y = 0; y < area->height; y++)
         for (unsigned x = 0; x < area->width && !asker_stops(asker, PIXEL_WORK); x++)

@@ -25,6 +25,7 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"map-size", required_argument, NULL, OPT_MAP_SIZE},
                                       {"bias", required_argument, NULL, OPT_BIAS},
                                       {"filter", required_argument, NULL, OPT_FILTER},
+                                      {"tessellated", required_argument, NULL, OPT_TESSELLATED},
                                       {"keys", required_argument, NULL, 'k'},
                                       {"input", required_argument, NULL, 'i'},
                                       {"frames", required_argument, NULL, 'n'},
@@ -129,15 +130,11 @@ static void warn(const struct scene_file *file)
         note("%s", line);
 }
 
-/* Applies --shadows and its options, and says at once what of the scene the technique cannot draw. */
-static int load_shadows(struct options *options)
+static int load_map(struct options *options)
 {
     struct tia_shadow_map *map = &options->scene.shadow_map;
     const struct tia_shadow_map *given = &options->map;
-    struct tia_fault fault;
 
-    if (options->shadows)
-        options->scene.shadows = (enum tia_shadows)(options->shadows - 1);
     if (options->scene.shadows != TIA_SHADOWS_MAP && (given->size || given->bias || given->filter))
         return fail(EXIT_USAGE, "--%s: only shadow maps have it (--shadows map)",
                     given->size   ? "map-size"
@@ -147,9 +144,33 @@ static int load_shadows(struct options *options)
     map->filter = given->filter ? given->filter : map->filter;
     map->amount = given->bias ? given->amount : map->amount;
     map->bias = given->bias ? given->bias : map->bias;
-    if (!tia_scene_check(&options->scene, &fault))
-        return EXIT_FINE;
-    return fail(EXIT_USAGE, "--shadows %s: %s %u: %s: %s", tia_shadows_name(options->scene.shadows), fault.thing,
+    return EXIT_FINE;
+}
+
+static int load_tessellated(const char *error, struct tia_scene *scene)
+{
+    if (error && (!parse_scaled(error, scene->scale_bits, &scene->tessellated) ||
+                  (!scene->tessellated && strpbrk(error, "123456789"))))
+        return fail(EXIT_USAGE, "--tessellated %.200s: not a length (0 to %u, like 0.01)", error,
+                    32767u >> scene->scale_bits);
+    return EXIT_FINE;
+}
+
+/* Applies --shadows and its options, and says at once what of the scene the technique cannot draw. */
+static int load_shadows(struct options *options)
+{
+    struct tia_scene *scene = &options->scene;
+    const struct tia_shadow_map *map = &options->map;
+    bool given = options->shadows || map->size || map->bias || map->filter || options->tessellated;
+    struct tia_fault fault;
+
+    if (options->shadows)
+        scene->shadows = (enum tia_shadows)(options->shadows - 1);
+    int status = load_map(options);
+    status = status ? status : load_tessellated(options->tessellated, scene);
+    if (status || !given || !tia_scene_check(scene, &fault))
+        return status;
+    return fail(EXIT_USAGE, "--shadows %s: %s %u: %s: %s", tia_shadows_name(scene->shadows), fault.thing,
                 (unsigned)fault.index, fault.field, fault.rule);
 }
 
@@ -166,8 +187,7 @@ int arguments_load(struct options *options)
         options->scene.camera.samples = options->samples;
     if (options->depth != 0)
         options->scene.depth = options->depth;
-    bool given = options->shadows || options->map.size || options->map.bias || options->map.filter;
-    int status = given ? load_shadows(options) : EXIT_FINE;
+    int status = load_shadows(options);
     return status ? status : load_keys(options);
 }
 

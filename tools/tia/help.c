@@ -17,6 +17,8 @@ const char options_help[] =
     "      --map-size N             texels along a shadow map's side, 64 to 4096\n"
     "      --bias none|KIND=A       of shadow maps: constant, slope, normal or plane, its amount\n"
     "      --filter NAME            of shadow maps: none, bilinear, 3x3, 5x5, 7x7, poisson or pcss\n"
+    "      --tessellated ERROR      if not traced, curved shapes as flat faces that are at most\n"
+    "                               so far from the surface; 0: as they are\n"
     "  -k, --keys STRING            press these keys first: the scene's (a d s w) and\n"
     "                               <left> <right> <up> <down> <pgup> <pgdn>\n"
     "  -i, --input NAME[:DEVICE]    auto, evdev, tty or none\n"

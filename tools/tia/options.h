@@ -19,6 +19,7 @@ struct options {
     uint32_t depth;
     uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
     struct tia_shadow_map map; /* what is not 0 overrides the scene's */
+    const char *tessellated;   /* NULL: not given */
     const struct tia_core *core;
     const struct tia_level *level;        /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */

@@ -44,14 +44,15 @@ bool parse_mode(const char *text)
 
 enum { FRACTION_DIGITS = 40 };
 
-/* 0.DIGITS in 1/65536, rounded to nearest, ties up. Exact: doubles the decimal digits once per bit. */
-static uint32_t fraction(const char *text, size_t count)
+/* 0.DIGITS with `places` bits, at most 32, rounded to nearest, ties up. Exact: doubles the decimal digits once per bit.
+ */
+static uint64_t fraction(const char *text, size_t count, unsigned places)
 {
     unsigned char digits[FRACTION_DIGITS];
-    uint32_t bits = 0;
+    uint64_t bits = 0;
     for (size_t i = 0; i < count; i++)
         digits[i] = (unsigned char)(text[i] - '0');
-    for (unsigned bit = 0; bit < 17; bit++) {
+    for (unsigned bit = 0; bit < places + 1; bit++) {
         unsigned carry = 0;
         for (size_t i = count; i-- > 0;) {
             unsigned twice = digits[i] * 2u + carry;
@@ -63,9 +64,10 @@ static uint32_t fraction(const char *text, size_t count)
     return (bits + 1) / 2;
 }
 
-bool parse_seconds(const char *text, tia_q16 *seconds)
+bool parse_scaled(const char *text, unsigned bits, tia_q16 *value)
 {
-    uint32_t whole, part = 0;
+    uint32_t whole;
+    uint64_t part = 0;
     const char *rest;
     if (!parse_number(text, &rest, 0, 32767, &whole))
         return false;
@@ -73,12 +75,17 @@ bool parse_seconds(const char *text, tia_q16 *seconds)
         size_t count = strspn(rest + 1, "0123456789");
         if (count == 0 || count > FRACTION_DIGITS)
             return false;
-        part = fraction(rest + 1, count);
+        part = fraction(rest + 1, count, 16 + bits);
         rest += 1 + count;
     }
-    uint64_t sum = (uint64_t)whole * 65536 + part;
-    *seconds = (tia_q16)(sum & INT32_MAX);
+    uint64_t sum = ((uint64_t)whole << (16 + bits)) + part;
+    *value = (tia_q16)(sum & INT32_MAX);
     return *rest == '\0' && sum <= INT32_MAX;
+}
+
+bool parse_seconds(const char *text, tia_q16 *seconds)
+{
+    return parse_scaled(text, 0, seconds);
 }
 
 bool parse_rate(const char *text, uint32_t rate[2])

@@ -203,6 +203,9 @@ static int set_of_shadows(struct options *options, int option, const char *value
         return set_bias(options, value);
     case OPT_FILTER:
         return set_filter(options, value);
+    case OPT_TESSELLATED:
+        options->tessellated = value;
+        return EXIT_FINE;
     default:
         return set_shadows(options, value);
     }
@@ -234,6 +237,7 @@ int parse_option(struct options *options, int option, char *value)
     case OPT_MAP_SIZE:
     case OPT_BIAS:
     case OPT_FILTER:
+    case OPT_TESSELLATED:
         return set_of_shadows(options, option, value);
     case 'k':
         options->key_text = value;

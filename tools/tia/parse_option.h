@@ -14,6 +14,7 @@ enum {
     OPT_MAP_SIZE,
     OPT_BIAS,
     OPT_FILTER,
+    OPT_TESSELLATED,
     OPT_TIME,
     OPT_FPS,
     OPT_FRAME_RANGE,

@@ -137,22 +137,34 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
+static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene)
+{
+    bool map = scene->shadows == TIA_SHADOWS_MAP;
+
+    if (tia_word_is(word, "tessellated"))
+        return tia_text_length(t, &scene->tessellated);
+    if (map && tia_word_is(word, "size"))
+        return map_size(t, &scene->shadow_map);
+    if (map && tia_word_is(word, "bias"))
+        return map_bias(t, &scene->shadow_map);
+    if (map && tia_word_is(word, "filter"))
+        return map_filter(t, &scene->shadow_map);
+    return tia_text_error(t, word, "is no field of this technique",
+                          map ? "size, bias, filter or tessellated" : "tessellated");
+}
+
 int tia_line_shadows(struct tia_job *job)
 {
-    struct tia_text *t = &job->text;
-    struct tia_shadow_map *map = &job->scene->shadow_map;
+    struct tia_scene *scene = job->scene;
     struct tia_word word;
     unsigned technique;
-    int status = named(t, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
+    int status = named(&job->text, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
                        "traced, rays, zpass, zfail, map, map-exact or zpass-plain", &technique);
 
-    job->scene->shadows = (enum tia_shadows)technique;
-    *map = (struct tia_shadow_map){.size = 0};
-    while (!status && technique == TIA_SHADOWS_MAP && tia_text_word(t, &word))
-        status = tia_word_is(&word, "size")   ? map_size(t, map)
-                 : tia_word_is(&word, "bias") ? map_bias(t, map)
-                 : tia_word_is(&word, "filter")
-                     ? map_filter(t, map)
-                     : tia_text_error(t, &word, "is no field of a map", "size, bias or filter");
+    scene->shadows = (enum tia_shadows)technique;
+    scene->shadow_map = (struct tia_shadow_map){.size = 0};
+    scene->tessellated = 0;
+    while (!status && technique != TIA_SHADOWS_TRACED && tia_text_word(&job->text, &word))
+        status = shadow_field(&job->text, &word, scene);
     return status;
 }

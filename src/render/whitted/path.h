@@ -16,11 +16,15 @@ struct arrivals {
 
 /* First hits of pixels that are found without rays. */
 struct first_hits {
-    /* Along the ray of pixel (x, y). Sample i of light n has number first_bit[n] + i, or first_bit[n] if `whole`. */
-    void (*find)(const struct first_hits *hits, int x, int y, const struct ray *ray, struct hit *hit,
+    /* Along the ray of a sample of pixel (x, y). Sample i of light n has number first_bit[n] + i, or first_bit[n] if
+     * `whole`. False: what arrives there is not known. */
+    bool (*find)(const struct first_hits *hits, int x, int y, int sample, const struct ray *ray, struct hit *hit,
                  struct arrivals *lit);
     const uint8_t *first_bit;
     bool whole;
+    /* NULL, or whether light that arrives by its number also passes what no number tells of, 0 <= t <= distance along
+     * the shadow ray. `blocker` as of ray_transmittance. */
+    bool (*passes)(const struct first_hits *hits, const struct ray *shadow, num_length distance, uint32_t *blocker);
 };
 
 /* Rays from the eye, one after the other. */

@@ -19,14 +19,15 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
     }
 }
 
-/* What a ray from the eye meets; `object` is it, unless it is NULL and not known. */
-static void find_first(struct path *path, int x, int y, const uint32_t *object, const struct ray *ray, struct hit *hit)
+/* What the ray of a pixel's sample meets; `object` is what the first one does. */
+static void find_first(struct path *path, int x, int y, int sample, uint32_t object, const struct ray *ray,
+                       struct hit *hit)
 {
-    path->known = path->first != NULL;
+    path->known = false;
     if (path->first)
-        path->first->find(path->first, x, y, ray, hit, &path->lit);
-    else if (object)
-        ray_intersect_object(path->view, ray, *object, hit);
+        path->known = path->first->find(path->first, x, y, sample, ray, hit, &path->lit);
+    else if (sample == 0)
+        ray_intersect_object(path->view, ray, object, hit);
     else
         ray_intersect(path->view, ray, hit);
 }
@@ -45,7 +46,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
 
         path->next_reached = i == 0 ? 0 : PATH_REACHED;
         ray_camera_ray(camera, x, y, i, &ray);
-        find_first(path, x, y, i == 0 ? &object : NULL, &ray, &hit);
+        find_first(path, x, y, i, object, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
         for (int c = 0; c < 3; c++)

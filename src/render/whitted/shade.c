@@ -91,14 +91,15 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
     struct ray shadow;
     num_length distance;
 
-    if (!path->known && ray_light_shadow(light, sample, s->outside, &shadow, &distance))
-        return ray_transmittance(path->view, &shadow, distance, blocker, through);
     if (path->known && !(path->lit.bits >> bit & 1))
         return false;
     bool partly = path->known && path->lit.shares;
     num_length part = partly ? num_length_of_q45((int64_t)path->lit.shares[bit] << 30) : NUM_LENGTH_ONE;
     through[0] = through[1] = through[2] = part;
-    return true;
+    if ((path->known && !path->first->passes) || !ray_light_shadow(light, sample, s->outside, &shadow, &distance))
+        return true;
+    return path->known ? path->first->passes(path->first, &shadow, distance, blocker)
+                       : ray_transmittance(path->view, &shadow, distance, blocker, through);
 }
 
 /* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:

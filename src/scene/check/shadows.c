@@ -2,11 +2,7 @@
 #include "check.h"
 
 #include "scene/colour.h"
-
-static bool is_flat(enum tia_shape_kind kind)
-{
-    return kind == TIA_PLANE || kind == TIA_BOX || kind == TIA_TRIANGLE || kind == TIA_MESH;
-}
+#include "scene/facets.h"
 
 /* Area lights may be of any kind then, and have one sample. */
 static bool is_soft(const struct tia_scene *scene)
@@ -18,9 +14,8 @@ static int check_light(const struct check *check, const struct tia_light *light,
 {
     bool soft = is_soft(check->scene);
 
-    REQUIRE(soft || (light->kind != TIA_DISC_LIGHT && light->kind != TIA_SPHERE_LIGHT), "kind",
-            "must be no disc or sphere light with these shadows");
-    if (light->kind == TIA_RECTANGLE_LIGHT && !soft)
+    REQUIRE(soft || light->kind != TIA_SPHERE_LIGHT, "kind", "must be no sphere light with these shadows");
+    if (!soft && (light->kind == TIA_RECTANGLE_LIGHT || light->kind == TIA_DISC_LIGHT))
         *samples += light->samples ? light->samples : TIA_LIGHT_SAMPLES;
     else if (light->kind != TIA_AMBIENT_LIGHT)
         *samples += 1;
@@ -45,17 +40,10 @@ static int check_lights(struct check *check)
     return status;
 }
 
-static int check_shapes(struct check *check)
+static int check_materials(struct check *check)
 {
     const struct tia_scene *scene = check->scene;
 
-    check->index = 0;
-    check->thing = "sphere";
-    REQUIRE(!scene->sphere_count, "shape", "must have flat faces with these shadows");
-    check->thing = "shape";
-    for (; check->index < scene->shape_count; check->index++)
-        REQUIRE(is_flat(scene->shapes[check->index].kind), "kind",
-                "must be a plane, a box, a triangle or a mesh with these shadows");
     check->thing = "material";
     for (check->index = 0; check->index < scene->material_count; check->index++) {
         REQUIRE(colour_is_black(&scene->materials[check->index].transmission), "transmission",
@@ -79,6 +67,21 @@ static int check_map(struct check *check)
     return TIA_OK;
 }
 
+static int check_facets(const struct check *check)
+{
+    const struct tia_scene *scene = check->scene;
+    uint64_t faces = 0;
+
+    REQUIRE(scene->tessellated >= 0, "tessellated", "must be 0 or more");
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count && faces <= TIA_OBJECTS_MAX; i++) {
+        struct tia_facets facets;
+        if (tia_facets_of(scene, i, &facets))
+            faces += facets.faces;
+    }
+    REQUIRE(faces <= TIA_OBJECTS_MAX, "tessellated", "must be larger: there would be more than 2^24 faces");
+    return TIA_OK;
+}
+
 int tia_check_shadows(struct check *check)
 {
     const struct tia_scene *scene = check->scene;
@@ -89,10 +92,7 @@ int tia_check_shadows(struct check *check)
     check->thing = "scene";
     REQUIRE(tia_shadows_name((unsigned)scene->shadows), "shadows", "must be a technique");
     int status = check_map(check);
-    if (status)
-        return status;
-    check->thing = "camera";
-    REQUIRE(scene->camera.samples <= 1, "samples", "must be 1 with these shadows");
-    status = check_shapes(check);
+    status = status ? status : check_facets(check);
+    status = status ? status : check_materials(check);
     return status ? status : check_lights(check);
 }

@@ -1,0 +1,20 @@
+/* curved.h - where in the image the objects are that have no flat faces: rays look for them there. */
+#ifndef TIA_SHADOW_CURVED_H
+#define TIA_SHADOW_CURVED_H
+
+#include "faces.h"
+
+/* Pixels x0 <= x < x1, y0 <= y < y1 are all that may see the object. */
+struct tia_curved_place {
+    uint32_t object;
+    uint16_t x0, y0, x1, y1;
+};
+
+/* How many of a scene's objects tia_flat_takes leaves. */
+uint32_t tia_curved_count(const struct tia_scene *scene);
+
+/* Their places, as many. */
+void tia_curved_find(struct tia_curved_place *places, const struct tia_scene *scene, const struct tia_eye *eye,
+                     unsigned width, unsigned height);
+
+#endif

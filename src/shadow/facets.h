@@ -1,0 +1,29 @@
+/* facets.h - the corners and faces of curved shapes that are divided into flat faces, see scene/facets.h. */
+#ifndef TIA_SHADOW_FACETS_H
+#define TIA_SHADOW_FACETS_H
+
+#include "edges.h"
+#include "scene/facets.h"
+
+/* A shape, in its own axes: circles with a corner along across[0] and the next ones towards across[1]. */
+struct tia_facet_shape {
+    enum tia_shape_kind kind;
+    uint32_t around;
+    bool capped;
+    int64_t centre[2][3], radius[2]; /* Q31.32; of a sphere and disc the first, else those of the ends */
+    int64_t across[2][3];            /* Q1.62; of a sphere not set */
+};
+
+/* For an object that tia_facets_of divides. */
+void tia_facet_shape_init(struct tia_facet_shape *shape, const struct tia_scene *scene, uint32_t object);
+
+/* Point i, Q31.32. */
+void tia_facet_point(const struct tia_facet_shape *shape, uint32_t i, int64_t point[3]);
+
+/* Face i: numbers of points. */
+struct tia_flat_face tia_facet_face(const struct tia_facet_shape *shape, uint32_t i);
+
+/* How many of the faces, which come first, are its side, the element 0, see render.h; then how many its base. */
+void tia_facet_parts(const struct tia_facet_shape *shape, uint32_t parts[2]);
+
+#endif

@@ -1,0 +1,38 @@
+/* source.h - an object of a scene as points and flat faces, before a camera looks at it. */
+#ifndef TIA_SHADOW_SOURCE_H
+#define TIA_SHADOW_SOURCE_H
+
+#include "facets.h"
+#include "scene/hull.h"
+
+/* The two faces of a plane are its halves. They meet along a line, from a direction to the opposite one. */
+#define TIA_PLANE_FACES 2
+#define TIA_PLANE_POINTS 5
+
+struct tia_flat_source {
+    const struct tia_scene *scene;
+    const struct tia_shape *shape; /* NULL: one of the scene's spheres */
+    enum tia_shape_kind kind;
+    uint32_t points, faces;
+    uint32_t parts[2]; /* see tia_facet_parts */
+    bool divided;      /* it is curved */
+    struct tia_facet_shape facets;
+    struct frame frame;
+};
+
+/* Whether an object has flat faces here; what is curved is left to rays, unless the scene wants it tessellated, and
+ * grids always. */
+bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
+
+/* How many points and faces one that has them has. */
+void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *points, uint64_t *faces);
+
+void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);
+
+/* Point i in the world, Q31.32. Of a plane only point 0 is one, the others are directions. */
+void tia_flat_source_point(const struct tia_flat_source *source, uint32_t i, int64_t world[3]);
+
+/* Face i: numbers of points. */
+struct tia_flat_face tia_flat_source_face(const struct tia_flat_source *source, uint32_t i);
+
+#endif
