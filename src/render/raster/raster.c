@@ -2,6 +2,7 @@
  * its stencil buffer; colours come about as the ray renderer makes them. Behind the struct ray_view that the latter
  * prepares stands a struct raster_view. */
 #include "math/align.h"
+#include "raster/target.h"
 #include "render/whitted/whitted.h"
 #include "shadow/volume.h"
 
@@ -105,11 +106,6 @@ static void find_buffers(const struct raster_view *raster, const struct tia_hits
     (void)tia_raster_part(&b->target, &all, tile);
 }
 
-static size_t index_of(const struct buffers *b, int x, int y)
-{
-    return ((size_t)y - b->target.area.y) * (size_t)b->target.pitch + ((size_t)x - b->target.area.x);
-}
-
 static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     const struct raster_view *raster = raster_of(view);
@@ -120,7 +116,7 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
     (void)tia_shadow_faces(&b.target, &raster->flat);
     for (int y = (int)tile.y; y < tile_bottom(tile); y++)
         for (int x = (int)tile.x; x < tile_right(tile); x++) {
-            uint32_t face = b.target.face[index_of(&b, x, y)];
+            uint32_t face = b.target.face[target_index(&b.target, x, y)];
             hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] =
                 face == TIA_NO_FACE ? TIA_NO_OBJECT : tia_flat_object_of(&raster->flat, face)->object;
         }
@@ -177,7 +173,7 @@ static void find_hit(const struct first_hits *hits, int x, int y, const struct r
 {
     const struct rasterised *r = (const struct rasterised *)(const void *)hits;
     const struct tia_flat_scene *flat = &r->raster->flat;
-    size_t at = index_of(r->buffers, x, y);
+    size_t at = target_index(&r->buffers->target, x, y);
     uint32_t face = r->buffers->target.face[at];
 
     *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
