@@ -306,9 +306,9 @@ alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
 on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
-QUICK := $(filter-out %/test_rays_accuracy,$(TESTS)) $(sort $(wildcard tests/quick/*))
-LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
-SLOW  := $(LONG) $(filter %/test_rays_accuracy,$(TESTS)) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
+LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy) $(BUILD)/tests/test_rays_accuracy
+QUICK := $(filter-out $(LONG),$(TESTS)) $(sort $(wildcard tests/quick/*))
+SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe

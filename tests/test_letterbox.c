@@ -305,7 +305,6 @@ TEST(checksums_join)
     }
 }
 
-/* Nearest rank: the smallest sample that p % of them do not exceed. */
 /* A signal ends the checksum of a tall picture, which the screen then does not show. */
 TEST(a_signal_ends_a_checksum)
 {
@@ -327,6 +326,7 @@ TEST(a_signal_ends_a_checksum)
     letterbox_display.close(&letterbox);
 }
 
+/* Nearest rank: the smallest sample that p % of them do not exceed. */
 TEST(percentiles)
 {
     static struct samples samples;

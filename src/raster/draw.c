@@ -1,5 +1,6 @@
 #include "depth.h"
 #include "rows.h"
+#include "target.h"
 
 struct job {
     struct tia_raster_target *target;
@@ -7,11 +8,6 @@ struct job {
     const struct polygon *polygon;
     uint32_t face;
 };
-
-static inline size_t place_of(const struct tia_raster_target *t, int x, int y)
-{
-    return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
-}
 
 /* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */
 static inline bool passes(enum tia_compare test, int order)
@@ -117,7 +113,7 @@ static void put_colour(const struct job *job, size_t at)
 static void draw_pixel(const struct job *job, const struct tia_stencil *s, int64_t z, int x, int y)
 {
     struct tia_raster_target *t = job->target;
-    size_t at = place_of(t, x, y);
+    size_t at = target_index(t, x, y);
 
     if (t->stencil && !stencil_passes(t, s, at)) {
         put_stencil(t, s, s->fail, at);
@@ -159,7 +155,7 @@ static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
-    size_t at = place_of(job->target, x0, y);
+    size_t at = target_index(job->target, x0, y);
     uint64_t *there = job->target->nearness, z = run.z, step = run.step;
     uint32_t *faces = job->target->face, face = job->face;
 
@@ -201,7 +197,7 @@ static inline void count_one(const struct counting *c, size_t at, uint32_t step)
  * structure here, since a byte that is written may be any. */
 static void count_steady(const struct counting *c, struct depth_run run, int y, int x0, int x1)
 {
-    size_t at = place_of(c->job->target, x0, y);
+    size_t at = target_index(c->job->target, x0, y);
     const uint64_t *there = c->job->target->nearness;
     uint64_t flip = c->flip, z = run.z, step = run.step;
     uint32_t one = c->step, *count = c->count;
@@ -218,7 +214,7 @@ static void count_run(const struct counting *c, int y, int x0, int x1)
 {
     const struct job *job = c->job;
     struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
-    size_t at = place_of(job->target, x0, y);
+    size_t at = target_index(job->target, x0, y);
 
     if (run.steady && c->count) {
         count_steady(c, run, y, x0, x1);

@@ -1,6 +1,7 @@
 #include "depth.h"
 
 #include "math/align.h"
+#include "target.h"
 
 /* Buffers in the order of their alignment; planes and nearness need 8 bytes. */
 static uint64_t planes_bytes(unsigned buffers, uint32_t faces)
@@ -77,7 +78,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     if (area.x < all->x || area.y < all->y || area.x + area.width > all->x + all->width ||
         area.y + area.height > all->y + all->height)
         return TIA_ERR_ARGUMENT;
-    size_t skip = (size_t)(area.y - all->y) * (size_t)target->pitch + (size_t)(area.x - all->x);
+    size_t skip = target_index(target, (int)area.x, (int)area.y);
     *part = *target;
     part->area = area;
     part->face += target->face ? skip : 0;

@@ -1,0 +1,13 @@
+/* target.h - where a pixel's values are. */
+#ifndef TIA_RASTER_TARGET_H
+#define TIA_RASTER_TARGET_H
+
+#include <tia/raster.h>
+
+/* The index of pixel (x, y) of the image in each buffer of one value a pixel. */
+static inline size_t target_index(const struct tia_raster_target *t, int x, int y)
+{
+    return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
+}
+
+#endif
