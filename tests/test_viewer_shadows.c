@@ -103,14 +103,15 @@ TEST(whose_key_it_is)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Balls: only rays are left, and the key does not quit. Through a narrow lens, far corners are out of the
- * rasteriser's range, which only preparing tells. */
+/* Light through a box: only traced rays are left, and the key does not quit. Through a narrow lens, far corners are out
+ * of the rasteriser's range, which only preparing tells. */
 TEST(what_only_rays_can_draw)
 {
+    static const struct tia_material clear = {.colour = TIA_RGB(0.5, 0.5, 0.5), .transmission = TIA_RGB(0.5, 0, 0)};
     static const struct tia_shape wide = {.kind = TIA_BOX, .box = {TIA_VEC3(-1, 0, -1), TIA_VEC3(20000, 2, 1)}};
     struct world *w = yard_world();
 
-    w->viewer.scene = &tia_thesis_scene;
+    yard.materials = &clear;
     world_event(w, START + 500, TIA_EVENT_TAP, 't');
     quit_at(w, START + 90000);
     CHECK_EQ(world_play(w), TIA_OK);
@@ -125,6 +126,22 @@ TEST(what_only_rays_can_draw)
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 2);
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
+}
+
+/* Six maps of 1024 x 1024 do not fit into the world's memory; all else does. */
+TEST(what_there_is_no_memory_for)
+{
+    struct world *w = yard_world();
+
+    yard.shadow_map.size = 1024;
+    for (unsigned i = 0; i < techniques; i++)
+        world_event(w, START + 1000 * (i + 1), TIA_EVENT_TAP, 't');
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, techniques + 1);
+    for (unsigned i = 0; i < w->frame_count; i++)
+        CHECK(w->frames[i].told.shadows != TIA_SHADOWS_MAP);
+    CHECK_EQ(w->frames[techniques - 1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
 /* While a frame is drawn that takes long, the key gives it up like one that moves a light. */
@@ -209,6 +226,7 @@ int main(void)
     RUN(lights_between_techniques);
     RUN(whose_key_it_is);
     RUN(what_only_rays_can_draw);
+    RUN(what_there_is_no_memory_for);
     RUN(in_the_middle_of_a_frame);
     RUN(told_before_it_is_shown);
     RUN(while_it_plays);

@@ -50,8 +50,8 @@ static bool same_mode(const struct tia_mode *a, const struct tia_mode *b)
            a->tile_height == b->tile_height && a->concurrent == b->concurrent;
 }
 
-/* A technique that cannot draw what the check lets pass, such as a point that is too far away, is left out. The one
- * before the key can. */
+/* A technique that cannot draw what the check lets pass, such as a point that is too far away, or that there is no
+ * memory for, is left out. The one before the key can. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -61,7 +61,7 @@ static int prepare(struct loop *loop)
         status = loop->view ? TIA_OK : tia_viewer_prepare(loop);
         if (!status)
             status = tia_viewer_play(loop);
-        if (status != TIA_ERR_RANGE || !loop->switched)
+        if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) || !loop->switched)
             break;
         tia_viewer_switch(loop);
     } while (loop->base->shadows != first);
