@@ -71,6 +71,8 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
     return TIA_OK;
 }
 
+#define ADVANCED(pointer, values) ((pointer) ? (pointer) + (values) : NULL)
+
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area)
 {
     const struct tia_tile *all = &target->area;
@@ -81,12 +83,12 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     size_t skip = target_index(target, (int)area.x, (int)area.y);
     *part = *target;
     part->area = area;
-    part->face += target->face ? skip : 0;
-    part->nearness += target->nearness ? skip : 0;
-    part->stencil += target->stencil ? skip : 0;
-    part->count += target->count ? skip : 0;
-    part->colour += target->colour ? 3 * skip : 0;
-    part->sum += target->sum ? 3 * skip : 0;
+    part->face = ADVANCED(target->face, skip);
+    part->nearness = ADVANCED(target->nearness, skip);
+    part->stencil = ADVANCED(target->stencil, skip);
+    part->count = ADVANCED(target->count, skip);
+    part->colour = ADVANCED(target->colour, 3 * skip);
+    part->sum = ADVANCED(target->sum, 3 * skip);
     return TIA_OK;
 }
 
