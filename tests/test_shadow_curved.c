@@ -295,7 +295,8 @@ TEST(tessellation_converges)
 {
     unsigned coarse = count_differences(0.04), fine = count_differences(0.008), finest = count_differences(0.0016);
 
-    CHECK_MSG(coarse > 2 * fine && fine > 2 * finest, "%u, %u and %u of %d pixels differ", coarse, fine, finest, 3 * PIXELS);
+    CHECK_MSG(coarse > 2 * fine && fine > 2 * finest, "%u, %u and %u of %d pixels differ", coarse, fine, finest,
+              3 * PIXELS);
 }
 
 int main(void)

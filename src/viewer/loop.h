@@ -18,7 +18,6 @@ struct loop {
     const struct tia_core *core;
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
     const struct tia_scene *scene; /* base, or *current when it has tracks */
-    bool switched;                 /* a key has changed the technique since the last frame */
     uint32_t light_count;
 
     /* The display's mode, and what depends on it. */
@@ -35,13 +34,12 @@ struct loop {
     bool traced;     /* those hits are valid: relight instead of tracing */
 
     /* Animation. */
-    bool plays;
-    bool only_lights;          /* nothing but lights moves: hits stay valid */
     struct tia_scene *current; /* the scene at `time`, followed by the arrays that it points to */
     void *bvh_memory;
     size_t current_size, bvh_size;
     tia_q16 time, end; /* of *current, and of the last keyframe; seconds */
-    bool started;
+    bool plays, started;
+    bool only_lights;          /* nothing but lights moves: hits stay valid */
     uint64_t start_us, due_us; /* when playing began; when the next frame is due */
 
     /* While a frame is drawn, see watch.c. */
@@ -53,10 +51,11 @@ struct loop {
     bool ends;                  /* a key, `stop` or a failed input ends the loop */
     int failure;                /* of the input */
 
-    bool changed; /* the screen is out of date */
-    uint32_t frame;
     uint64_t key_us;                      /* time of the oldest key press that the next frame will show */
     uint64_t repeat_us[VIEWER_HELD_KEYS]; /* when a held key next moves the light; 0: not held */
+    uint32_t frame;
+    bool changed;  /* the screen is out of date */
+    bool switched; /* a key has changed the technique since the last frame */
 };
 
 static inline uint64_t viewer_now(const struct loop *loop)
