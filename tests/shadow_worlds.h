@@ -146,6 +146,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     add_point(w, -a[0], -a[1], -a[2], false);
     add_point(w, -b[0], -b[1], -b[2], false);
     add_object(w, halves, 2, 5);
+    objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
 enum contents { SOUP, SOLIDS, CROOKED, MIXED };
