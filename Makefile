@@ -179,6 +179,15 @@ LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
+# TinyGL, where a tester has put it: measured beside the rasteriser, by a program of its own. Its own Makefile builds
+# it with OpenMP.
+TINYGL ?=
+TINYGL_LIB := $(if $(TINYGL),$(firstword $(wildcard $(addprefix $(TINYGL)/,lib/libTinyGL.a src/libTinyGL.a libTinyGL.a))))
+ifneq ($(TINYGL),)
+$(if $(and $(TINYGL_LIB),$(wildcard $(TINYGL)/include/zbuffer.h)),,$(error TINYGL=$(TINYGL): no include/zbuffer.h or no lib/libTinyGL.a there))
+endif
+BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
+$(if $(TINYGL),$(BENCH): LIBS += -lgomp)
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
@@ -245,7 +254,7 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/raster.c))
-$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BUILD)/bench: LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
+$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
@@ -325,11 +334,15 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-$(BUILD)/bench: $(call obj,host,$(sort $(wildcard bench/*.c)) $(if $(GL),bench/gl/raster.c)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
+$(BENCH): $(call obj,host,$(filter-out $(if $(TINYGL),bench/tinygl.c),$(sort $(wildcard bench/*.c))) $(if $(GL),bench/gl/raster.c)) \
+          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$(link)
-$(call obj,host,bench/shadow_scene.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
-bench: $(BUILD)/bench
-	@$(BUILD)/bench
+# FORCE: another TINYGL may be meant than the last time.
+$(BUILD)/tinygl/%.o: %.c FORCE
+	$(call compile,CC,$(HOSTED) -DTIA_HAVE_TINYGL -isystem $(TINYGL)/include)
+$(call obj,host,bench/shadow_scene.c bench/shadow_frames.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
+bench: $(BENCH)
+	@$(BENCH)
 
 size: $(LIBTIA)
 	@$(CROSS)size -t $(LIBTIA)
@@ -389,6 +402,7 @@ help:
 	@echo "check-arch check-vm fuzz                       parts of check, for longer"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
+	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
 	@echo "gallery            draws the pictures of docs again"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"

@@ -1,7 +1,7 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
- * the median of each and of their ratios. `bench levels` measures the vector units alone,
- * `bench raster` the rasteriser. */
+ * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, rays, raster,
+ * tinygl, shadows or shadow-frames. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,9 @@
 #include "plain.h"
 #include "raster.h"
 #include "rays.h"
+#include "shadow_frames.h"
 #include "shadows.h"
+#include "tinygl.h"
 
 #define ROUNDS 15
 
@@ -88,27 +90,35 @@ static void measure(uint16_t width, uint16_t height)
            median(ratio), median(saved));
 }
 
-int main(int argc, char **argv)
+static void measure_frames(void)
 {
-    if (argc > 1 && strcmp(argv[1], "raster") == 0) {
-        bench_raster();
-        return 0;
-    }
-    if (argc > 1 && strcmp(argv[1], "shadows") == 0) {
-        bench_shadows();
-        return 0;
-    }
-    if (argc > 1 && strcmp(argv[1], "levels") == 0) {
-        bench_levels();
-        return 0;
-    }
     printf("| size | full, ms | relit, ms | plain float, ms | float/full | float/relit |\n");
     printf("|---|---|---|---|---|---|\n");
     measure(640, 480);
     measure(1920, 1080);
-    bench_levels();
-    bench_rays();
-    bench_raster();
-    bench_shadows();
-    return 0;
+}
+
+static const struct part {
+    const char *name;
+    void (*run)(void);
+} parts[] = {{"thesis", measure_frames},
+             {"levels", bench_levels},
+             {"rays", bench_rays},
+             {"raster", bench_raster},
+             {"tinygl", bench_tinygl},
+             {"shadows", bench_shadows},
+             {"shadow-frames", bench_shadow_frames}};
+
+int main(int argc, char **argv)
+{
+    bool found = false;
+
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        if (argc < 2 || strcmp(argv[1], parts[i].name) == 0) {
+            parts[i].run();
+            found = true;
+        }
+    if (!found)
+        (void)fprintf(stderr, "bench: no part of that name: %s\n", argv[1]);
+    return found ? 0 : 2;
 }

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tia.h>
-#include <time.h>
 
 #include "float_lanes.h"
 #include "milliseconds.h"
@@ -16,14 +15,6 @@
 struct best {
     double wall, cpu;
 };
-
-static double cpu_milliseconds(void)
-{
-    struct timespec t;
-
-    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static void keep(struct best *best, double wall, double cpu)
 {

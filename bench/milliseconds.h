@@ -1,12 +1,30 @@
-/* milliseconds.h - the benchmarks' clock. */
+/* milliseconds.h - the benchmarks' clocks. */
 #ifndef BENCH_MILLISECONDS_H
 #define BENCH_MILLISECONDS_H
+
+#include <time.h>
 
 #include "clock.h"
 
 static inline double milliseconds(void)
 {
     return (double)clock_now_us() * 1e-3;
+}
+
+/* Of processor time, which other programs do not add to. */
+static inline double cpu_milliseconds(void)
+{
+    struct timespec t;
+
+    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+/* Keeps the least of several measurements, each begun with a value of 0 that stands for none. */
+static inline void keep_least(double *least, double ms)
+{
+    if (*least <= 0 || ms < *least)
+        *least = ms;
 }
 
 #endif

@@ -1,12 +1,10 @@
 #include "raster.h"
 
-#include "mesh.h"
+#include "milliseconds.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <tia/raster.h>
-#include <time.h>
 
 #define ROUNDS 15
 #define RANGE 5 /* clip coordinates stay below 32 */
@@ -24,7 +22,7 @@ static struct tia_raster_vertex seen(const struct tia_lattice *l, struct point p
                                       llrint(-n * one), 1};
 }
 
-static void must(bool fine)
+void raster_bench_must(bool fine)
 {
     if (!fine) {
         (void)fprintf(stderr, "bench: the rasteriser failed\n");
@@ -32,26 +30,28 @@ static void must(bool fine)
     }
 }
 
-static double cpu_ms(void)
+void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16_t width, uint16_t height,
+                       unsigned buffers)
 {
-    return (double)clock() * 1e3 / CLOCKS_PER_SEC;
+    const struct tia_tile all = {0, 0, width, height};
+
+    bench_mesh(m, level);
+    b->count = m->count;
+    raster_bench_must(tia_lattice_init(&b->lattice, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
+    size_t size = tia_raster_size(all, buffers, m->count);
+    b->polygon = malloc(sizeof *b->polygon * m->count);
+    b->memory = malloc(size);
+    raster_bench_must(b->polygon && b->memory);
+    for (uint32_t i = 0; i < m->count; i++)
+        for (int k = 0; k < 3; k++)
+            b->polygon[i][k] = seen(&b->lattice, m->corner[i][k]);
+    raster_bench_must(tia_raster_init(&b->target, b->memory, size, &b->lattice, all, buffers, m->count) == TIA_OK);
 }
 
-static double drawn(struct tia_raster_target *t, const struct tia_raster_state *state, struct tia_raster_vertex (*v)[3],
-                    uint32_t count, bool clear)
+void raster_bench_free(struct raster_bench *b)
 {
-    double best = 1e9;
-
-    for (int round = 0; round < ROUNDS; round++) {
-        double start = cpu_ms();
-        if (clear)
-            tia_clear_depth(t);
-        for (uint32_t i = 0; i < count; i++)
-            must(tia_draw_polygon(t, state, v[i], 3, i) == TIA_OK);
-        double ms = cpu_ms() - start;
-        best = ms < best ? ms : best;
-    }
-    return best;
+    free(b->memory);
+    free(b->polygon);
 }
 
 static const struct tia_raster_state nearest = {.depth = TIA_LESS, .depth_write = true};
@@ -61,36 +61,43 @@ static const struct tia_raster_state behind = {
     .front = {.test = TIA_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_DECR_WRAP},
     .back = {.test = TIA_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_INCR_WRAP}};
 
+static void draw(const struct raster_bench *b, struct tia_raster_target *t, const struct tia_raster_state *state)
+{
+    for (uint32_t i = 0; i < b->count; i++)
+        raster_bench_must(tia_draw_polygon(t, state, b->polygon[i], 3, i) == TIA_OK);
+}
+
+void raster_bench_nearest(const struct raster_bench *b, struct tia_raster_target *target)
+{
+    tia_clear_depth(target);
+    draw(b, target, &nearest);
+}
+
 static void measure(struct mesh *m, uint16_t width, uint16_t height, int level)
 {
-    const struct tia_tile all = {0, 0, width, height};
-    struct tia_lattice lattice;
-    struct tia_raster_target t;
+    double depth = 0, count = 0;
+    struct raster_bench b;
 
-    bench_mesh(m, level);
-    must(tia_lattice_init(&lattice, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
-    size_t size = tia_raster_size(all, TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL, m->count);
-    struct tia_raster_vertex(*v)[3] = malloc(sizeof *v * m->count);
-    void *memory = malloc(size);
-    must(v && memory);
-    for (uint32_t i = 0; i < m->count; i++)
-        for (int k = 0; k < 3; k++)
-            v[i][k] = seen(&lattice, m->corner[i][k]);
-    must(tia_raster_init(&t, memory, size, &lattice, all, TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL, m->count) == TIA_OK);
-    struct tia_raster_target depth_alone = t;
+    raster_bench_init(&b, m, level, width, height, TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL);
+    struct tia_raster_target depth_alone = b.target;
     depth_alone.stencil = NULL;
-    double depth = drawn(&depth_alone, &nearest, v, m->count, true);
-    double count = drawn(&t, &behind, v, m->count, false);
-    printf("| %ux%u | %u | %.2f | %.2f | %u |\n", width, height, m->count, depth, count, depth_alone.exact / ROUNDS);
-    free(memory);
-    free(v);
+    for (int round = 0; round < ROUNDS; round++) {
+        double start = cpu_milliseconds();
+        raster_bench_nearest(&b, &depth_alone);
+        double drawn = cpu_milliseconds();
+        draw(&b, &b.target, &behind);
+        keep_least(&count, cpu_milliseconds() - drawn);
+        keep_least(&depth, drawn - start);
+    }
+    printf("| %ux%u | %u | %.2f | %.2f | %u |\n", width, height, b.count, depth, count, depth_alone.exact / ROUNDS);
+    raster_bench_free(&b);
 }
 
 void bench_raster(void)
 {
     struct mesh m = {.corner = malloc(sizeof *m.corner * MESH_FACES_MAX)};
 
-    must(m.corner != NULL);
+    raster_bench_must(m.corner != NULL);
     printf(
         "\n| size | faces | nearest face, ms | counting behind it, ms | exact comparisons |\n|---|---|---|---|---|\n");
     for (int level = 0; level < MESH_LEVELS; level++)

@@ -1,6 +1,29 @@
-/* raster.h - the rasteriser: a ground, a ball, a box and a ring of 98 to 86,030 faces. */
+/* raster.h - the rasteriser alone, on the polygons of mesh.h. */
 #ifndef BENCH_RASTER_H
 #define BENCH_RASTER_H
+
+#include "mesh.h"
+
+#include <tia/raster.h>
+
+/* A mesh as an image sees it, in that image's buffers. */
+struct raster_bench {
+    struct tia_lattice lattice;
+    struct tia_raster_target target;
+    struct tia_raster_vertex (*polygon)[3];
+    uint32_t count;
+    void *memory;
+};
+
+/* Ends the program when something is not fine. */
+void raster_bench_must(bool fine);
+
+void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16_t width, uint16_t height,
+                       unsigned buffers);
+void raster_bench_free(struct raster_bench *b);
+
+/* The nearest face of each pixel, into a target that may lack buffers of the benchmark's. */
+void raster_bench_nearest(const struct raster_bench *b, struct tia_raster_target *target);
 
 void bench_raster(void);
 

@@ -30,7 +30,11 @@ void shadow_scene_free(struct shadow_scene *s)
 }
 
 static const struct tia_material white = {.colour = {65536, 65536, 65536}};
-static const struct tia_light lamp = {.centre = {3 * 65536, 7 * 65536, 4 * 65536}, .emission = {65536, 65536, 65536}};
+#define LAMP(x, y, z)                                                                                                  \
+    {                                                                                                                  \
+        .centre = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)}, .emission = { 65536, 65536, 65536 }                            \
+    }
+static const struct tia_light lamps[SHADOW_LAMPS] = {LAMP(3, 7, 4), LAMP(-5, 6, 3), LAMP(1, 8, -4), LAMP(-3, 5, 7)};
 
 static void make_solid(struct shadow_scene *s, int i)
 {
@@ -60,7 +64,7 @@ void shadow_scene_make(struct shadow_scene *s, int level)
                                              .fov = Q(45)},
                                   .materials = &white,
                                   .material_count = 1,
-                                  .lights = &lamp,
+                                  .lights = lamps,
                                   .light_count = 1,
                                   .shapes = s->shapes,
                                   .shape_count = MESH_SOLIDS + 1,
@@ -79,7 +83,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
 
     p->memory[0] = malloc(size);
     shadow_must(p->memory[0] && !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, width, height, &nobody));
-    tia_flat_light_at(&p->flat, &lamp, 0, &p->light);
+    tia_flat_light_at(&p->flat, lamps, 0, &p->light);
     size = tia_raster_size(all, buffers, p->flat.face_count);
     p->memory[1] = malloc(size);
     shadow_must(p->memory[1] &&

@@ -5,6 +5,9 @@
 #include "mesh.h"
 #include "shadow/volume.h"
 
+#define SHADOW_LAMPS 4
+
+/* Its scene has the first of these lights; light_count may be set up to SHADOW_LAMPS. */
 struct shadow_scene {
     struct mesh mesh;
     struct tia_vec3 *points;

@@ -9,6 +9,7 @@ void bench_shadows_gl(const char *driver)
 }
 #else
 #include "gl/raster.h"
+#include "milliseconds.h"
 #include "ports.h"
 #include "shadow_scene.h"
 
@@ -16,23 +17,23 @@ void bench_shadows_gl(const char *driver)
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
-#define WIDTH 640
-#define HEIGHT 480
-#define ROUNDS 5
+#define ROUNDS 7
+#define PATIENCE 500 /* ms: after this, no more rounds than 2; llvmpipe compiles in the first */
 
 /* ---- what is drawn ---- */
 
 struct drawn {
-    struct tia_raster_state state;
     double corner[4][4];
     unsigned count;
     uint32_t face;
 };
 
+/* All polygons of a pass have one state. */
 static struct {
+    struct tia_raster_state state[SHADOW_PASSES];
+    enum shadow_pass pass;
     struct drawn *polygons;
     size_t count, room;
     bool on;
@@ -55,8 +56,9 @@ static void keep(const struct tia_lattice *l, const struct tia_raster_state *sta
         shadow_must(drawn.polygons != NULL);
     }
     struct drawn *d = &drawn.polygons[drawn.count++];
-    *d = (struct drawn){.state = *state, .count = count, .face = face};
-    d->state.colour_write[0] = state->depth_write;
+    *d = (struct drawn){.count = count, .face = face};
+    drawn.state[drawn.pass] = *state;
+    drawn.state[drawn.pass].colour_write[0] = state->depth_write;
     for (unsigned k = 0; k < count; k++) {
         d->corner[k][0] = (double)corners[k].x / one;
         d->corner[k][1] = (double)corners[k].y / one;
@@ -75,65 +77,96 @@ int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_r
 
 /* ---- by GL ---- */
 
-static double cpu_ms(void)
+static double draw(struct gl_raster *gl, enum shadow_pass pass, size_t first, size_t end)
 {
-    return (double)clock() * 1e3 / CLOCKS_PER_SEC;
-}
+    double start = cpu_milliseconds();
 
-static double draw(struct gl_raster *gl, size_t first, size_t end)
-{
-    double start = cpu_ms();
-
-    if (first == 0)
+    if (pass == SHADOW_DEPTH)
         gl_raster_clear(gl, 0);
+    gl_raster_begin(gl, &drawn.state[pass]);
     for (size_t i = first; i < end; i++) {
         const struct drawn *d = &drawn.polygons[i];
-        gl_raster_draw(gl, &d->state, (const double(*)[4])d->corner, d->count, d->face);
+        gl_raster_polygon(gl, (const double(*)[4])d->corner, d->count, d->face);
     }
+    gl_raster_end(gl);
     gl_raster_finish();
-    return cpu_ms() - start;
+    return cpu_milliseconds() - start;
 }
 
-static void measure(struct gl_raster *gl, const struct shadow_scene *s)
+static void record(struct shadow_passes *p, enum shadow_pass pass)
 {
-    double depth = 1e9, volumes = 1e9;
+    drawn.pass = pass;
+    drawn.on = true;
+    shadow_passes_draw(p, pass);
+    drawn.on = false;
+}
+
+/* What both have drawn: by this library's rasteriser, and by GL. */
+struct times {
+    double depth[2], zfail[2];
+};
+
+static void time_once(struct gl_raster *gl, struct shadow_passes *p, size_t faces, struct times *least)
+{
+    double start = cpu_milliseconds();
+
+    shadow_passes_draw(p, SHADOW_DEPTH);
+    double seen = cpu_milliseconds();
+    shadow_passes_draw(p, SHADOW_ZFAIL);
+    keep_least(&least->zfail[0], cpu_milliseconds() - seen);
+    keep_least(&least->depth[0], seen - start);
+    keep_least(&least->depth[1], draw(gl, SHADOW_DEPTH, 0, faces));
+    keep_least(&least->zfail[1], draw(gl, SHADOW_ZFAIL, faces, drawn.count));
+}
+
+static void measure(struct gl_raster *gl, const struct shadow_scene *s, const uint16_t size[2])
+{
+    struct times t = {{0, 0}, {0, 0}};
     struct shadow_passes p;
 
-    shadow_passes_init(&p, s, WIDTH, HEIGHT);
+    shadow_passes_init(&p, s, size[0], size[1]);
     drawn.count = 0;
-    drawn.on = true;
-    shadow_passes_draw(&p, SHADOW_DEPTH);
+    record(&p, SHADOW_DEPTH);
     size_t faces = drawn.count;
-    shadow_passes_draw(&p, SHADOW_ZFAIL);
-    drawn.on = false;
-    for (int round = 0; round < ROUNDS; round++) {
-        double ms = draw(gl, 0, faces);
-        depth = ms < depth ? ms : depth;
-        ms = draw(gl, faces, drawn.count);
-        volumes = ms < volumes ? ms : volumes;
-    }
-    printf("| %ux%u | %u | %.2f | %.2f |\n", WIDTH, HEIGHT, p.flat.face_count, depth, volumes);
+    record(&p, SHADOW_ZFAIL);
+    double start = cpu_milliseconds();
+    for (int round = 0; round < 2 || (round < ROUNDS && cpu_milliseconds() - start < PATIENCE); round++)
+        time_once(gl, &p, faces, &t);
+    printf("| %ux%u | %u | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", size[0], size[1], p.flat.face_count,
+           t.depth[0], t.depth[1], t.depth[0] / t.depth[1], t.zfail[0], t.zfail[1], t.zfail[0] / t.zfail[1]);
     shadow_passes_free(&p);
+}
+
+static bool measure_size(const char *driver, struct shadow_scene *s, const uint16_t size[2], int step)
+{
+    static char why[PORT_WHY];
+    struct gl_raster *gl = gl_raster_open("osmesa", size[0], size[1], why);
+
+    if (!gl || !strstr(gl_raster_driver(), driver)) {
+        printf("\n%s: %s\n", driver, gl ? "not in this OSMesa" : why);
+        return false;
+    }
+    printf("\n| size | faces | depth, ms | %s with colour, ms | depth/%s | z-fail, ms | %s, ms | z-fail/%s |\n"
+           "|---|--:|--:|--:|--:|--:|--:|--:|\n",
+           driver, driver, driver, driver);
+    for (int level = 0; level < MESH_LEVELS; level += step) {
+        shadow_scene_make(s, level);
+        measure(gl, s, size);
+        (void)fflush(stdout);
+    }
+    gl_raster_close(gl);
+    return true;
 }
 
 static void measure_all(const char *driver)
 {
-    static char why[PORT_WHY];
-    struct gl_raster *gl = gl_raster_open("osmesa", WIDTH, HEIGHT, why);
+    static const uint16_t sizes[2][2] = {{640, 480}, {1920, 1080}};
     struct shadow_scene s;
 
-    if (!gl || !strstr(gl_raster_driver(), driver)) {
-        printf("\n%s: %s\n", driver, gl ? "not in this OSMesa" : why);
-        return;
-    }
-    printf("\n| size, %s | faces | depth and colour, ms | z-fail, ms |\n|---|--:|--:|--:|\n", driver);
     shadow_scene_init(&s);
-    for (int level = 0; level < MESH_LEVELS; level++) {
-        shadow_scene_make(&s, level);
-        measure(gl, &s);
-    }
+    if (measure_size(driver, &s, sizes[0], 1))
+        (void)measure_size(driver, &s, sizes[1], 2);
     shadow_scene_free(&s);
-    gl_raster_close(gl);
 }
 
 /* The driver is chosen before the library is loaded, for good. */

@@ -83,7 +83,6 @@ static bool prepare(const struct gl_raster *r, char *why)
     gl.Disable(GL_DITHER);
     gl.Enable(GL_DEPTH_CLAMP);
     gl.Enable(GL_DEPTH_TEST);
-    gl.Enable(GL_STENCIL_TEST);
     return true;
 }
 
@@ -148,6 +147,16 @@ static void set_side(GLenum side, const struct tia_stencil *s)
     gl.StencilMaskSeparate(side, s->write);
 }
 
+static bool ignores_stencil(const struct tia_stencil *s)
+{
+    return s->test == TIA_ALWAYS && s->zfail == TIA_KEEP && s->zpass == TIA_KEEP;
+}
+
+static void switch_to(GLenum what, bool on)
+{
+    (on ? gl.Enable : gl.Disable)(what);
+}
+
 static void set_state(const struct tia_raster_state *s)
 {
     GLboolean colour = s->colour_write[0] ? GL_TRUE : GL_FALSE;
@@ -155,26 +164,44 @@ static void set_state(const struct tia_raster_state *s)
     gl.DepthFunc(compares[s->depth]);
     gl.DepthMask(s->depth_write ? GL_TRUE : GL_FALSE);
     gl.ColorMask(colour, colour, colour, colour);
+    switch_to(GL_STENCIL_TEST, !ignores_stencil(&s->front) || !ignores_stencil(&s->back));
     set_side(GL_FRONT, &s->front);
     set_side(GL_BACK, &s->back);
-    if (!s->skip_front && !s->skip_back) {
-        gl.Disable(GL_CULL_FACE);
-        return;
+    switch_to(GL_CULL_FACE, s->skip_front || s->skip_back);
+    if (s->skip_front || s->skip_back)
+        gl.CullFace(s->skip_front && s->skip_back ? GL_FRONT_AND_BACK : s->skip_front ? GL_FRONT : GL_BACK);
+}
+
+void gl_raster_begin(struct gl_raster *r, const struct tia_raster_state *state)
+{
+    (void)r;
+    set_state(state);
+    gl.Begin(GL_TRIANGLES);
+}
+
+void gl_raster_polygon(struct gl_raster *r, const double (*corners)[4], unsigned count, uint32_t face)
+{
+    (void)r;
+    gl.Color4ub((GLubyte)face, (GLubyte)(face >> 8), (GLubyte)(face >> 16), (GLubyte)(face >> 24));
+    for (unsigned i = 2; i < count; i++) {
+        const double *const triangle[3] = {corners[0], corners[i - 1], corners[i]};
+        for (int k = 0; k < 3; k++)
+            gl.Vertex4d(triangle[k][0], -triangle[k][1], triangle[k][2], triangle[k][3]);
     }
-    gl.Enable(GL_CULL_FACE);
-    gl.CullFace(s->skip_front && s->skip_back ? GL_FRONT_AND_BACK : s->skip_front ? GL_FRONT : GL_BACK);
+}
+
+void gl_raster_end(struct gl_raster *r)
+{
+    (void)r;
+    gl.End();
 }
 
 void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
                     unsigned count, uint32_t face)
 {
-    (void)r;
-    set_state(state);
-    gl.Begin(GL_TRIANGLE_FAN);
-    gl.Color4ub((GLubyte)face, (GLubyte)(face >> 8), (GLubyte)(face >> 16), (GLubyte)(face >> 24));
-    for (unsigned i = 0; i < count; i++)
-        gl.Vertex4d(corners[i][0], -corners[i][1], corners[i][2], corners[i][3]);
-    gl.End();
+    gl_raster_begin(r, state);
+    gl_raster_polygon(r, corners, count, face);
+    gl_raster_end(r);
 }
 
 void gl_raster_finish(void)

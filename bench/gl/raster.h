@@ -17,7 +17,12 @@ const char *gl_raster_driver(void);
 
 void gl_raster_clear(struct gl_raster *r, uint8_t stencil);
 
-/* A convex polygon in clip coordinates x, y, z, w. What passes all tests has this face, if the state writes red. */
+/* A convex polygon in clip coordinates x, y, z, w. What passes all tests has this face, if the state writes red.
+ * gl_raster_draw is gl_raster_begin, gl_raster_polygon and gl_raster_end; many polygons with one state between those
+ * take GL a fraction of the time. */
+void gl_raster_begin(struct gl_raster *r, const struct tia_raster_state *state);
+void gl_raster_polygon(struct gl_raster *r, const double (*corners)[4], unsigned count, uint32_t face);
+void gl_raster_end(struct gl_raster *r);
 void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
                     unsigned count, uint32_t face);
 

@@ -1,0 +1,138 @@
+#include "shadow_frames.h"
+
+#include "milliseconds.h"
+#include "shadow_scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <tia/tia.h>
+
+#define ROUNDS 7
+#define PATIENCE 250 /* ms: after this, no more rounds */
+
+static const struct technique {
+    const char *name;
+    enum tia_shadows shadows;
+    uint16_t map_size;
+} techniques[] = {{"traced", TIA_SHADOWS_TRACED, 0},      {"rays", TIA_SHADOWS_RAYS, 0},
+                  {"zpass", TIA_SHADOWS_ZPASS, 0},        {"zfail", TIA_SHADOWS_ZFAIL, 0},
+                  {"map 512", TIA_SHADOWS_MAP, 512},      {"map 1024", TIA_SHADOWS_MAP, 1024},
+                  {"map-exact", TIA_SHADOWS_MAP_EXACT, 0}};
+
+#define TECHNIQUES ((int)(sizeof techniques / sizeof *techniques))
+
+static const struct drawn_case {
+    uint16_t width, height;
+    int level;
+    uint32_t lights;
+} cases[] = {{640, 480, 0, 1},   {640, 480, 1, 1},   {640, 480, 2, 1},  {640, 480, 3, 1}, {640, 480, 4, 1},
+             {640, 480, 5, 1},   {640, 480, 2, 2},   {640, 480, 2, 4},  {320, 240, 2, 1}, {1280, 960, 2, 1},
+             {1920, 1080, 0, 1}, {1920, 1080, 2, 1}, {1920, 1080, 5, 1}};
+
+#define CASES ((int)(sizeof cases / sizeof *cases))
+
+struct times {
+    double frame, relit;
+};
+
+static struct {
+    uint32_t faces;
+    struct times of[TECHNIQUES];
+} results[CASES];
+
+struct shown {
+    struct tia_tile area;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    struct tia_surface surface;
+    void *memory[2];
+};
+
+static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
+{
+    f->area = (struct tia_tile){0, 0, width, height};
+    size_t sizes[2] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area)};
+    for (int i = 0; i < 2; i++) {
+        f->memory[i] = malloc(sizes[i]);
+        shadow_must(f->memory[i] != NULL);
+    }
+    f->surface = (struct tia_surface){malloc((size_t)width * height * 2), 2, 2 * width};
+    shadow_must(f->surface.pixels &&
+                !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height));
+    shadow_must(!tia_hits_init(&f->hits, f->memory[1], sizes[1], f->view, f->area));
+}
+
+static void close_frame(struct shown *f)
+{
+    free(f->surface.pixels);
+    free(f->memory[0]);
+    free(f->memory[1]);
+}
+
+/* A frame is what is seen and then its light, which alone is drawn again when lights have moved. */
+static void measure(struct times *least, const struct tia_scene *scene, const struct drawn_case *c)
+{
+    double spent = 0;
+    struct shown f;
+
+    open_frame(&f, scene, c->width, c->height);
+    for (int round = 0; round < ROUNDS && spent < PATIENCE; round++) {
+        double start = cpu_milliseconds();
+        shadow_must(!tia_trace(f.view, f.hits, f.area));
+        double seen = cpu_milliseconds();
+        shadow_must(!tia_view_set_lights(f.view, scene->lights, scene->light_count) &&
+                    !tia_light_tile(f.view, f.hits, f.area, &f.surface, NULL));
+        double lit = cpu_milliseconds();
+        keep_least(&least->frame, lit - start);
+        keep_least(&least->relit, lit - seen);
+        spent += lit - start;
+    }
+    close_frame(&f);
+}
+
+static void measure_case(int index, struct shadow_scene *s)
+{
+    const struct drawn_case *c = &cases[index];
+
+    shadow_scene_make(s, c->level);
+    results[index].faces = s->mesh.count;
+    s->scene.light_count = c->lights;
+    size_t size = tia_bvh_size(&s->scene);
+    void *boxes = malloc(size);
+    shadow_must(boxes && !tia_bvh_build(&s->scene.bvh, boxes, size, NULL, &s->scene));
+    for (int i = 0; i < TECHNIQUES; i++) {
+        s->scene.shadows = techniques[i].shadows;
+        s->scene.shadow_map = (struct tia_shadow_map){.size = techniques[i].map_size};
+        measure(&results[index].of[i], &s->scene, c);
+    }
+    free(boxes);
+}
+
+static void print(const char *what, bool relit)
+{
+    printf("\n| %s, ms: size | faces | lights |", what);
+    for (int i = 0; i < TECHNIQUES; i++)
+        printf(" %s |", techniques[i].name);
+    printf("\n|---|--:|--:|");
+    for (int i = 0; i < TECHNIQUES; i++)
+        printf("--:|");
+    printf("\n");
+    for (int k = 0; k < CASES; k++) {
+        printf("| %ux%u | %u | %u |", cases[k].width, cases[k].height, results[k].faces, cases[k].lights);
+        for (int i = 0; i < TECHNIQUES; i++)
+            printf(" %.1f |", relit ? results[k].of[i].relit : results[k].of[i].frame);
+        printf("\n");
+    }
+}
+
+void bench_shadow_frames(void)
+{
+    struct shadow_scene s;
+
+    shadow_scene_init(&s);
+    for (int i = 0; i < CASES; i++)
+        measure_case(i, &s);
+    shadow_scene_free(&s);
+    print("frame", false);
+    print("frame with moved lights", true);
+}

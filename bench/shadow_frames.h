@@ -1,0 +1,7 @@
+/* shadow_frames.h - whole frames of the scene in shadow_scene.h with each technique for shadows. */
+#ifndef BENCH_SHADOW_FRAMES_H
+#define BENCH_SHADOW_FRAMES_H
+
+void bench_shadow_frames(void);
+
+#endif
