@@ -387,6 +387,9 @@ gallery: all
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n)-bare.png,scenes/shadows/$(n)-bare.tia -s 240x180))
 	$(foreach n,1 2,$(call draw,docs/shadows/place-$(n).png,scenes/shadows/place.tia --time $(n) -s 240x180))
 	$(foreach n,zpass zpass-plain,$(call draw,docs/shadows/porch-$(n).png,scenes/porch.tia --shadows $(n) -s 400x300))
+	$(call draw,docs/shadows/map-none.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias none -s 240x180)
+	$(call draw,docs/shadows/map-constant.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias constant=0.3 -s 240x180)
+	$(call draw,docs/shadows/map.png,scenes/shadow-mapping.tia --map-size 256 -s 240x180)
 	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 
 clean:

@@ -1,20 +1,25 @@
 #!/usr/bin/env python3
-"""shadow_maps.py TIA: the tables of docs/shadows.md. Draws a scene with one light by each kind of shadow map and counts
-the pixels that differ from shadow volumes, of those that see a face."""
+"""The tables of shadow maps in docs/shadows.md: a scene with one light by each kind of map, beside shadow volumes.
+
+    shadow_maps.py TIA LIGHT [FILTER] SIZE...   each bias; LIGHT: spot, point or sun; FILTER: none
+    shadow_maps.py TIA filters [BIAS]           each filter, beside 64 volumes of an area light; BIAS: plane=1
+
+Wrongly dark and wrongly lit are the parts of the light that are missing, or too much, in per cent of the pixels that see
+a face: without a filter, of all light or none, they are pixels."""
 import math
 import os
 import subprocess
 import sys
 import tempfile
 
-TIA = sys.argv[1]
+TIA = (sys.argv + [""])[1]
 WIDTH, HEIGHT = 640, 480
 LIGHTS = {
     "spot": "light spot at 3 7 4 direction -3 -6.5 -4 inner 60 outer 60 emission 1",
     "point": "light at 3 7 4 emission 1",
     "sun": "light directional direction -3 -6.5 -4 emission 1",
 }
-BIASES = ["none", "constant=0.002", "constant=0.01", "constant=0.05", "constant=0.2", "slope=0.5", "slope=1", "slope=2",
+BIASES = ["none", "constant=0.002", "constant=0.01", "constant=0.05", "constant=0.2", "slope=0.5", "slope=1", "slope=2", "slope=3",
           "normal=1", "normal=2", "plane=0", "plane=0.25", "plane=1"]
 FILTERS = ["none", "bilinear", "3x3", "5x5", "7x7", "poisson", "pcss"]
 
@@ -59,25 +64,33 @@ def draw(folder, text, *options):
         return file.read()[-3 * WIDTH * HEIGHT + 1::3]
 
 
-def biases(folder, light, sizes):
+def part(got, exact, full, unlit):
+    """Of the light that there is without shadows."""
+    return min(1, (got - exact) / (full - unlit)) if full > unlit else 1
+
+
+def biases(folder, light, name, sizes):
     text = scene(LIGHTS[light])
     exact = draw(folder, text, "--shadows", "zfail")
     face = draw(folder, text.replace("material white colour 0.9", "material white colour 0 emission 1"), "--shadows", "zfail")
+    unlit = draw(folder, scene("light ambient emission 0"), "--shadows", "zfail")
+    full = draw(folder, text, "--shadows", "map", "--map-size", "64", "--filter", "none", "--bias", "constant=1000")
     seen = sum(1 for value in face if value)
-    print(f"{light}: {seen} pixels see a face; wrongly dark + wrongly lit, per cent")
-    print("| size | " + " | ".join(BIASES).replace("=", " ") + " |")
-    print("|--:|" + "--:|" * len(BIASES))
-    for size in sizes:
+    print(f"{light}, filter {name}: {seen} pixels see a face; wrongly dark + wrongly lit, per cent")
+    print("| bias | " + " | ".join(map(str, sizes)) + " |")
+    print("|---|" + "--:|" * len(sizes))
+    for bias in BIASES:
         row = []
-        for bias in BIASES:
-            got = draw(folder, text, "--shadows", "map", "--map-size", str(size), "--filter", "none", "--bias", bias)
-            dark = sum(1 for a, b in zip(got, exact) if a < b)
-            lit = sum(1 for a, b in zip(got, exact) if a > b)
+        for size in sizes:
+            got = draw(folder, text, "--shadows", "map", "--map-size", str(size), "--filter", name, "--bias", bias)
+            pixels = list(zip(got, exact, full, unlit))
+            dark = sum(part(b, a, f, u) for a, b, f, u in pixels if a < b)
+            lit = sum(part(a, b, f, u) for a, b, f, u in pixels if a > b)
             row.append(f"{100 * dark / seen:.3f}+{100 * lit / seen:.3f}")
-        print(f"| {size} | " + " | ".join(row) + " |", flush=True)
+        print(f"| {bias.replace('=', ' ')} | " + " | ".join(row) + " |", flush=True)
 
 
-def filters(folder, sizes):
+def filters(folder, bias, sizes):
     """A square light with 64 samples; the filters but PCSS see a point in its middle."""
     area = "light rectangle at 3 7 4 sides 0.443 0 0 0 0 0.443 emission 1 samples "
     exact = draw(folder, scene(area + "64"), "--shadows", "zfail")
@@ -85,14 +98,14 @@ def filters(folder, sizes):
     full = draw(folder, scene(area + "64"), "--shadows", "map", "--map-size", "64", "--bias",
                 "constant=1000", "--filter", "pcss")
     known = [i for i in range(len(exact)) if full[i] > unlit[i] + 24]
-    print(f"a light of radius 0.5, {len(known)} pixels: mean error of visibility against 64 volumes, per cent off by > 1/4")
+    print(f"a light of radius 0.5, bias {bias}, {len(known)} pixels: mean error of visibility against 64 volumes, per cent off by > 1/4")
     print("| filter | " + " | ".join(map(str, sizes)) + " |")
     print("|---|" + "--:|" * len(sizes))
     for name in FILTERS:
         row = []
         for size in sizes:
             light = area + "64" if name == "pcss" else "light at 3 7 4 emission 1"
-            got = draw(folder, scene(light), "--shadows", "map", "--map-size", str(size), "--filter", name, "--bias", "plane=1")
+            got = draw(folder, scene(light), "--shadows", "map", "--map-size", str(size), "--filter", name, "--bias", bias)
             errors = [min(1, abs(got[i] - exact[i]) / (full[i] - unlit[i])) for i in known]
             off = sum(1 for e in errors if e > 0.25)
             row.append(f"{sum(errors) / len(errors):.5f}, {100 * off / len(errors):.3f}")
@@ -100,12 +113,15 @@ def filters(folder, sizes):
 
 
 def main():
+    if len(sys.argv) < 3 or sys.argv[2] not in [*LIGHTS, "filters"]:
+        sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as folder:
-        if sys.argv[2:] == ["filters"]:
-            filters(folder, (256, 512, 1024, 2048))
-        else:
-            light = sys.argv[2] if sys.argv[2:] else "spot"
-            biases(folder, light, [int(size) for size in sys.argv[3:]] or [128, 256, 512, 1024, 2048, 4096])
+        if sys.argv[2] == "filters":
+            filters(folder, (sys.argv[3:] or ["plane=1"])[0], (256, 512, 1024, 2048))
+            return
+        name = sys.argv[3] if sys.argv[3:] and sys.argv[3] in FILTERS else "none"
+        sizes = [int(size) for size in sys.argv[3:] if size not in FILTERS]
+        biases(folder, sys.argv[2], name, sizes or [128, 256, 512, 1024, 2048, 4096])
 
 
 main()

@@ -1,6 +1,7 @@
 /* The renderer's calls one by one: what each refuses, that a refused call changes nothing, and a pixel
  * computed by hand. */
 #include <math.h>
+#include <stdlib.h>
 
 #include <tia/render.h>
 
@@ -152,6 +153,42 @@ TEST(lights_that_are_refused)
     CHECK(memcmp(before, after, sizeof before));
 }
 
+/* So do lights that need more shadow maps than the scene's: six for a point, or a second one. */
+TEST(lights_without_room_for_maps)
+{
+    const struct tia_light spot = {.kind = TIA_SPOT_LIGHT,
+                                   .centre = TIA_VEC3(-20, 20, -20),
+                                   .emission = TIA_RGB(1, 1, 1),
+                                   .direction = {TIA_Q30(0.7), TIA_Q30(-0.7), 0},
+                                   .inner = TIA_Q16(40),
+                                   .outer = TIA_Q16(50)};
+    struct tia_light two[2] = {spot, spot};
+    struct tia_scene scene = tia_thesis_scene;
+    struct tia_view *view = NULL;
+
+    scene.lights = &spot;
+    scene.light_count = 1;
+    scene.binding_count = 0;
+    scene.shadows = TIA_SHADOWS_MAP;
+    scene.shadow_map.size = 64;
+    size_t size = tia_view_size(&scene, 2), hits_size = tia_hits_size(&scene, frame);
+    void *memory = malloc(size), *mapped = malloc(hits_size);
+    struct tia_hits *hits = NULL;
+    CHECK_EQ(tia_view_init(&view, memory, size, &scene, 2, W, H), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, mapped, hits_size, view, frame), TIA_OK);
+    render(view, hits, before);
+    CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_view_set_lights(view, two, 2), TIA_ERR_MEMORY);
+    render(view, hits, after);
+    CHECK(!memcmp(before, after, sizeof before));
+    two[0].centre.x = TIA_Q16(10);
+    CHECK_EQ(tia_view_set_lights(view, two, 1), TIA_OK);
+    render(view, hits, after);
+    CHECK(memcmp(before, after, sizeof before));
+    free(memory);
+    free(mapped);
+}
+
 /* Tiles that are empty or leave the image or the hits: refused by all three, and nothing is drawn. */
 TEST(tiles_that_are_refused)
 {
@@ -282,6 +319,7 @@ int main(void)
     RUN(memory_of_hits);
     RUN(scenes_that_are_refused);
     RUN(lights_that_are_refused);
+    RUN(lights_without_room_for_maps);
     RUN(tiles_that_are_refused);
     RUN(the_largest_picture);
     RUN(a_pixel_by_hand);

@@ -73,8 +73,9 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height);
 
-/* Replaces the lights. TIA_ERR_MEMORY when there are more than light_capacity, TIA_ERR_RANGE when
- * tia_scene_check refuses one; after an error the old lights stay. */
+/* Replaces the lights. TIA_ERR_MEMORY when there are more than light_capacity, or with TIA_SHADOWS_MAP when they need
+ * more maps, or more samples, than all lights and keys of the scene together; TIA_ERR_RANGE when tia_scene_check
+ * refuses one; after an error the old lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
 /* Bytes for the hits of `area` in a picture of `scene`; SIZE_MAX when there are too many. */

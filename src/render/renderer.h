@@ -31,6 +31,9 @@ struct renderer {
                   const struct tia_surface *surface, const struct tia_options *options);
 
     bool takes_levels; /* what a level draws is this renderer's */
+
+    /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */
+    bool (*has_room)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 };
 
 /* What draws scenes of spheres in place of plain C on a processor with vector units: the same bits. See tia/levels.h

@@ -43,6 +43,9 @@ struct tia_shadow_technique {
      * an area light has only one sample then, in its centre, whose share counts for all of its own. */
     unsigned (*shares)(const struct tia_scene *scene);
     bool (*is_whole)(const struct tia_scene *scene);
+
+    /* NULL, or whether own_size bytes are enough for these lights in place of the scene's. */
+    bool (*has_room)(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count);
     unsigned scratch; /* bytes of each pixel, a multiple of 4, if there are no shares */
 };
 

@@ -7,8 +7,6 @@
 struct maps {
     struct tia_map_look look;
     struct tia_world world;
-    uint64_t texels; /* there is room for */
-    unsigned capacity;
     struct tia_map *map; /* of each sample */
     int64_t radius[TIA_SHADOW_SAMPLES];
     void *room;
@@ -50,6 +48,15 @@ static struct demand demand_of(const struct tia_scene *scene)
     return demand;
 }
 
+static bool has_room(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count)
+{
+    struct demand room = demand_of(scene), demand = {0, 0};
+
+    for (uint32_t i = 0; i < count; i++)
+        add_light(&demand, scene, &lights[i]);
+    return demand.samples <= room.samples && demand.texels <= room.texels;
+}
+
 static uint64_t room_size(const struct tia_scene *scene)
 {
     struct tia_map_look look;
@@ -82,8 +89,6 @@ static int prepare(struct tia_shadow_view *view, struct asker *asker)
     (void)asker;
     tia_map_look_init(&maps->look, view->scene);
     tia_world_init(&maps->world, &view->flat);
-    maps->texels = demand.texels;
-    maps->capacity = (unsigned)demand.samples;
     maps->map = (struct tia_map *)(void *)next;
     maps->room = next + ALIGN(demand.samples * sizeof(struct tia_map));
     maps->distance = (uint32_t *)(void *)((char *)maps->room + ALIGN(room_size(view->scene)));
@@ -118,11 +123,8 @@ static int make_map(struct maps *maps, const struct tia_shadow_view *view, unsig
 
     if (status)
         return status;
-    for (unsigned i = 0; i < map->view_count; i++, *used += texels) {
-        if (*used + texels > maps->texels)
-            return TIA_ERR_MEMORY;
+    for (unsigned i = 0; i < map->view_count; i++, *used += texels)
         map->view[i].distance = maps->distance + *used;
-    }
     maps->radius[sample] = radius_of(light.light);
     return tia_map_draw(map, &view->flat, maps->room, asker);
 }
@@ -131,7 +133,7 @@ static int set_lights(struct tia_shadow_view *view, struct asker *asker)
 {
     struct maps *maps = view->own;
     uint64_t used = 0;
-    int status = view->sample_count > maps->capacity ? TIA_ERR_MEMORY : TIA_OK;
+    int status = TIA_OK;
 
     for (unsigned i = 0; !status && i < view->sample_count; i++)
         status = make_map(maps, view, i, &used, asker);
@@ -190,4 +192,5 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
             light_pixel(&l, (int)(area->x + x), (int)(area->y + y), (size_t)y * tile->target.pitch + x);
 }
 
-const struct tia_shadow_technique tia_shadow_maps = {own_size, prepare, set_lights, light, shares, is_whole, 0};
+const struct tia_shadow_technique tia_shadow_maps = {own_size, prepare,  set_lights, light,
+                                                     shares,   is_whole, has_room,   0};

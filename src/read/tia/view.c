@@ -137,27 +137,33 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
-static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene)
+/* `seen` has a bit for each field that was read. */
+static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene, unsigned *seen)
 {
+    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* those of maps last */
     bool map = scene->shadows == TIA_SHADOWS_MAP;
+    unsigned i = 0, count = map ? TIA_COUNT_OF(fields) : 1;
 
-    if (tia_word_is(word, "tessellated"))
+    while (i < count && !tia_word_is(word, fields[i]))
+        i++;
+    if (i == count)
+        return tia_text_error(t, word, "is no field of this technique",
+                              map ? "size, bias, filter or tessellated" : "tessellated");
+    if (*seen >> i & 1)
+        return tia_text_error(t, word, "is here for a second time", "it once");
+    *seen |= 1U << i;
+    if (i == 0)
         return tia_text_length(t, &scene->tessellated);
-    if (map && tia_word_is(word, "size"))
-        return map_size(t, &scene->shadow_map);
-    if (map && tia_word_is(word, "bias"))
-        return map_bias(t, &scene->shadow_map);
-    if (map && tia_word_is(word, "filter"))
-        return map_filter(t, &scene->shadow_map);
-    return tia_text_error(t, word, "is no field of this technique",
-                          map ? "size, bias, filter or tessellated" : "tessellated");
+    return i == 1   ? map_size(t, &scene->shadow_map)
+           : i == 2 ? map_bias(t, &scene->shadow_map)
+                    : map_filter(t, &scene->shadow_map);
 }
 
 int tia_line_shadows(struct tia_job *job)
 {
     struct tia_scene *scene = job->scene;
     struct tia_word word;
-    unsigned technique;
+    unsigned technique, seen = 0;
     int status = named(&job->text, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
                        "traced, rays, zpass, zfail, map, map-exact or zpass-plain", &technique);
 
@@ -165,6 +171,6 @@ int tia_line_shadows(struct tia_job *job)
     scene->shadow_map = (struct tia_shadow_map){.size = 0};
     scene->tessellated = 0;
     while (!status && technique != TIA_SHADOWS_TRACED && tia_text_word(&job->text, &word))
-        status = shadow_field(&job->text, &word, scene);
+        status = shadow_field(&job->text, &word, scene, &seen);
     return status;
 }

@@ -95,6 +95,13 @@ static void add_samples(struct tia_shadow_view *shadow, const struct tia_light *
     }
 }
 
+static bool has_room(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
+
+    return !technique->has_room || technique->has_room(view->scene, lights, count);
+}
+
 static int set_lights(struct tia_view *view)
 {
     struct raster_view *raster = raster_of(view);
@@ -360,5 +367,5 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, &r.first);
 }
 
-const struct renderer raster_renderer = {draws,       prepared_size, prepare,    set_lights,
-                                         buffer_size, trace_tile,    light_tile, false};
+const struct renderer raster_renderer = {draws,      prepared_size, prepare, set_lights, buffer_size,
+                                         trace_tile, light_tile,    false,   has_room};
