@@ -193,7 +193,7 @@ static struct tia_shape random_shape(enum tia_shape_kind kind, int i)
         s.sphere.radius = between(0.1, 3);
     } else if (kind == TIA_DISC) {
         s.disc.centre = a;
-        s.disc.normal = (struct tia_dir3){between(-9, 9) << 10, TIA_Q30(0.7), between(-9, 9) << 10};
+        s.disc.normal = (struct tia_dir3){between(-9, 9) * 1024, TIA_Q30(0.7), between(-9, 9) * 1024};
         s.disc.radius = between(0.1, 3);
     } else if (kind == TIA_CYLINDER) {
         s.cylinder = (struct tia_cylinder){a, b, between(0.1, 3), i % 2};

@@ -122,7 +122,7 @@ static void light_row(const struct tia_view *view, const struct level_row *row, 
 {
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
     bool direct = surface->step == sizeof(tia_rgb565);
-    tia_rgb565 pixels[TIA_SIZE_MAX], *place = direct ? (tia_rgb565 *)(void *)out : pixels;
+    tia_rgb565 pixels[LEVEL_STRIP], *place = direct ? (tia_rgb565 *)(void *)out : pixels;
     num_u threshold[8];
 
     dither_thresholds(dither, row->y, threshold);
@@ -134,21 +134,34 @@ static void light_row(const struct tia_view *view, const struct level_row *row, 
         copy(pixels, tile.width, out, surface->step);
 }
 
-void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                     const struct tia_options *options)
+static void light_strip(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                        bool dither)
 {
     const struct span_view *spans = span_view_of(view);
     struct span guess[LEVEL_GUESSES] = {{0, 0}};
     struct level_line line;
 
-    if (options->path_hash) {
-        light_plain(view, tile, surface, options);
-        return;
-    }
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         struct level_row row;
         tia_level_row(&spans->primary, y, &row);
         tia_level_find(view, &row, tile, guess, &line);
-        light_row(view, &row, tile, &line, surface, options->dither);
+        light_row(view, &row, tile, &line, surface, dither);
+    }
+}
+
+void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                     const struct tia_options *options)
+{
+    struct tia_surface part = *surface;
+
+    if (options->path_hash) {
+        light_plain(view, tile, surface, options);
+        return;
+    }
+    for (int x = (int)tile.x, right = tile_right(tile); x < right; x += LEVEL_STRIP) {
+        int width = right - x < LEVEL_STRIP ? right - x : LEVEL_STRIP;
+        struct tia_tile strip = {(uint16_t)x, tile.y, (uint16_t)width, tile.height};
+        part.pixels = (void *)((char *)surface->pixels + (ptrdiff_t)(x - (int)tile.x) * surface->step);
+        light_strip(view, strip, &part, options->dither);
     }
 }

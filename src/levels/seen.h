@@ -12,9 +12,12 @@ struct level_span {
 
 #define LEVEL_GUESSES 300 /* more than the spheres that spans draw, and some lights */
 
-/* A row of runs from the tile's left to its right, in one of two lists. */
+/* Pixels of a row that are drawn at a time: a thread may have little stack. */
+#define LEVEL_STRIP 2048
+
+/* A row of runs from the tile's left to its right, at most LEVEL_STRIP pixels, in one of two lists. */
 struct level_line {
-    struct level_span spans[2][TIA_SIZE_MAX];
+    struct level_span spans[2][LEVEL_STRIP];
     int which, count;
 };
 

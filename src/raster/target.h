@@ -10,4 +10,15 @@ static inline size_t target_index(const struct tia_raster_target *t, int x, int 
     return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
 }
 
+/* The column right of its area, and the row below. */
+static inline int target_right(const struct tia_raster_target *t)
+{
+    return (int)t->area.x + (int)t->area.width;
+}
+
+static inline int target_bottom(const struct tia_raster_target *t)
+{
+    return (int)t->area.y + (int)t->area.height;
+}
+
 #endif

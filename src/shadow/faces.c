@@ -51,7 +51,7 @@ unsigned tia_flat_samples(const struct tia_scene *scene)
 {
     uint32_t samples = scene->camera.samples; /* of a scene that may not be checked yet */
 
-    return samples > TIA_SAMPLES_MAX ? TIA_SAMPLES_MAX : samples ? samples : 1;
+    return samples > TIA_SAMPLES_MAX ? TIA_SAMPLES_MAX : samples ? (unsigned)samples : 1;
 }
 
 size_t tia_flat_size(const struct tia_scene *scene)

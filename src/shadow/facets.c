@@ -126,9 +126,9 @@ void tia_facet_point(const struct tia_facet_shape *f, uint32_t i, int64_t point[
     else if (f->kind == TIA_SPHERE)
         sphere_direction(i, f->around, d);
     else if (i < centres)
-        end = i;
+        end = (unsigned)i;
     else {
-        end = (i - centres) / f->around + (f->radius[0] == 0);
+        end = (unsigned)((i - centres) / f->around) + (f->radius[0] == 0);
         ring_direction(f, (i - centres) % f->around, d);
     }
     for (int k = 0; k < 3; k++)

@@ -2,9 +2,10 @@
 
 #include "math/wide.h"
 #include "raster/halves.h"
+#include "raster/target.h"
 
-#define BAND_TEXELS (1 << 20) /* are drawn at a time: more would need more room */
-#define ASKED_TEXELS 4096     /* are as much work as an item, see asker.h */
+#define BAND_TEXELS (UINT32_C(1) << 20) /* are drawn at a time: more would need more room */
+#define ASKED_TEXELS 4096               /* are as much work as an item, see asker.h */
 
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
@@ -106,7 +107,7 @@ uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane 
 
 static struct tia_tile band_of(unsigned size, unsigned y)
 {
-    unsigned rows = BAND_TEXELS / size;
+    unsigned rows = (unsigned)(BAND_TEXELS / size);
 
     return (struct tia_tile){0, (uint16_t)y, (uint16_t)size, (uint16_t)(rows < size ? rows : size)};
 }
@@ -139,8 +140,8 @@ static void keep_distances(const struct tia_map *map, const struct tia_map_view 
     const uint32_t *face = target->face;
     struct tia_map_plane plane = {.factor = 0};
 
-    for (int y = area->y; y < area->y + area->height && !asker_stops(asker, area->width); y++)
-        for (int x = 0; x < area->width; x++, face++, to++) {
+    for (int y = (int)area->y; y < target_bottom(target) && !asker_stops(asker, area->width); y++)
+        for (int x = 0; x < target_right(target); x++, face++, to++) {
             if (*face != last && *face != TIA_NO_FACE)
                 tia_map_plane_init(&plane, map, view, &target->planes[*face]);
             last = *face;

@@ -1,5 +1,7 @@
 #include "rays.h"
 
+#include "raster/target.h"
+
 #define OCCLUDERS 16
 
 /* Where pixels next to each other are alike. */
@@ -76,18 +78,18 @@ static bool is_lit(struct rays *rays, uint32_t face, int x, int y)
 void tia_shadow_rays_light(const struct tia_shadow_view *view, const struct tia_casters *casters,
                            struct tia_shadow_tile *tile, unsigned sample, struct asker *asker)
 {
-    const struct tia_tile *area = &tile->target.area;
+    const struct tia_raster_target *t = &tile->target;
     struct rays rays = {
         .flat = &view->flat, .casters = casters, .light = &view->samples[sample], .asker = asker, .last = TIA_NO_FACE};
 
     rays.of.face = TIA_NO_FACE;
     for (int i = 0; i < OCCLUDERS; i++)
         rays.occluder[i].face = TIA_NO_FACE;
-    for (int y = 0; y < area->height; y++)
-        for (int x = 0; x < area->width && !asker_stops(asker, 1); x++) {
-            size_t at = (size_t)y * tile->target.pitch + (size_t)x;
-            uint32_t face = tile->target.face[at];
-            if (face != TIA_NO_FACE && is_lit(&rays, face, area->x + x, area->y + y))
+    for (int y = (int)t->area.y; y < target_bottom(t); y++)
+        for (int x = (int)t->area.x; x < target_right(t) && !asker_stops(asker, 1); x++) {
+            size_t at = target_index(t, x, y);
+            uint32_t face = t->face[at];
+            if (face != TIA_NO_FACE && is_lit(&rays, face, x, y))
                 tile->lit[at] |= UINT64_C(1) << sample;
         }
 }

@@ -2,6 +2,7 @@
 #include "map_look.h"
 #include "math/align.h"
 #include "math/wide.h"
+#include "raster/target.h"
 
 /* Behind the struct: maps, room to draw one, distances. */
 struct maps {
@@ -180,16 +181,16 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
                   struct asker *asker)
 {
     const struct maps *maps = view->own;
-    const struct tia_tile *area = &tile->target.area;
+    const struct tia_raster_target *t = &tile->target;
     struct lighting l = {.view = view, .tile = tile, .sample = sample, .shares = shares(view->scene)};
 
     l.point.map = &maps->map[sample];
     tia_world_init(&l.world, &view->flat);
     l.point.world = &l.world;
     l.point.face = TIA_NO_FACE;
-    for (unsigned y = 0; y < area->height; y++)
-        for (unsigned x = 0; x < area->width && !asker_stops(asker, PIXEL_WORK); x++)
-            light_pixel(&l, (int)(area->x + x), (int)(area->y + y), (size_t)y * tile->target.pitch + x);
+    for (int y = (int)t->area.y; y < target_bottom(t); y++)
+        for (int x = (int)t->area.x; x < target_right(t) && !asker_stops(asker, PIXEL_WORK); x++)
+            light_pixel(&l, x, y, target_index(t, x, y));
 }
 
 const struct tia_shadow_technique tia_shadow_maps = {own_size, prepare,  set_lights, light,

@@ -6,6 +6,7 @@
 #include "occluder.h"
 #include "places.h"
 #include "raster/rows.h"
+#include "raster/target.h"
 #include "technique.h"
 
 #define VIEWS 6                 /* of a point; a direction has one */
@@ -45,11 +46,21 @@ struct exact {
 
 /* ---- filing ---- */
 
+static int x_of(const struct tia_raster_target *t, uint32_t number)
+{
+    return (int)t->area.x + (int)(number % t->area.width);
+}
+
+static int y_of(const struct tia_raster_target *t, uint32_t number)
+{
+    return (int)t->area.y + (int)(number / t->area.width);
+}
+
 static size_t at_of(const struct exact *e, uint32_t number)
 {
-    unsigned width = e->tile->target.area.width;
+    const struct tia_raster_target *t = &e->tile->target;
 
-    return (size_t)(number / width) * e->tile->target.pitch + number % width;
+    return target_index(t, x_of(t, number), y_of(t, number));
 }
 
 static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
@@ -60,7 +71,7 @@ static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
 
     if (face != e->of.face)
         tia_seen_face_init(&e->of, &e->view->flat, face);
-    tia_seen_init(&seen, &e->of, t->area.x + (int)(number % t->area.width), t->area.y + (int)(number / t->area.width));
+    tia_seen_init(&seen, &e->of, x_of(t, number), y_of(t, number));
     return tia_occluder_hides(o, &seen);
 }
 
@@ -93,9 +104,9 @@ static uint32_t cell(int64_t a)
 /* Which view, and which of its smallest cells; ASIDE when that is not needed or not sure. */
 static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
 {
-    const int64_t limit = (INT64_C(1) << TIA_ACROSS_BITS) + (1 << 20);
+    const int64_t limit = (INT64_C(1) << TIA_ACROSS_BITS) + (INT64_C(1) << 20);
     int64_t place[2];
-    unsigned view = 0;
+    uint32_t view = 0;
 
     if (e->places.parallel) {
         tia_place_across(&e->places, at, place);
@@ -111,7 +122,7 @@ static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
             ask_all(e, number, false);
             return ASIDE;
         }
-        view = 2 * (unsigned)k + (at[k] < 0);
+        view = 2 * (uint32_t)k + (at[k] < 0);
         for (int i = 0; i < 2; i++)
             place[i] = wide_quotient(at[(k + 1 + i) % 3], place_size(at[k]), 28);
     }
@@ -150,8 +161,7 @@ static void locate(struct exact *e, uint32_t number)
     if (!e->turned)
         return;
     e->tile->lit[at] |= e->bit;
-    if (!tia_place_seen(&e->places, t->area.x + (int)(number % t->area.width),
-                        t->area.y + (int)(number / t->area.width), face, place))
+    if (!tia_place_seen(&e->places, x_of(t, number), y_of(t, number), face, place))
         ask_all(e, number, false);
     else
         *spot = find(e, number, place);

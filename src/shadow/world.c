@@ -28,7 +28,7 @@ static void rows_of(const struct tia_eye *eye, int64_t rows[3][3])
 static void invert(struct tia_world *world, const struct tia_eye *eye)
 {
     int64_t rows[3][3], columns[3][3];
-    int most = INT32_MIN, exponents[3];
+    int most = INT16_MIN, exponents[3];
 
     rows_of(eye, rows);
     for (int k = 0; k < 3; k++)

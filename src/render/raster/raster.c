@@ -228,7 +228,7 @@ static void mark(const struct raster_view *raster, const struct tia_hits *hits, 
 
         for (uint32_t y = higher(place->y0, tile.y); y < bottom; y++)
             for (uint32_t x = higher(place->x0, tile.x); x < right; x++)
-                count[hits_index(hits, x, y)] = 1;
+                count[hits_index(hits, (unsigned)x, (unsigned)y)] = 1;
     }
 }
 
