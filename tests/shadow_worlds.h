@@ -149,15 +149,18 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
-enum contents { SOUP, SOLIDS, CROOKED, MIXED };
+/* SMALL is a few solids, a plane and a light that are far away from their size. */
+enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
 
 static void make(struct world *w, enum contents contents, int32_t range, int32_t step)
 {
     if (contents == SOUP || contents == MIXED)
         make_soup(w, 1 + (uint32_t)below(contents == MIXED ? 5 : 13), range, step);
-    if (contents != SOUP)
+    if (contents == SMALL)
+        make_solids(w, 2 + (uint32_t)below(3), range / 25, step, 0);
+    else if (contents != SOUP)
         make_solids(w, 2 + (uint32_t)below(3), range * 2 / 3, step, contents == CROOKED ? range / 5 : 0);
-    if (contents == MIXED)
+    if (contents == MIXED || contents == SMALL)
         make_plane(w, range, step);
 }
 

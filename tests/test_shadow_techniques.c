@@ -158,6 +158,11 @@ TEST(planes_and_all)
     check_both(MIXED, true);
 }
 
+TEST(far_planes_and_lights)
+{
+    check_both(SMALL, false);
+}
+
 /* ---- stopping ---- */
 
 static bool stop(void *ctx)
@@ -234,5 +239,6 @@ int main(void)
     RUN(soups);
     RUN(solids);
     RUN(planes_and_all);
+    RUN(far_planes_and_lights);
     return check_status();
 }
