@@ -334,7 +334,13 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-$(BENCH): $(call obj,host,$(filter-out $(if $(TINYGL),bench/tinygl.c),$(sort $(wildcard bench/*.c))) $(if $(GL),bench/gl/raster.c)) \
+# The float loops that levels are measured against: there where the level is, with its flags.
+LANES_SRC := $(wildcard bench/lanes_*.c)
+BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(LEVELS_HAD:%=bench/lanes_%.c))
+$(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
+	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
+$(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
+$(BENCH): $(call obj,host,$(BENCH_SRC) $(if $(GL),bench/gl/raster.c)) \
           $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$(link)
 # FORCE: another TINYGL may be meant than the last time.

@@ -2,10 +2,25 @@
 #ifndef BENCH_FLOAT_LANES_H
 #define BENCH_FLOAT_LANES_H
 
+#include <stdbool.h>
 #include <tia/scene.h>
 
-/* Draws a scene of two spheres and one light, each object as the ray meets it, in lanes of 4, 8 or 16 floats. False
- * where this processor has none so wide. */
-bool float_lanes_render(const struct tia_scene *scene, int lanes, int width, int height, tia_rgb565 *pixels);
+/* Draws a scene of two spheres and one light, each object as the ray meets it, with the instructions of a level. False
+ * where this program has no loop for it; whether the processor has them is for tia_level_called. */
+bool float_lanes_render(const struct tia_scene *scene, const char *level, int width, int height, tia_rgb565 *pixels);
+
+/* What of the scene a pixel needs: spheres, then the light. */
+struct lanes_world {
+    float centre[3][3], c[3], radius2[3], per_radius[3];
+    float colour[2][3], glow[3], background[3]; /* in levels of 31 and 63 */
+    float start, step, up; /* v.x of the first pixel, and from one to the next; v.y of the first row */
+    tia_rgb565 sky[16];
+};
+
+#define FLOAT_LANES(level) float_lanes_##level(const struct lanes_world *, int width, int height, tia_rgb565 *pixels)
+void FLOAT_LANES(sse41);
+void FLOAT_LANES(avx2);
+void FLOAT_LANES(avx512);
+void FLOAT_LANES(neon);
 
 #endif

@@ -1,88 +1,157 @@
-/* float_lanes_loop.h - the loop itself, included once for each width: no guard. Before it: LANES, TARGET, GUESS(x). */
-#define JOIN2(a, b) a##b
-#define JOIN(a, b) JOIN2(a, b)
-#define F JOIN(lanes_f, LANES)
-#define I JOIN(lanes_i, LANES)
-#define H JOIN(lanes_h, LANES)
+/* float_lanes_loop.h - the loop itself in a level's operations (src/levels/kernel.h lists them), included once by a
+ * file for each level, which defines DRAW, its name. */
+#ifndef BENCH_FLOAT_LANES_LOOP_H
+#define BENCH_FLOAT_LANES_LOOP_H
 
-typedef float F __attribute__((vector_size(4 * LANES)));
-typedef int I __attribute__((vector_size(4 * LANES)));
-typedef unsigned short H __attribute__((vector_size(2 * LANES)));
+#include <string.h>
 
-#define SELECT(m, a, b) ((F)(((m) & (I)(a)) | (~(m) & (I)(b))))
-#define ALL(x) ((F){0} + (x))
-#define PER_ROOT(x) JOIN(lanes_per_root_, LANES)(x)
-#define CLAMPED(x) SELECT((x) < 1, SELECT((x) > 0, (x), ALL(0.f)), ALL(1.f))
+#include "float_lanes.h"
 
-TARGET static inline F JOIN(lanes_per_root_, LANES)(F x)
+#define INLINE static inline __attribute__((always_inline))
+#define ALL_LANES ((unsigned)((1ull << N) - 1))
+
+typedef struct {
+    F x, y, z;
+} V;
+
+INLINE V v_set(const float a[3])
 {
-    F y = GUESS(x);
-
-    return y * (1.5f - .5f * x * y * y);
+    return (V){f_set(a[0]), f_set(a[1]), f_set(a[2])};
 }
 
-TARGET static void JOIN(lanes_draw_, LANES)(const struct lanes_world *w, int width, int height, tia_rgb565 *pixels)
+INLINE F v_dot(V a, V b)
 {
-    F iota;
+    return f_fma(a.x, b.x, f_fma(a.y, b.y, f_mul(a.z, b.z)));
+}
 
-    for (int i = 0; i < LANES; i++)
-        iota[i] = (float)i;
-    for (int y = 0; y < height; y++) {
-        float vy = w->up - (float)y * w->down;
-        for (int x = 0; x < width; x += LANES) {
-            F vx = (iota + (float)x) * w->step + w->start, per = PER_ROOT(vx * vx + (vy * vy + 1));
-            F dx = vx * per, dy = vy * per, dz = -per, near = ALL(1e30f);
-            I seen = {0}, ball = {0};
-            for (int i = 0; i < 2; i++) {
-                F b = dx * w->centre[i][0] + dy * w->centre[i][1] + dz * w->centre[i][2], d = b * b - w->c[i];
-                F t = b - d * PER_ROOT(d);
-                I hit = (d >= 0) & (b > 0) & (t < near);
-                near = SELECT(hit, t, near);
-                seen |= hit;
-                ball = i ? ball | hit : ball;
-            }
-            F px = dx * near, py = dy * near, pz = dz * near;
-            F per_r = SELECT(ball, ALL(w->per_radius[1]), ALL(w->per_radius[0]));
-            F nx = (px - SELECT(ball, ALL(w->centre[1][0]), ALL(w->centre[0][0]))) * per_r;
-            F ny = (py - SELECT(ball, ALL(w->centre[1][1]), ALL(w->centre[0][1]))) * per_r;
-            F nz = (pz - SELECT(ball, ALL(w->centre[1][2]), ALL(w->centre[0][2]))) * per_r;
-            F lx = w->light[0] - px, ly = w->light[1] - py, lz = w->light[2] - pz;
-            F square = lx * lx + ly * ly + lz * lz, per_l = PER_ROOT(square), far = square * per_l;
-            lx *= per_l, ly *= per_l, lz *= per_l;
-            F lambert = nx * lx + ny * ly + nz * lz;
-            I lit = seen & (lambert > 0);
-            px += nx * 1e-4f, py += ny * 1e-4f, pz += nz * 1e-4f;
-            for (int i = 0; i < 2; i++) {
-                F ax = w->centre[i][0] - px, ay = w->centre[i][1] - py, az = w->centre[i][2] - pz;
-                F a = ax * lx + ay * ly + az * lz, h2 = ax * ax + ay * ay + az * az - a * a;
-                lit &= ~((a >= 0) & (a < far) & (h2 <= w->radius2[i]));
-            }
-            lambert = SELECT(lit, lambert, ALL(0.f));
-            F rgb[3];
-            for (int c = 0; c < 3; c++) {
-                F colour = lambert * SELECT(ball, ALL(w->colour[1][c]), ALL(w->colour[0][c]));
-                colour = SELECT(seen, colour, ALL(w->background[c]));
-                rgb[c] = CLAMPED(colour);
-            }
-            I packed = __builtin_convertvector(rgb[0] * 31 + .5f, I) << 11 |
-                       __builtin_convertvector(rgb[1] * 63 + .5f, I) << 5 |
-                       __builtin_convertvector(rgb[2] * 31 + .5f, I);
-            H out = __builtin_convertvector(packed, H);
-            memcpy(pixels + x, &out, (size_t)(width - x < LANES ? width - x : LANES) * 2);
+INLINE V v_sub(V a, V b)
+{
+    return (V){f_sub(a.x, b.x), f_sub(a.y, b.y), f_sub(a.z, b.z)};
+}
+
+INLINE V v_scaled(V a, F s)
+{
+    return (V){f_mul(a.x, s), f_mul(a.y, s), f_mul(a.z, s)};
+}
+
+INLINE V v_along(V a, V d, F s)
+{
+    return (V){f_fma(d.x, s, a.x), f_fma(d.y, s, a.y), f_fma(d.z, s, a.z)};
+}
+
+INLINE V v_sel(M m, V a, V b)
+{
+    return (V){f_sel(m, a.x, b.x), f_sel(m, a.y, b.y), f_sel(m, a.z, b.z)};
+}
+
+/* What a ray sees: the sphere 0 unless it is 1 or the light. */
+struct seen {
+    F t;
+    M any, second, light;
+};
+
+INLINE struct seen look(const struct lanes_world *w, V d)
+{
+    const F zero = f_set(0);
+    const M none = f_gt(zero, zero);
+    struct seen s = {f_set(1e30f), none, none, none};
+
+    for (int i = 0; i < 3; i++) {
+        F b = v_dot(d, v_set(w->centre[i])), disc = f_fma(b, b, f_set(-w->c[i]));
+        M hit = m_and(f_ge(disc, zero), f_gt(b, zero));
+        if (!m_any(hit))
+            continue;
+        F t = f_fnma(disc, f_rsqrt(f_max(f_set(1e-20f), disc)), b);
+        hit = m_and(hit, f_gt(s.t, t));
+        s.t = f_sel(hit, t, s.t);
+        s.any = m_or(s.any, hit);
+        s.second = i == 1 ? m_or(s.second, hit) : m_and(s.second, m_not(hit));
+        s.light = i == 2 ? hit : m_and(s.light, m_not(hit));
+    }
+    return s;
+}
+
+/* Lit unless a sphere stands between the point and the light. */
+INLINE M unhidden(const struct lanes_world *w, V p, V to, M lit)
+{
+    for (int i = 1; i >= 0; i--) {
+        V a = v_sub(v_set(w->centre[i]), p);
+        F along = v_dot(a, to), square = f_fnma(along, along, v_dot(a, a));
+        lit = m_and(lit, m_not(m_and(f_ge(along, f_set(0)), f_ge(f_set(w->radius2[i]), square))));
+    }
+    return lit;
+}
+
+/* Of the sphere that is seen. */
+struct sphere {
+    V centre, colour;
+    F per_radius;
+};
+
+INLINE struct sphere sphere_of(const struct lanes_world *w, const struct seen *s)
+{
+    struct sphere o = {v_set(w->centre[0]), v_set(w->colour[0]), f_set(w->per_radius[0])};
+
+    if (m_any(s->second)) {
+        o.centre = v_sel(s->second, v_set(w->centre[1]), o.centre);
+        o.colour = v_sel(s->second, v_set(w->colour[1]), o.colour);
+        o.per_radius = f_sel(s->second, f_set(w->per_radius[1]), o.per_radius);
+    }
+    return o;
+}
+
+INLINE F lambert_at(const struct lanes_world *w, V d, const struct seen *s, const struct sphere *o)
+{
+    const F zero = f_set(0);
+    V p = v_scaled(d, s->t), n = v_scaled(v_sub(p, o->centre), o->per_radius), to = v_sub(v_set(w->centre[2]), p);
+    to = v_scaled(to, f_rsqrt(v_dot(to, to)));
+    F lambert = v_dot(n, to);
+    M lit = m_and(s->any, f_gt(lambert, zero));
+
+    if (!m_any(lit))
+        return zero;
+    return f_sel(unhidden(w, v_along(p, n, f_set(1e-4f)), to, lit), lambert, zero);
+}
+
+INLINE void lanes_of(const struct lanes_world *w, V d, uint16_t *out)
+{
+    struct seen s = look(w, d);
+
+    if (!m_any(s.any)) {
+        memcpy(out, w->sky, N * sizeof *out);
+        return;
+    }
+    struct sphere o = sphere_of(w, &s);
+    V rgb = v_scaled(o.colour, lambert_at(w, d, &s, &o)); /* in levels */
+    rgb = (V){f_min(f_set(31), rgb.x), f_min(f_set(63), rgb.y), f_min(f_set(31), rgb.z)};
+    if (m_bits(m_and(s.any, m_not(s.light))) != ALL_LANES)
+        rgb = v_sel(s.light, v_set(w->glow), v_sel(s.any, rgb, v_set(w->background)));
+    i_pack(f_round(rgb.x), f_round(rgb.y), f_round(rgb.z), out);
+}
+
+INLINE V ray(const struct lanes_world *w, int x, float vy)
+{
+    F vx = f_fma(f_add(f_iota(), f_set((float)x)), f_set(w->step), f_set(w->start));
+    F per = f_rsqrt(f_fma(vx, vx, f_set(vy * vy + 1)));
+
+    return (V){f_mul(vx, per), f_mul(f_set(vy), per), f_sub(f_set(0), per)};
+}
+
+void DRAW(const struct lanes_world *world, int width, int height, tia_rgb565 *pixels)
+{
+    const struct lanes_world w = *world; /* which pixels cannot alias */
+    uint16_t last[N];
+
+    for (int y = 0; y < height; y++, pixels += width) {
+        float vy = w.up - (float)y * w.step;
+        int x = 0;
+        for (; x + N <= width; x += N)
+            lanes_of(&w, ray(&w, x, vy), pixels + x);
+        if (x < width) {
+            lanes_of(&w, ray(&w, x, vy), last);
+            memcpy(pixels + x, last, (size_t)(width - x) * sizeof *last);
         }
-        pixels += width;
     }
 }
 
-#undef F
-#undef I
-#undef H
-#undef SELECT
-#undef ALL
-#undef CLAMPED
-#undef LANES
-#undef TARGET
-#undef GUESS
-#undef PER_ROOT
-#undef JOIN
-#undef JOIN2
+#endif

@@ -8,6 +8,7 @@
 
 #include "float_lanes.h"
 #include "milliseconds.h"
+#include "plain.h"
 
 #define ROUNDS 25
 
@@ -40,55 +41,56 @@ struct picture {
     struct tia_surface surface;
 };
 
-static void measure(const struct picture *p, const struct tia_level *level, struct best *full, struct best *relit)
+struct measured {
+    struct best full, relit, floats;
+};
+
+/* The loop in float that a level is measured against; in plain C one without lanes. */
+static void draw_floats(const struct picture *p, const char *level)
+{
+    if (level)
+        (void)float_lanes_render(&p->scene, level, p->area.width, p->area.height, p->surface.pixels);
+    else
+        plain_render(&p->scene, p->area.width, p->area.height, p->surface.pixels);
+}
+
+/* In turns, so that a change of the machine's speed meets all three. */
+static void measure_rounds(const struct picture *p, const char *level, struct tia_view *view, struct tia_hits *hits,
+                           struct measured *m)
+{
+    *m = (struct measured){{1e9, 1e9}, {1e9, 1e9}, {1e9, 1e9}};
+    for (int i = 0; i < (level ? ROUNDS : ROUNDS / 5); i++) {
+        double wall = milliseconds(), cpu = cpu_milliseconds();
+        (void)tia_render(view, hits, p->area, &p->surface, NULL);
+        keep(&m->full, wall, cpu);
+        wall = milliseconds(), cpu = cpu_milliseconds();
+        (void)tia_light_tile(view, hits, p->area, &p->surface, NULL);
+        keep(&m->relit, wall, cpu);
+        wall = milliseconds(), cpu = cpu_milliseconds();
+        draw_floats(p, level);
+        keep(&m->floats, wall, cpu);
+    }
+}
+
+static void row(const struct picture *p, const char *name, const struct tia_level *level)
 {
     size_t view_size = tia_view_size(&p->scene, 1), more = tia_level_size(level, &p->scene, 1);
     size_t hits_size = tia_hits_size(&p->scene, p->area);
     void *part[3] = {memory(view_size), memory(more), memory(hits_size)};
     struct tia_view *view;
     struct tia_hits *hits;
+    struct measured m;
 
     if (tia_view_init(&view, part[0], view_size, &p->scene, 1, p->area.width, p->area.height) ||
         tia_view_set_level(view, level, part[1], more) || tia_hits_init(&hits, part[2], hits_size, view, p->area))
         exit(1);
-    *full = *relit = (struct best){1e9, 1e9};
-    for (int i = 0; i < (level ? ROUNDS : ROUNDS / 5); i++) {
-        double wall = milliseconds(), cpu = cpu_milliseconds();
-        (void)tia_render(view, hits, p->area, &p->surface, NULL);
-        keep(full, wall, cpu);
-        wall = milliseconds(), cpu = cpu_milliseconds();
-        (void)tia_light_tile(view, hits, p->area, &p->surface, NULL);
-        keep(relit, wall, cpu);
-    }
+    measure_rounds(p, level ? name : NULL, view, hits, &m);
+    printf("| %ux%u | %s | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", p->area.width, p->area.height,
+           name, m.full.wall, m.full.cpu, m.relit.wall, m.relit.cpu, m.floats.wall, m.floats.cpu,
+           m.full.cpu / m.floats.cpu, m.relit.cpu / m.floats.cpu);
+    (void)fflush(stdout);
     for (int i = 0; i < 3; i++)
         free(part[i]);
-}
-
-static struct best lanes(const struct picture *p, int width)
-{
-    struct best best = {1e9, 1e9};
-
-    for (int i = 0; i < ROUNDS; i++) {
-        double wall = milliseconds(), cpu = cpu_milliseconds();
-        if (!float_lanes_render(&p->scene, width, p->area.width, p->area.height, p->surface.pixels))
-            return (struct best){0, 0};
-        keep(&best, wall, cpu);
-    }
-    return best;
-}
-
-static void row(const struct picture *p, const char *name, const struct tia_level *level, int width)
-{
-    struct best full, relit, floats = width ? lanes(p, width) : (struct best){0, 0};
-
-    measure(p, level, &full, &relit);
-    printf("| %ux%u | %s | %.2f | %.2f | %.2f | %.2f |", p->area.width, p->area.height, name, full.wall, full.cpu,
-           relit.wall, relit.cpu);
-    if (floats.cpu > 0)
-        printf(" %.2f | %.2f | %.2f |\n", floats.cpu, full.cpu / floats.cpu, relit.cpu / floats.cpu);
-    else
-        printf(" | | |\n");
-    (void)fflush(stdout);
 }
 
 static void pin(void)
@@ -107,14 +109,11 @@ static void pin(void)
 void bench_levels(void)
 {
     static const uint16_t sizes[3][2] = {{640, 480}, {1920, 1080}, {3840, 2160}};
-    static const struct {
-        const char *name;
-        int width;
-    } known[] = {{"sse41", 4}, {"avx2", 8}, {"avx512", 16}, {"neon", 4}};
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon"};
 
     pin();
-    printf("\n| size | level | full, ms | CPU | relit, ms | CPU | float lanes, CPU | full/lanes | relit/lanes |\n");
-    printf("|---|---|--:|--:|--:|--:|--:|--:|--:|\n");
+    printf("\n| size | level | full, ms | CPU | relit, ms | CPU | float, ms | CPU | full/float | relit/float |\n");
+    printf("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     for (int i = 0; i < 3; i++) {
         struct picture p = {.scene = tia_thesis_scene, .area = {0, 0, sizes[i][0], sizes[i][1]}};
         size_t bytes = (size_t)sizes[i][0] * sizes[i][1] * 2;
@@ -122,12 +121,13 @@ void bench_levels(void)
         p.scene.light_count = 1;
         p.surface = (struct tia_surface){memory(bytes), 2, 2 * sizes[i][0]};
         memset(p.surface.pixels, 1, bytes);
-        row(&p, "plain", NULL, 0);
-        for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
-            const struct tia_level *level;
-            (void)tia_level_called(known[k].name, &level);
-            if (level)
-                row(&p, known[k].name, level, known[k].width);
+        const struct tia_level *last = NULL, *level;
+        row(&p, "plain", NULL);
+        for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+            (void)tia_level_called(names[k], &level);
+            if (level && level != last) /* not a narrower one in its place */
+                row(&p, names[k], level);
+            last = level;
         }
         free(p.surface.pixels);
     }

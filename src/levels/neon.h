@@ -1,4 +1,4 @@
-/* neon.h - what both kinds of NEON have, and the kernels. */
+/* neon.h - what both kinds of NEON have. */
 #ifndef TIA_LEVELS_NEON_H
 #define TIA_LEVELS_NEON_H
 
@@ -48,7 +48,5 @@ static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     vst1_u16(out, vmovn_u32(vcvtq_u32_f32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)))));
 }
-
-#include "kernel.h"
 
 #endif
