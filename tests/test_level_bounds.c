@@ -58,8 +58,8 @@ static void try_integers(const struct level_fine *f, int i)
     long double at = f->place.low + i, exact = per_t(f, at);
 
     span_distances(spans, f->sphere, f->row->y, x, 1, &t);
-    double unit = f->row->per_depth * tia_level_power(spans->primary.exponent);
-    long double scaled = (long double)t * tia_level_power(-sphere->t_exponent) / unit;
+    double unit = f->row->per_depth * level_power(spans->primary.exponent);
+    long double scaled = (long double)t * level_power(-sphere->t_exponent) / unit;
     note(INTEGER_T, scaled * exact - 1, f->depth.et);
     light_line_prepare(&spans->primary, &source, x, f->row->y, &line);
     line.count = 1;

@@ -11,6 +11,7 @@ typedef __m256 M;
 #define f_set(a) _mm256_set1_ps(a)
 #define f_load(p) _mm256_loadu_ps(p)
 #define f_store(p, a) _mm256_storeu_ps(p, a)
+#define f_whole(p) _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128((const void *)(p))))
 #define f_iota() _mm256_set_ps(7, 6, 5, 4, 3, 2, 1, 0)
 #define f_add(a, b) _mm256_add_ps(a, b)
 #define f_sub(a, b) _mm256_sub_ps(a, b)

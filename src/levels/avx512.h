@@ -13,6 +13,7 @@ typedef __mmask16 M;
 #define f_set(a) _mm512_set1_ps(a)
 #define f_load(p) _mm512_loadu_ps(p)
 #define f_store(p, a) _mm512_storeu_ps(p, a)
+#define f_whole(p) _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256((const void *)(p))))
 #define f_iota() _mm512_set_ps(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
 #define f_add(a, b) _mm512_add_ps(a, b)
 #define f_sub(a, b) _mm512_sub_ps(a, b)

@@ -29,7 +29,7 @@ static double reach_bound(const struct primary_rays *primary, const struct level
 {
     double d = (double)primary->depth, t = depth->t_most;
 
-    return .52 * depth->mantissa_most * lamp->up + .51 * t * t * tia_level_power(32 - primary->square_shift) / (d * d);
+    return .52 * depth->mantissa_most * lamp->up + .51 * t * t * level_power(32 - primary->square_shift) / (d * d);
 }
 
 /* Of a s^2 + h s + v.v divided by s^2. */

@@ -1,4 +1,5 @@
-/* cells.h - the kernels' cells: 16 pixels between two samples, see kernel.h, which includes this. */
+/* cells.h - the kernels' cells: 16 pixels with a sample at both ends and in the middle, see kernel.h, which includes
+ * this. */
 #ifndef TIA_LEVELS_CELLS_H
 #define TIA_LEVELS_CELLS_H
 
@@ -10,9 +11,11 @@
 struct cells {
     float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                  /* at samples: 1/S, |S'|, D */
     float lambert[LEVEL_LIGHTS][SAMPLES], far[LEVEL_LIGHTS][SAMPLES]; /* not clamped; |w| */
-    float weight[LEVEL_LIGHTS][3][SAMPLES];                           /* of cells: colours with what casters leave */
+    float middle[LEVEL_LIGHTS][SAMPLES];                              /* of cells: lambert there */
+    float weight[LEVEL_LIGHTS][3][SAMPLES];                           /* colours with what casters leave */
     float near31[SAMPLES], near63[SAMPLES];
-    uint64_t good;
+    uint16_t pixel[SAMPLES]; /* of all of a flat cell */
+    uint64_t good, flat;
 };
 
 INLINE void take_samples(const struct level_run *r, const struct body *k, int count, int lights, struct cells *cells)
@@ -84,25 +87,48 @@ INLINE struct verdict judge_cell(const struct level_cast *c, F x, const struct v
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
+/* What cells come to: what interpolating costs, in light, and between which sums of lights they lie. */
+struct gained {
+    F lost, low[3], high[3];
+};
+
+/* A sum with NaN in it is NaN. */
+INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[3], const struct level_light *q,
+                      int channels, struct gained *g)
+{
+    const F one = f_set(1), zero = f_set(0);
+    F start = f_load(cells->lambert[l] + i), end = f_load(cells->lambert[l] + i + 1);
+    F nothing = f_mul(zero, f_add(f_add(start, end), middle)); /* or NaN */
+    F low = f_max(zero, f_add(f_min(f_min(start, end), middle), nothing));
+    F high = f_max(zero, f_add(f_max(f_max(start, end), middle), nothing));
+
+    for (int c = 0; c < channels; c++) {
+        F weight = f_mul(tint[c], f_set(q->colour[c]));
+        f_store(cells->weight[l][c] + i, weight);
+        g->low[c] = f_min(one, f_fma(low, weight, g->low[c]));
+        g->high[c] = f_min(one, f_fma(high, weight, g->high[c]));
+    }
+}
+
 /* Of a light over cells: takes what interpolation costs off the margins, and leaves good those that no shadow's edge
  * crosses. (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit
  * vector w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being
- * the share of w' across w. Between two samples that are 16 pixels apart a line is off by 16^2/8 of that. */
+ * the share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. */
 INLINE M light_cells(const struct level_run *r, int l, F x, const struct value *o, const struct motion *p,
-                     struct cells *cells, int i, F *lost, int channels, int casts)
+                     struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
     const struct level_light *q = &r->light[l];
-    const F zero = f_set(0), half = f_mul(p->first, f_set(HALF_CELL));
+    const F zero = f_set(0), half = f_mul(p->first, f_set(HALF_CELL)), square = square_of(q, x, o);
     F d = f_sub(smaller_end(cells->far[l] + i), half), per_d = f_inverse(d), per_r = f_set(q->per_r);
     F bend = f_mul(p->second, f_add(per_r, per_d));
     F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set(1.16f), per_d)));
-    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(LEVEL_CELL * LEVEL_CELL / 8 * 1.01f));
+    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(HALF_CELL * HALF_CELL / 8 * 1.01f));
     F tint[3] = {f_set(1), f_set(1), f_set(1)};
     M good = f_gt(d, f_mul(f_set(.01f), half));
 
-    *lost = f_fma(off, f_set(q->colour_most), *lost);
+    gained->lost = f_fma(off, f_set(q->colour_most), gained->lost);
     if (casts) {
-        F square = square_of(q, x, o), far = f_add(larger_end(cells->far[l] + i), half);
+        F far = f_add(larger_end(cells->far[l] + i), half);
         M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
         for (int j = 0; j < casts; j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
@@ -110,32 +136,81 @@ INLINE M light_cells(const struct level_run *r, int l, F x, const struct value *
             tint_by(&q->cast[j], v.dark, tint, channels);
         }
     }
-    for (int c = 0; c < channels; c++)
-        f_store(cells->weight[l][c] + i, f_mul(tint[c], f_set(q->colour[c])));
+    F middle = lambert_of(q, x, o, square);
+    f_store(cells->middle[l] + i, middle);
+    add_range(cells, l, i, middle, tint, q, channels, gained);
     return good;
+}
+
+/* Where all samples round to one level, so does all between: flat cells. */
+INLINE M flat_cells(const struct level_run *r, const struct gained *g, F near31, F near63, bool grey,
+                    struct cells *cells, int i)
+{
+    const F half = f_set(r->threshold[0]);
+    struct levels low = levels_of(g->low, half, near31, near63, grey);
+    struct levels high = levels_of(g->high, half, near31, near63, grey);
+    M same = m_and(m_and(low.sure, high.sure), m_and(f_ge(low.red, high.red), f_ge(low.green, high.green)));
+
+    if (!grey)
+        same = m_and(same, f_ge(low.blue, high.blue));
+    i_pack(low.red, low.green, low.blue, cells->pixel + i);
+    return same;
 }
 
 INLINE void judge_cells(const struct level_run *r, const struct body *k, int count, bool grey, int lights, int casts,
                         struct cells *cells)
 {
-    cells->good = 0;
+    bool plain = r->threshold[0] == r->threshold[1]; /* not dithered */
+
+    cells->good = cells->flat = 0;
     for (int i = 0; i < count; i += N) {
-        F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(r->x0)), lost = f_set(0);
+        F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(r->x0));
         struct value o = value_at(k, x);
+        struct gained gained = {.lost = f_set(0)};
         M good;
         struct motion p = motion_over(r, cells, i, &good);
+        for (int c = 0; c < 3; c++)
+            gained.low[c] = gained.high[c] = f_set(r->emission[c]);
         for (int l = 0; l < lights; l++)
-            good = m_and(good, light_cells(r, l, x, &o, &p, cells, i, &lost, grey ? 1 : 3,
+            good = m_and(good, light_cells(r, l, x, &o, &p, cells, i, &gained, grey ? 1 : 3,
                                            casts < 2 ? casts : r->light[l].casts));
-        F lost63 = f_mul(lost, f_set(63));
+        F lost63 = f_mul(gained.lost, f_set(63)), near63 = f_sub(f_set(r->near63), lost63);
+        F near31 = f_fma(gained.lost, f_set(-31), f_set(r->near31));
         good = m_and(good, f_ge(f_set(FAINT_CELL), lost63));
-        f_store(cells->near63 + i, f_sub(f_set(r->near63), lost63));
-        f_store(cells->near31 + i, f_fma(lost, f_set(-31), f_set(r->near31)));
+        f_store(cells->near63 + i, near63);
+        f_store(cells->near31 + i, near31);
         cells->good |= (uint64_t)m_bits(good) << i;
+        if (plain)
+            cells->flat |= (uint64_t)m_bits(m_and(good, flat_cells(r, &gained, near31, near63, grey, cells, i))) << i;
+    }
+    cells->good &= ((uint64_t)1 << count) - 1;
+    cells->flat &= cells->good;
+}
+
+INLINE void draw_flat(const struct cells *cells, uint16_t *out)
+{
+    for (uint64_t left = cells->flat; left; left &= left - 1) {
+        int cell = __builtin_ctzll(left);
+        uint16_t pixel = cells->pixel[cell], *at = out + cell * LEVEL_CELL;
+        for (int i = 0; i < LEVEL_CELL; i++)
+            at[i] = pixel;
     }
 }
 
-/* One cell from its ends' samples. */
+/* Two lines that meet in the middle: m + u (e - s)/2 + |u| ((s - m) + (e - m))/2, u from -1 to 1. */
+struct lines {
+    F middle, turn, bend;
+};
+
+INLINE struct lines lines_of(const struct cells *cells, int l, int cell)
+{
+    float start = cells->lambert[l][cell], end = cells->lambert[l][cell + 1], middle = cells->middle[l][cell];
+
+    return (struct lines){f_set(middle), f_set((end - start) * (.5f / HALF_CELL)),
+                          f_set(((start - middle) + (end - middle)) * (.5f / HALF_CELL))};
+}
+
+/* One cell from its samples. */
 INLINE int draw_cell(const struct level_run *r, const struct cells *cells, int cell, bool grey, int lights,
                      const F half[2], uint16_t *out, uint16_t *list, int n)
 {
@@ -144,10 +219,10 @@ INLINE int draw_cell(const struct level_run *r, const struct cells *cells, int c
 
     for (int i = 0; i < LEVEL_CELL; i += N) {
         F sum[3] = {f_set(r->emission[0]), f_set(r->emission[1]), f_set(r->emission[2])};
-        F at = f_add(f_iota(), f_set((float)i));
+        F at = f_add(f_iota(), f_set((float)(i - HALF_CELL)));
         for (int l = 0; l < lights; l++) {
-            float start = cells->lambert[l][cell], step = (cells->lambert[l][cell + 1] - start) * (1.f / LEVEL_CELL);
-            F lambert = f_max(zero, f_fma(at, f_set(step), f_set(start)));
+            struct lines lines = lines_of(cells, l, cell);
+            F lambert = f_max(zero, f_fma(f_abs(at), lines.bend, f_fma(at, lines.turn, lines.middle)));
             for (int c = 0; c < (grey ? 1 : 3); c++)
                 sum[c] = f_min(one, f_fma(lambert, f_set(cells->weight[l][c][cell]), sum[c]));
         }

@@ -3,6 +3,7 @@
  *   NAME, N                the level; floats in a vector: 4, 8 or 16
  *   F, M                   a vector of floats, and what comparing two gives
  *   f_set(a) f_load(p) f_store(p, a) f_iota()     f_load needs no alignment; f_iota is 0, 1, 2, ...
+ *   f_whole(p)                                    N numbers of 16 bits
  *   f_add f_sub f_mul f_min f_max f_abs f_round   f_max(a, NaN) and f_min(a, NaN) are NaN; f_round is to nearest
  *   f_fma(a, b, c) f_fnma(a, b, c)                a b + c and c - a b, rounded once or twice
  *   f_rsqrt f_inverse                             1/sqrt(x) and 1/x, see proved.h
@@ -10,8 +11,9 @@
  *   f_gt f_ge m_and m_or m_not m_any m_bits f_sel(m, a, b)   false where an argument is NaN
  *   i_pack(r, g, b, out)                          N pixels of whole levels
  *
- * A run is drawn in cells: everything is computed at every 16th pixel, and in between r N.w/(r |w|) is interpolated,
- * where its second derivative allows that and shadows keep clear. The pixels that are then too near a boundary between
+ * A run is drawn in cells of 16 pixels: everything is computed at their ends and in the middle, and in between
+ * r N.w/(r |w|) is interpolated, where its second derivative allows that and shadows keep clear. Where all of a cell
+ * comes to one level it is filled with that. The pixels that are then too near a boundary between
  * two levels, and the cells where nothing of that holds, are computed one by one; what is open after that is listed.
  *
  * The compiler cannot know that `out` aliases no constant: constants are splat into locals first. */
@@ -194,22 +196,26 @@ INLINE int draw_pixels(const struct level_run *r, const struct body *k, int firs
     return n;
 }
 
-/* The pixels listed, anywhere in the run; keeps those of the list that stay open. */
+/* The pixels listed, anywhere in the run; keeps those of the list that stay open. The list has room for N more. */
 INLINE int draw_listed(const struct level_run *r, const struct body *k, bool grey, int lights, int casts, uint16_t *out,
                        uint16_t *list, int count)
 {
+    bool dithered = r->threshold[0] != r->threshold[1];
+    F half = f_set(r->threshold[0]);
     int n = 0;
 
+    for (int j = 0; count && j < N; j++)
+        list[count + j] = list[0];
     for (int i = 0; i < count; i += N) {
         int left = count - i < N ? count - i : N;
-        float at[N], threshold[N];
+        float threshold[N];
         uint16_t pixel[N];
-        for (int j = 0; j < N; j++) {
-            unsigned place = list[i + (j < left ? j : 0)];
-            at[j] = r->x0 + (float)place;
-            threshold[j] = r->threshold[place & 7];
-        }
-        struct levels found = levels_at(r, k, f_load(at), f_load(threshold), grey, lights, casts);
+        for (int j = 0; dithered && j < N; j++)
+            threshold[j] = r->threshold[list[i + j] & 7];
+        if (dithered)
+            half = f_load(threshold);
+        F x = f_add(f_whole(list + i), f_set(r->x0));
+        struct levels found = levels_at(r, k, x, half, grey, lights, casts);
         unsigned open = m_bits(m_not(found.sure));
         i_pack(found.red, found.green, found.blue, pixel);
         for (int j = 0; j < left; j++) {
@@ -235,15 +241,15 @@ INLINE int draw_run(const struct level_run *r, uint16_t *out, uint16_t *list, bo
 
     take_samples(r, &k, count + 1, lights, &cells);
     judge_cells(r, &k, count, grey, lights, casts, &cells);
-    for (int cell = 0; cell < count; cell++)
-        if (cells.good >> cell & 1)
-            n = draw_cell(r, &cells, cell, grey, lights, half, out, list, n);
+    draw_flat(&cells, out);
+    for (uint64_t left = cells.good & ~cells.flat; left; left &= left - 1)
+        n = draw_cell(r, &cells, __builtin_ctzll(left), grey, lights, half, out, list, n);
     n = draw_listed(r, &k, grey, lights, casts, out, list, n);
-    for (int cell = 0; cell <= count; cell++) {
-        int first = cell;
-        while (cell < count && !(cells.good >> cell & 1))
-            cell++;
-        int end = cell < count ? cell * LEVEL_CELL : r->count;
+    for (int cell = 0; cell <= count;) { /* the last is for the rest, which has no cell */
+        int first = __builtin_ctzll(~cells.good >> cell << cell);
+        uint64_t next = cells.good >> first << first;
+        cell = next ? __builtin_ctzll(next) : count + 1;
+        int end = next ? cell * LEVEL_CELL : r->count;
         n = draw_pixels(r, &k, first * LEVEL_CELL, end, grey, lights, casts, out, list, n);
     }
     return n;

@@ -54,24 +54,45 @@ static void fill(tia_rgb565 *out, int count, tia_rgb565 pixel)
         out[i] = pixel;
 }
 
-/* The background, or a light itself: one colour, but for dithering. */
-static void light_flat(const struct span_view *spans, const struct tia_rgb *colour, const struct level_span *span,
-                       const num_u threshold[8], tia_rgb565 *out)
+/* What the background, or a light itself, is drawn as: one colour, but for dithering. */
+struct flat {
+    tia_rgb565 pixels[8];
+    uint32_t object;
+    bool known, dithered; /* then by the row */
+};
+
+static void find_flat(const struct span_view *spans, const struct tia_rgb *colour, int first, const num_u threshold[8],
+                      struct flat *flat)
 {
     const tia_q30 channel[3] = {colour->r, colour->g, colour->b};
-    int count = span->end - span->first;
     num_u rgb[3][8];
-    tia_rgb565 pixels[8];
 
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < 8; i++)
             rgb[c][i] = num_clamp(num_colour(channel[c]));
-    spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, span->first, 8, pixels);
-    if (threshold[0] == threshold[1])
-        fill(out, count, pixels[0]);
+    spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, first, 8, flat->pixels);
+}
+
+static void light_flat(const struct tia_view *view, const struct level_span *span, const num_u threshold[8],
+                       struct flat *flat, tia_rgb565 *out)
+{
+    const struct tia_scene *scene = view->scene;
+    bool light = span->object != TIA_NO_OBJECT;
+    int count = span->end - span->first;
+
+    if (!flat->known || flat->dithered || flat->object != span->object) {
+        find_flat(span_view_of(view),
+                  light ? &view->lights[span->object - scene->sphere_count].emission : &scene->background, span->first,
+                  threshold, flat);
+        flat->known = true;
+        flat->dithered = threshold[0] != threshold[1];
+        flat->object = span->object;
+    }
+    if (!flat->dithered)
+        fill(out, count, flat->pixels[0]);
     else
         for (int i = 0; i < count; i++)
-            out[i] = pixels[i & 7];
+            out[i] = flat->pixels[i & 7];
 }
 
 static void light_part(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
@@ -92,17 +113,10 @@ static void light_part(const struct tia_view *view, const struct level_row *row,
 }
 
 static void light_span(const struct tia_view *view, const struct level_row *row, const struct level_span *span,
-                       const num_u threshold[8], tia_rgb565 *out)
+                       const num_u threshold[8], struct flat *flat, tia_rgb565 *out)
 {
-    const struct tia_scene *scene = view->scene;
-
-    if (span->object == TIA_NO_OBJECT) {
-        light_flat(span_view_of(view), &scene->background, span, threshold, out);
-        return;
-    }
-    if (span->object >= scene->sphere_count) {
-        const struct tia_light *light = &view->lights[span->object - scene->sphere_count];
-        light_flat(span_view_of(view), &light->emission, span, threshold, out);
+    if (span->object >= view->scene->sphere_count) { /* as TIA_NO_OBJECT is */
+        light_flat(view, span, threshold, flat, out);
         return;
     }
     for (int x = span->first; x < span->end; x += LEVEL_RUN) {
@@ -118,7 +132,7 @@ static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t 
 }
 
 static void light_row(const struct tia_view *view, const struct level_row *row, struct tia_tile tile,
-                      const struct level_line *line, const struct tia_surface *surface, bool dither)
+                      const struct level_line *line, const struct tia_surface *surface, bool dither, struct flat *flat)
 {
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
     bool direct = surface->step == sizeof(tia_rgb565);
@@ -128,7 +142,7 @@ static void light_row(const struct tia_view *view, const struct level_row *row, 
     dither_thresholds(dither, row->y, threshold);
     for (int i = 0; i < line->count; i++) {
         const struct level_span *span = &line->spans[line->which][i];
-        light_span(view, row, span, threshold, place + (span->first - (int)tile.x));
+        light_span(view, row, span, threshold, flat, place + (span->first - (int)tile.x));
     }
     if (!direct)
         copy(pixels, tile.width, out, surface->step);
@@ -140,12 +154,13 @@ static void light_strip(const struct tia_view *view, struct tia_tile tile, const
     const struct span_view *spans = span_view_of(view);
     struct span guess[LEVEL_GUESSES] = {{0, 0}};
     struct level_line line;
+    struct flat flat = {.known = false};
 
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         struct level_row row;
         tia_level_row(&spans->primary, y, &row);
         tia_level_find(view, &row, tile, guess, &line);
-        light_row(view, &row, tile, &line, surface, dither);
+        light_row(view, &row, tile, &line, surface, dither, &flat);
     }
 }
 

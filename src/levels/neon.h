@@ -5,6 +5,7 @@
 #define f_set(a) vdupq_n_f32(a)
 #define f_load(p) vld1q_f32(p)
 #define f_store(p, a) vst1q_f32(p, a)
+#define f_whole(p) vcvtq_f32_u32(vmovl_u16(vld1_u16(p)))
 #define f_add(a, b) vaddq_f32(a, b)
 #define f_sub(a, b) vsubq_f32(a, b)
 #define f_mul(a, b) vmulq_f32(a, b)

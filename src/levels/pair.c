@@ -60,8 +60,8 @@ static void add_cast(const struct tia_view *view, const struct light_source *sou
     cast->sum = num_vec_add(caster->centre, source->light);
     cast->size = length(caster->centre);
     cast->aq = (double)num_dot(caster->centre, source->light) * 0x1p-32 - lamp->swell * lamp->k;
-    cast->ua = tia_level_power(-e_a);
-    cast->uk = tia_level_power(-e_k);
+    cast->ua = level_power(-e_a);
+    cast->uk = level_power(-e_k);
     cast->radius = (double)caster->radius * 0x1p-16;
     cast->apart = length(num_vec_sub(caster->centre, source->light));
     cast_power(source->sphere, caster, cast);
@@ -82,9 +82,9 @@ static void light_constants(const struct span_sphere *sphere, const struct light
     lamp->gap = fabs(length(lamp->g) - r) - (length(lamp->g) + r) * 0x1p-48;
     lamp->per_r = 1 / r;
     lamp->swell = BIAS / r;
-    lamp->ud = tia_level_power(-source->exponent);
-    lamp->up = tia_level_power(-source->reach_exponent);
-    lamp->us = tia_level_power(-(15 - sphere->radius_bits - scale + (source->exponent >> 1)));
+    lamp->ud = level_power(-source->exponent);
+    lamp->up = level_power(-source->reach_exponent);
+    lamp->us = level_power(-(15 - sphere->radius_bits - scale + (source->exponent >> 1)));
 }
 
 static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, struct level_lamp *lamp)

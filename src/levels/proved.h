@@ -13,7 +13,7 @@
 #define LEVEL_TURN 7      /* and G.v */
 #define LEVEL_LAMBERT 24  /* r N.w/(r |w|), but for what both are off by */
 #define LEVEL_COLOUR 6    /* for a light: lambert times tint and colour, and the sum; as much for a caster */
-#define LEVEL_LINE 6      /* a line between two samples */
+#define LEVEL_LINE 15     /* two lines between three samples */
 #define LEVEL_DELTA 10    /* (A'.w)^2 and |w|^2 k (1 + B), each */
 
 #endif

@@ -4,16 +4,6 @@
 
 #include "proved.h"
 
-double tia_level_power(int e)
-{
-    union {
-        uint64_t bits;
-        double value;
-    } power = {(uint64_t)(e + 1023) << 52};
-
-    return power.value;
-}
-
 void tia_level_row(const struct primary_rays *primary, int y, struct level_row *row)
 {
     row->y = y;
@@ -73,12 +63,15 @@ void tia_level_form(const struct primary_rays *primary, const struct level_row *
     c[1] = (double)(a.x * step) * row->per_depth * 0x1p-16;
 }
 
-/* a b - c d, rounded once or twice: all cancellation happens in integers. */
+/* a b - c d, rounded two or three times: all cancellation happens in integers. */
 static double difference(num_wide a, num_wide b, num_wide c, num_wide d)
 {
 #if TIA_INT128
     __extension__ typedef __int128 wide;
-    return (double)((wide)a * b - (wide)c * d);
+    wide r = (wide)a * b - (wide)c * d;
+    int64_t low = (int64_t)r; /* with a sign: then the halves cost an instruction each, not a call */
+
+    return (double)((int64_t)(r >> 64) + (low < 0)) * 0x1p64 + (double)low;
 #else
     struct tia_wide p = tia_wide_product((uint64_t)num_abs(a), (uint64_t)num_abs(b));
     struct tia_wide q = tia_wide_product((uint64_t)num_abs(c), (uint64_t)num_abs(d));
@@ -128,30 +121,56 @@ bool tia_level_see(const struct primary_rays *primary, const struct level_row *r
     return seen->b_least > 0 && seen->size > 0;
 }
 
+/* The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
+ * bits ub and uv, rounded to nearest but for what 64 steps may add, .51 of a bit; so has c with uc. Then D is off by
+ *
+ *     dd = .51 (2 b ub + ub^2 + c uv + v.v uc + uv uc).
+ *
+ * ut is the last bit of t. */
+struct last_bits {
+    double ub, ut, dd;
+};
+
+static struct last_bits last_bits_of(const struct primary_rays *primary, const struct level_row *row,
+                                     const struct level_place *place, const struct span_sphere *sphere,
+                                     const struct level_seen *seen)
+{
+    int f = primary->exponent;
+    double pixel = row->per_depth * level_power(f); /* a pixel coordinate's unit, at depth 1 */
+    double ub = pixel * level_power(16 - f - sphere->b_shift);
+    double uv = pixel * pixel * level_power(32 - 2 * f - primary->square_shift);
+    double uc = level_power(primary->square_shift - 2 * sphere->b_shift), b = seen->b_most;
+
+    return (struct last_bits){ub, level_power(-sphere->t_exponent) / pixel,
+                              .51 * (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
+}
+
 /* S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative. b is off by LEVEL_LINEAR units of its
  * largest value, D by LEVEL_QUADRATIC of its size, and so sqrt(D) by that over 2 floor; the root and the sum themselves
  * by LEVEL_SUM units of the whole.
  *
- * The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
- * bits ub and uv, rounded to nearest but for what 64 steps may add, .51 of a bit; so has c with uc. Then
- * D is off by dd = .51 (2 b ub + ub^2 + c uv + v.v uc + uv uc), its root by dd/floor and one ub for rounding down, t by
- * 2^-29 for the reciprocal and the quotient's constants, and .51 of its last bit, ut. */
-static void bound_depth(const struct primary_rays *primary, const struct level_row *row,
-                        const struct level_place *place, const struct span_sphere *sphere,
-                        const struct level_seen *seen, double unit, struct level_depth *depth)
+ * In the integer code the root of D is off by dd/floor and one ub for rounding down, t by 2^-29 for the reciprocal and
+ * the quotient's constants, and .51 of its last bit. */
+static void bound_depth(const struct last_bits *u, const struct level_seen *seen, double unit,
+                        struct level_depth *depth)
 {
-    int f = primary->exponent;
-    double pixel = row->per_depth * tia_level_power(f); /* a pixel coordinate's unit, at depth 1 */
-    double ub = pixel * tia_level_power(16 - f - sphere->b_shift);
-    double uv = pixel * pixel * tia_level_power(32 - 2 * f - primary->square_shift);
-    double uc = tia_level_power(primary->square_shift - 2 * sphere->b_shift);
-    double ut = tia_level_power(-sphere->t_exponent) / pixel, b = seen->b_most;
-    double dd = .51 * (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc);
+    double b = seen->b_most, off = LEVEL_LINEAR * b + LEVEL_QUADRATIC * seen->size / (2 * depth->floor);
 
-    double off = LEVEL_LINEAR * b + LEVEL_QUADRATIC * seen->size / (2 * depth->floor);
     depth->es = unit * (off / depth->sum_least + LEVEL_SUM);
-    depth->et = (1.51 * ub + dd / depth->floor) / depth->sum_least + 0x1p-29 + .51 * ut / depth->t_least;
-    depth->mantissa_most = depth->t_most / ut + 1;
+    depth->et = (1.51 * u->ub + u->dd / depth->floor) / depth->sum_least + 0x1p-29 + .51 * u->ut / depth->t_least;
+    depth->mantissa_most = depth->t_most / u->ut + 1;
+}
+
+/* t = c/(b + sqrt(D)), where the root is at least 0 and at most that of D's size, rounded down: so no D is too small.
+ */
+void tia_level_between(const struct primary_rays *primary, const struct level_row *row, const struct level_place *place,
+                       const struct span_sphere *sphere, const struct level_seen *seen, double t[2])
+{
+    struct last_bits u = last_bits_of(primary, row, place, sphere, seen);
+    double least = seen->b_least - u.ub, most = seen->b_most + u.ub + sqrt(seen->size + u.dd) * ABOVE;
+
+    t[0] = seen->c / most * (1 - 0x1p-28) - u.ut;
+    t[1] = least > 0 ? seen->c / least * (1 + 0x1p-28) + u.ut : LEVEL_NEVER;
 }
 
 void tia_level_depth(const struct primary_rays *primary, const struct level_row *row, const struct level_place *place,
@@ -168,5 +187,6 @@ void tia_level_depth(const struct primary_rays *primary, const struct level_row 
     double tangent = sqrt(seen->c) * ABOVE, far = place->v_most * depth->t_most; /* |P| <= sqrt(c) */
     depth->p_most = far < tangent ? far : tangent;
     depth->p_least = sqrt(place->square_least) * depth->t_least * BELOW;
-    bound_depth(primary, row, place, sphere, seen, unit, depth);
+    struct last_bits bits = last_bits_of(primary, row, place, sphere, seen);
+    bound_depth(&bits, seen, unit, depth);
 }

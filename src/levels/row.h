@@ -42,6 +42,10 @@ struct level_seen {
 bool tia_level_see(const struct primary_rays *primary, const struct level_row *row, const struct level_place *place,
                    const struct span_sphere *sphere, struct level_seen *seen);
 
+/* Between which distances the integer code sees the sphere all along the place, at its outline too. */
+void tia_level_between(const struct primary_rays *primary, const struct level_row *row, const struct level_place *place,
+                       const struct span_sphere *sphere, const struct level_seen *seen, double t[2]);
+
 /* The same with the bounds that come with a cut: pixels where D is less are left out. */
 struct level_depth {
     double cut, floor; /* of D; of sqrt(D) */
@@ -58,6 +62,14 @@ void tia_level_depth(const struct primary_rays *primary, const struct level_row 
                      struct level_depth *depth);
 
 /* 2^e, |e| < 1000. */
-double tia_level_power(int e);
+static inline double level_power(int e)
+{
+    union {
+        uint64_t bits;
+        double value;
+    } power = {(uint64_t)(e + 1023) << 52};
+
+    return power.value;
+}
 
 #endif

@@ -73,31 +73,38 @@ static void settle(const struct contest *c, int first, int end, struct level_lin
     }
 }
 
-/* Whether sphere i is nearer all along, by the extremes of its distance. */
-static bool wins_all(const struct contest *c, int i)
-{
-    const struct level_depth *near = &c->depth[i], *far = &c->depth[!i];
-
-    return near->cut <= 0 && far->cut <= 0 &&
-           near->t_most * (1 + near->es + near->et) < far->t_least * (1 - far->es - far->et);
-}
-
+/* False when a sphere cannot be seen from outside all along. */
 static bool look(struct contest *c, int first, int end)
 {
     const struct span_view *spans = span_view_of(c->view);
-    const uint32_t sphere[2] = {c->n, c->m};
-    bool good = true;
 
     tia_level_place(&spans->primary, c->row, first, end, &c->place);
-    for (int i = 0; good && i < 2; i++) {
-        const struct span_sphere *s = &spans->spheres[sphere[i]];
-        good = tia_level_see(&spans->primary, c->row, &c->place, s, &c->seen[i]);
-        if (good)
-            tia_level_depth(&spans->primary, c->row, &c->place, s, &c->seen[i], LEVEL_FLOAT, LEVEL_FLOAT_CUT,
-                            &c->depth[i]);
-        good = good && c->depth[i].es + c->depth[i].et < .01;
-    }
-    return good;
+    return tia_level_see(&spans->primary, c->row, &c->place, &spans->spheres[c->n], &c->seen[0]) &&
+           tia_level_see(&spans->primary, c->row, &c->place, &spans->spheres[c->m], &c->seen[1]);
+}
+
+enum winner { NOBODY_KNOWS, N_WINS, M_WINS };
+
+/* One sphere before the other all along: mostly true, and quickly said. */
+static enum winner before(const struct contest *c)
+{
+    const struct span_view *spans = span_view_of(c->view);
+    double n[2], m[2];
+
+    tia_level_between(&spans->primary, c->row, &c->place, &spans->spheres[c->n], &c->seen[0], n);
+    tia_level_between(&spans->primary, c->row, &c->place, &spans->spheres[c->m], &c->seen[1], m);
+    return n[1] < m[0] ? N_WINS : m[1] < n[0] ? M_WINS : NOBODY_KNOWS;
+}
+
+static bool deepen(struct contest *c)
+{
+    const struct span_view *spans = span_view_of(c->view);
+    const uint32_t sphere[2] = {c->n, c->m};
+
+    for (int i = 0; i < 2; i++)
+        tia_level_depth(&spans->primary, c->row, &c->place, &spans->spheres[sphere[i]], &c->seen[i], LEVEL_FLOAT,
+                        LEVEL_FLOAT_CUT, &c->depth[i]);
+    return c->depth[0].es + c->depth[0].et < .01 && c->depth[1].es + c->depth[1].et < .01;
 }
 
 /* By halves, until all of a part is decided at once or it is short. */
@@ -108,13 +115,15 @@ static void contend(struct contest *c, int first, int end, struct level_line *li
     for (int at = first; at < end; at += part) {
         part = end - at < part ? end - at : part;
         bool good = look(c, at, at + part);
-        while (part > 64 && !(good && (wins_all(c, 0) || wins_all(c, 1)))) {
+        enum winner winner = good ? before(c) : NOBODY_KNOWS;
+        while (part > 64 && winner == NOBODY_KNOWS) {
             part = (part + 1) / 2;
             good = look(c, at, at + part);
+            winner = good ? before(c) : NOBODY_KNOWS;
         }
-        if (good && (wins_all(c, 0) || wins_all(c, 1)))
-            push(line, at, at + part, wins_all(c, 0) ? c->n : c->m);
-        else if (good)
+        if (winner != NOBODY_KNOWS)
+            push(line, at, at + part, winner == N_WINS ? c->n : c->m);
+        else if (good && deepen(c))
             settle(c, at, at + part, line);
         else
             for (int x = at; x < at + part; x++)

@@ -11,6 +11,7 @@ typedef __m128 M;
 #define f_set(a) _mm_set1_ps(a)
 #define f_load(p) _mm_loadu_ps(p)
 #define f_store(p, a) _mm_storeu_ps(p, a)
+#define f_whole(p) _mm_cvtepi32_ps(_mm_cvtepu16_epi32(_mm_loadl_epi64((const void *)(p))))
 #define f_iota() _mm_set_ps(3, 2, 1, 0)
 #define f_add(a, b) _mm_add_ps(a, b)
 #define f_sub(a, b) _mm_sub_ps(a, b)

@@ -23,12 +23,20 @@ lambert = (1 + e0) * (1 + e1) * (1 + e2) * (1 + r) - 1;
 colour = (1 + e0) * (1 + e1) * (1 + e2) - 1;
 colour_sum = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
 caster = (1 + e0) * (1 + e1) - 1;
+# two lines that meet in the middle of three samples, m + t (e - s)/2 + a ((s - m) + (e - m))/2 with a = |t|, whole eighths:
+# three differences and a sum, two products and two sums
+lines = (m + t * ((end - start) * (1 + e0) * 0.5) * (1 + e4)) * (1 + e5);
+bent = (((start - m) * (1 + e1) + (end - m) * (1 + e2)) * (1 + e3)) * 0.5;
+between = (lines + a * bent * (1 + e6)) * (1 + e7);
+exactly = (m + t * ((end - start) * 0.5)) + a * (((start - m) + (end - m)) * 0.5);
+line = between - exactly;
 # (A'.w)^2: a product and the difference; |w|^2 k (1 + B): coefficient, two products, the difference
 delta0 = (1 + e0) * (1 + e1) - 1;
 delta1 = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
 
 { e0 in [-1b-24,1b-24] /\ e1 in [-1b-24,1b-24] /\ e2 in [-1b-24,1b-24] /\ e3 in [-1b-24,1b-24]
-  /\ e4 in [-1b-24,1b-24] /\ e5 in [-1b-24,1b-24] /\ half in [0,0.5] /\ r in [-LEVEL_ROOTb-24,LEVEL_ROOTb-24]
+  /\ e4 in [-1b-24,1b-24] /\ e5 in [-1b-24,1b-24] /\ e6 in [-1b-24,1b-24] /\ e7 in [-1b-24,1b-24]
+  /\ start in [-1.01,1.01] /\ m in [-1.01,1.01] /\ end in [-1.01,1.01] /\ t in [-1,1] /\ a in [0,1] /\ half in [0,0.5] /\ r in [-LEVEL_ROOTb-24,LEVEL_ROOTb-24]
   /\ l in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24] /\ q in [-6b-24,6b-24]
   -> linear0 in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24] /\ linear1 in [-LEVEL_LINEARb-24,LEVEL_LINEARb-24]
   /\ quadratic2 in [-6b-24,6b-24] /\ quadratic1 in [-6b-24,6b-24]
@@ -40,6 +48,12 @@ delta1 = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1;
   /\ lambert in [-LEVEL_LAMBERTb-24,LEVEL_LAMBERTb-24]
   /\ colour in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24] /\ colour_sum in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24]
   /\ caster in [-LEVEL_COLOURb-24,LEVEL_COLOURb-24]
+  /\ line in [-LEVEL_LINEb-24,LEVEL_LINEb-24]
   /\ delta0 in [-LEVEL_DELTAb-24,LEVEL_DELTAb-24] /\ delta1 in [-LEVEL_DELTAb-24,LEVEL_DELTAb-24] }
 
 sum -> half * ((1 + r) * (1 + e0) - 1) * (1 + e1) + e1;
+line -> t * ((end - start) * e0 * 0.5) * (1 + e4) * (1 + e5) * (1 + e7) + t * ((end - start) * 0.5) * e4 * (1 + e5) * (1 + e7)
+        + (m + t * ((end - start) * 0.5)) * e5 * (1 + e7)
+        + a * (((start - m) * e1 + (end - m) * e2) * (1 + e3) * 0.5) * (1 + e6) * (1 + e7)
+        + a * (((start - m) + (end - m)) * e3 * 0.5) * (1 + e6) * (1 + e7)
+        + a * (((start - m) + (end - m)) * 0.5) * e6 * (1 + e7) + exactly * e7;
