@@ -3,16 +3,19 @@
 #ifndef TIA_LEVELS_CELLS_H
 #define TIA_LEVELS_CELLS_H
 
-#define CELLS (LEVEL_RUN / LEVEL_CELL)
+#define CELLS (LEVEL_BLOCK / LEVEL_CELL)
 #define SAMPLES (CELLS + 2 * N)
 #define HALF_CELL (LEVEL_CELL / 2)
 #define FAINT_CELL .06f /* of a level that interpolating may cost before it pays no more */
 
 struct cells {
+    int start; /* pixels of the run before these */
+    float x0;
     float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                  /* at samples: 1/S, |S'|, D */
     float lambert[LEVEL_LIGHTS][SAMPLES], far[LEVEL_LIGHTS][SAMPLES]; /* not clamped; |w| */
-    float middle[LEVEL_LIGHTS][SAMPLES];                              /* of cells: lambert there */
-    float weight[LEVEL_LIGHTS][3][SAMPLES];                           /* colours with what casters leave */
+    float middle[LEVEL_LIGHTS][SAMPLES]; /* of cells, here and below: lambert in the middle */
+    float turn_of[LEVEL_LIGHTS][SAMPLES], bend_of[LEVEL_LIGHTS][SAMPLES]; /* and the lines that meet there */
+    float weight[LEVEL_LIGHTS][3][SAMPLES];                               /* colours with what casters leave */
     float near31[SAMPLES], near63[SAMPLES];
     uint16_t pixel[SAMPLES]; /* of all of a flat cell */
     uint64_t good, flat;
@@ -21,7 +24,7 @@ struct cells {
 INLINE void take_samples(const struct level_run *r, const struct body *k, int count, int lights, struct cells *cells)
 {
     for (int i = 0; i < count; i += N) {
-        F x = f_fma(f_add(f_iota(), f_set((float)i)), f_set(LEVEL_CELL), f_set(r->x0));
+        F x = f_fma(f_add(f_iota(), f_set((float)i)), f_set(LEVEL_CELL), f_set(cells->x0));
         struct value o = value_at(k, x);
         F slope = f_fma(f_add(x, x), k->d2, k->d1), per_root = f_rsqrt(o.d);
         F turn = f_fma(f_mul(slope, f_set(.5f)), per_root, k->b1), per_s = f_inverse(o.s);
@@ -92,16 +95,20 @@ struct gained {
     F lost, low[3], high[3];
 };
 
-/* A sum with NaN in it is NaN. */
+/* Of one light. In between its samples lie two lines that meet in the middle: m + u (e - s)/2 + |u| ((s - m) + (e -
+ * m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
 INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[3], const struct level_light *q,
                       int channels, struct gained *g)
 {
-    const F one = f_set(1), zero = f_set(0);
+    const F one = f_set(1), zero = f_set(0), step = f_set(.5f / HALF_CELL);
     F start = f_load(cells->lambert[l] + i), end = f_load(cells->lambert[l] + i + 1);
     F nothing = f_mul(zero, f_add(f_add(start, end), middle)); /* or NaN */
     F low = f_max(zero, f_add(f_min(f_min(start, end), middle), nothing));
     F high = f_max(zero, f_add(f_max(f_max(start, end), middle), nothing));
 
+    f_store(cells->middle[l] + i, middle);
+    f_store(cells->turn_of[l] + i, f_mul(f_sub(end, start), step));
+    f_store(cells->bend_of[l] + i, f_mul(f_add(f_sub(start, middle), f_sub(end, middle)), step));
     for (int c = 0; c < channels; c++) {
         F weight = f_mul(tint[c], f_set(q->colour[c]));
         f_store(cells->weight[l][c] + i, weight);
@@ -130,15 +137,13 @@ INLINE M light_cells(const struct level_run *r, int l, F x, const struct value *
     if (casts) {
         F far = f_add(larger_end(cells->far[l] + i), half);
         M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
-        for (int j = 0; j < casts; j++) {
+        for (int j = 0; j < casts && m_any(m_not(away)); j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
             good = m_and(good, m_or(away, m_or(v.lit, v.dark)));
             tint_by(&q->cast[j], v.dark, tint, channels);
         }
     }
-    F middle = lambert_of(q, x, o, square);
-    f_store(cells->middle[l] + i, middle);
-    add_range(cells, l, i, middle, tint, q, channels, gained);
+    add_range(cells, l, i, lambert_of(q, x, o, square), tint, q, channels, gained);
     return good;
 }
 
@@ -164,7 +169,7 @@ INLINE void judge_cells(const struct level_run *r, const struct body *k, int cou
 
     cells->good = cells->flat = 0;
     for (int i = 0; i < count; i += N) {
-        F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(r->x0));
+        F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(cells->x0));
         struct value o = value_at(k, x);
         struct gained gained = {.lost = f_set(0)};
         M good;
@@ -197,19 +202,6 @@ INLINE void draw_flat(const struct cells *cells, uint16_t *out)
     }
 }
 
-/* Two lines that meet in the middle: m + u (e - s)/2 + |u| ((s - m) + (e - m))/2, u from -1 to 1. */
-struct lines {
-    F middle, turn, bend;
-};
-
-INLINE struct lines lines_of(const struct cells *cells, int l, int cell)
-{
-    float start = cells->lambert[l][cell], end = cells->lambert[l][cell + 1], middle = cells->middle[l][cell];
-
-    return (struct lines){f_set(middle), f_set((end - start) * (.5f / HALF_CELL)),
-                          f_set(((start - middle) + (end - middle)) * (.5f / HALF_CELL))};
-}
-
 /* One cell from its samples. */
 INLINE int draw_cell(const struct level_run *r, const struct cells *cells, int cell, bool grey, int lights,
                      const F half[2], uint16_t *out, uint16_t *list, int n)
@@ -221,15 +213,15 @@ INLINE int draw_cell(const struct level_run *r, const struct cells *cells, int c
         F sum[3] = {f_set(r->emission[0]), f_set(r->emission[1]), f_set(r->emission[2])};
         F at = f_add(f_iota(), f_set((float)(i - HALF_CELL)));
         for (int l = 0; l < lights; l++) {
-            struct lines lines = lines_of(cells, l, cell);
-            F lambert = f_max(zero, f_fma(f_abs(at), lines.bend, f_fma(at, lines.turn, lines.middle)));
+            F line = f_fma(at, f_set(cells->turn_of[l][cell]), f_set(cells->middle[l][cell]));
+            F lambert = f_max(zero, f_fma(f_abs(at), f_set(cells->bend_of[l][cell]), line));
             for (int c = 0; c < (grey ? 1 : 3); c++)
                 sum[c] = f_min(one, f_fma(lambert, f_set(cells->weight[l][c][cell]), sum[c]));
         }
         struct levels found = levels_of(sum, half[i / N & 1], near31, near63, grey);
         i_pack(found.red, found.green, found.blue, out + cell * LEVEL_CELL + i);
         if (__builtin_expect(m_any(m_not(found.sure)), 0))
-            n = note_open(found.sure, cell * LEVEL_CELL + i, N, list, n);
+            n = note_open(found.sure, cells->start + cell * LEVEL_CELL + i, N, list, n);
     }
     return n;
 }

@@ -164,6 +164,7 @@ INLINE struct levels levels_at(const struct level_run *r, const struct body *k, 
     return found;
 }
 
+#ifndef NOTE_OPEN /* a level may have a quicker one */
 INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
 {
     unsigned bits = m_bits(m_not(sure));
@@ -174,6 +175,7 @@ INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
         list[n++] = (uint16_t)(at + __builtin_ctz(bits));
     return n;
 }
+#endif
 
 /* Pixels first..end-1. */
 INLINE int draw_pixels(const struct level_run *r, const struct body *k, int first, int end, bool grey, int lights,
@@ -196,7 +198,7 @@ INLINE int draw_pixels(const struct level_run *r, const struct body *k, int firs
     return n;
 }
 
-/* The pixels listed, anywhere in the run; keeps those of the list that stay open. The list has room for N more. */
+/* The pixels listed, anywhere in the run; keeps those of the list that stay open. */
 INLINE int draw_listed(const struct level_run *r, const struct body *k, bool grey, int lights, int casts, uint16_t *out,
                        uint16_t *list, int count)
 {
@@ -232,25 +234,40 @@ INLINE int draw_listed(const struct level_run *r, const struct body *k, bool gre
 
 #include "cells.h"
 
-INLINE int draw_run(const struct level_run *r, uint16_t *out, uint16_t *list, bool grey, int lights, int casts)
+/* Pixels start..start + size - 1, at most LEVEL_BLOCK. */
+INLINE int draw_block(const struct level_run *r, const struct body *k, int start, int size, bool grey, int lights,
+                      int casts, uint16_t *out, uint16_t *list, int open)
 {
-    const struct body k = body_of(r);
-    int count = (r->count - 1) / LEVEL_CELL, n = 0;
     const F half[2] = {f_load(r->threshold), f_load(r->threshold + (N & 7))};
+    int count = (size - 1) / LEVEL_CELL, n = open;
     struct cells cells;
 
-    take_samples(r, &k, count + 1, lights, &cells);
-    judge_cells(r, &k, count, grey, lights, casts, &cells);
-    draw_flat(&cells, out);
+    cells.start = start;
+    cells.x0 = r->x0 + (float)start;
+    take_samples(r, k, count + 1, lights, &cells);
+    judge_cells(r, k, count, grey, lights, casts, &cells);
+    draw_flat(&cells, out + start);
     for (uint64_t left = cells.good & ~cells.flat; left; left &= left - 1)
-        n = draw_cell(r, &cells, __builtin_ctzll(left), grey, lights, half, out, list, n);
-    n = draw_listed(r, &k, grey, lights, casts, out, list, n);
+        n = draw_cell(r, &cells, __builtin_ctzll(left), grey, lights, half, out + start, list, n);
+    n = open + draw_listed(r, k, grey, lights, casts, out, list + open, n - open);
     for (int cell = 0; cell <= count;) { /* the last is for the rest, which has no cell */
         int first = __builtin_ctzll(~cells.good >> cell << cell);
         uint64_t next = cells.good >> first << first;
         cell = next ? __builtin_ctzll(next) : count + 1;
-        int end = next ? cell * LEVEL_CELL : r->count;
-        n = draw_pixels(r, &k, first * LEVEL_CELL, end, grey, lights, casts, out, list, n);
+        int end = next ? cell * LEVEL_CELL : size;
+        n = draw_pixels(r, k, start + first * LEVEL_CELL, start + end, grey, lights, casts, out, list, n);
+    }
+    return n;
+}
+
+INLINE int draw_run(const struct level_run *r, uint16_t *out, uint16_t *list, bool grey, int lights, int casts)
+{
+    const struct body k = body_of(r);
+    int n = 0;
+
+    for (int start = 0; start < r->count; start += LEVEL_BLOCK) {
+        int size = r->count - start < LEVEL_BLOCK ? r->count - start : LEVEL_BLOCK;
+        n = draw_block(r, &k, start, size, grey, lights, casts, out, list, n);
     }
     return n;
 }
@@ -289,6 +306,12 @@ static void nearer(const struct level_pair *pair, uint64_t *nearer, uint64_t *op
         *open &= ((uint64_t)1 << pair->count) - 1;
 }
 
-static const struct level_kernels kernels = {shade, nearer};
+static void fill(uint16_t *out, int count, uint16_t pixel)
+{
+    for (int i = 0; i < count; i++)
+        out[i] = pixel;
+}
+
+static const struct level_kernels kernels = {shade, nearer, fill};
 
 #endif

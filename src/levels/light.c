@@ -1,7 +1,6 @@
 /* light.c - a tile by a level: rows, runs of one object, and what becomes of each. */
 #include "exact.h"
 #include "level.h"
-#include "render/dither.h"
 #include "render/span/shade.h"
 #include "seen.h"
 
@@ -48,12 +47,6 @@ static void light_plain(const struct tia_view *view, struct tia_tile tile, const
 
 /* ---- rows ---- */
 
-static void fill(tia_rgb565 *out, int count, tia_rgb565 pixel)
-{
-    for (int i = 0; i < count; i++)
-        out[i] = pixel;
-}
-
 /* What the background, or a light itself, is drawn as: one colour, but for dithering. */
 struct flat {
     tia_rgb565 pixels[8];
@@ -89,39 +82,39 @@ static void light_flat(const struct tia_view *view, const struct level_span *spa
         flat->object = span->object;
     }
     if (!flat->dithered)
-        fill(out, count, flat->pixels[0]);
+        view->level->kernels->fill(out, count, flat->pixels[0]);
     else
         for (int i = 0; i < count; i++)
             out[i] = flat->pixels[i & 7];
 }
 
 static void light_part(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
-                       const num_u threshold[8], tia_rgb565 *out)
+                       const struct level_dither *dither, tia_rgb565 *out)
 {
     struct level_fine fine;
     struct level_run run;
-    uint16_t list[LEVEL_RUN + 64];
+    uint16_t list[LEVEL_RUN + LEVEL_MORE];
 
     if (!tia_level_fine(view, row, sphere, first, end, &fine) ||
         !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT)) {
-        tia_level_plain(view, sphere, first, row->y, end - first, threshold, out);
+        tia_level_plain(view, sphere, first, row->y, end - first, dither->threshold, out);
         return;
     }
-    tia_level_run(&fine, threshold, &run);
+    tia_level_run(&fine, dither, &run);
     int count = view->level->kernels->shade(&run, out, list);
-    tia_level_decide(&fine, list, count, threshold, out);
+    tia_level_decide(&fine, list, count, dither->threshold, out);
 }
 
 static void light_span(const struct tia_view *view, const struct level_row *row, const struct level_span *span,
-                       const num_u threshold[8], struct flat *flat, tia_rgb565 *out)
+                       const struct level_dither *dither, struct flat *flat, tia_rgb565 *out)
 {
     if (span->object >= view->scene->sphere_count) { /* as TIA_NO_OBJECT is */
-        light_flat(view, span, threshold, flat, out);
+        light_flat(view, span, dither->threshold, flat, out);
         return;
     }
     for (int x = span->first; x < span->end; x += LEVEL_RUN) {
         int end = span->end - x < LEVEL_RUN ? span->end : x + LEVEL_RUN;
-        light_part(view, row, span->object, x, end, threshold, out + (x - span->first));
+        light_part(view, row, span->object, x, end, dither, out + (x - span->first));
     }
 }
 
@@ -132,17 +125,16 @@ static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t 
 }
 
 static void light_row(const struct tia_view *view, const struct level_row *row, struct tia_tile tile,
-                      const struct level_line *line, const struct tia_surface *surface, bool dither, struct flat *flat)
+                      const struct level_line *line, const struct tia_surface *surface,
+                      const struct level_dither *dither, struct flat *flat)
 {
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
     bool direct = surface->step == sizeof(tia_rgb565);
     tia_rgb565 pixels[LEVEL_STRIP], *place = direct ? (tia_rgb565 *)(void *)out : pixels;
-    num_u threshold[8];
 
-    dither_thresholds(dither, row->y, threshold);
     for (int i = 0; i < line->count; i++) {
         const struct level_span *span = &line->spans[line->which][i];
-        light_span(view, row, span, threshold, flat, place + (span->first - (int)tile.x));
+        light_span(view, row, span, dither, flat, place + (span->first - (int)tile.x));
     }
     if (!direct)
         copy(pixels, tile.width, out, surface->step);
@@ -155,12 +147,15 @@ static void light_strip(const struct tia_view *view, struct tia_tile tile, const
     struct span guess[LEVEL_GUESSES] = {{0, 0}};
     struct level_line line;
     struct flat flat = {.known = false};
+    struct level_dither part_dither;
 
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         struct level_row row;
+        if (dither || y == (int)tile.y)
+            tia_level_dither(dither, y, &part_dither);
         tia_level_row(&spans->primary, y, &row);
         tia_level_find(view, &row, tile, guess, &line);
-        light_row(view, &row, tile, &line, surface, dither, &flat);
+        light_row(view, &row, tile, &line, surface, &part_dither, &flat);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "proved.h"
 
+#include "render/dither.h"
 #include "scene/colour.h"
 
 static const struct span_sphere *sphere_of(const struct level_fine *fine)
@@ -176,7 +177,14 @@ static void run_light(const struct level_fine *fine, const struct level_fine_lig
         run_cast(fine, from, j, &light->cast[j]);
 }
 
-void tia_level_run(const struct level_fine *fine, const num_u threshold[8], struct level_run *run)
+void tia_level_dither(bool on, int y, struct level_dither *dither)
+{
+    dither_thresholds(on, y, dither->threshold);
+    for (int i = 0; i < LEVEL_MORE; i++)
+        dither->half[i] = (float)((double)dither->threshold[i & 7] * 0x1p-30 - .5);
+}
+
+void tia_level_run(const struct level_fine *fine, const struct level_dither *dither, struct level_run *run)
 {
     const struct level_seen *seen = &fine->seen;
     const struct level_place *place = &fine->place;
@@ -204,8 +212,7 @@ void tia_level_run(const struct level_fine *fine, const num_u threshold[8], stru
         run->emission[c] = (float)fine->emission[c];
     run->near31 = (float)fine->near31;
     run->near63 = (float)fine->near63;
-    for (int i = 0; i < (int)(sizeof run->threshold / sizeof *run->threshold); i++)
-        run->threshold[i] = (float)((double)threshold[(fine->first + i) & 7] * 0x1p-30 - .5);
+    run->threshold = dither->half + (fine->first & 7);
     for (int l = 0; l < run->lights; l++)
         run_light(fine, &fine->light[l], &run->light[l]);
 }

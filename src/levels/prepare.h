@@ -39,7 +39,15 @@ bool tia_level_fine(const struct tia_view *view, const struct level_row *row, ui
 /* The bounds for an arithmetic; false when they are too large. */
 bool tia_level_fine_bounds(struct level_fine *fine, double unit, double cut);
 
-/* The kernels' constants; the bounds must be float's. */
-void tia_level_run(const struct level_fine *fine, const num_u threshold[8], struct level_run *run);
+/* A row's dithering. */
+struct level_dither {
+    num_u threshold[8];
+    float half[LEVEL_MORE]; /* the same less 1/2, for the kernels */
+};
+
+void tia_level_dither(bool on, int y, struct level_dither *dither);
+
+/* The kernels' constants; the bounds must be float's. The run keeps pointers into `dither`. */
+void tia_level_run(const struct level_fine *fine, const struct level_dither *dither, struct level_run *run);
 
 #endif

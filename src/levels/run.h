@@ -25,8 +25,10 @@
 
 #define LEVEL_LIGHTS 4
 #define LEVEL_CASTS 12
-#define LEVEL_RUN 1024 /* the most pixels */
-#define LEVEL_CELL 16  /* pixels from one sample to the next */
+#define LEVEL_RUN 2048   /* the most pixels */
+#define LEVEL_BLOCK 1024 /* of them, those that a kernel takes at once */
+#define LEVEL_MORE 32    /* entries behind a list or thresholds that kernels may read and write */
+#define LEVEL_CELL 16    /* pixels from one sample to the next */
 
 /* A sphere that may stand between a run and a light. */
 struct level_cast {
@@ -66,8 +68,8 @@ struct level_run {
     float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
     float d_sag;          /* how far D may be below the smaller of two samples' */
     float emission[3];
-    float near31, near63;    /* half a level less the bound */
-    float threshold[8 + 16]; /* less 1/2, from the run's first pixel on, with period 8 */
+    float near31, near63;   /* half a level less the bound */
+    const float *threshold; /* less 1/2, from the run's first pixel on, with period 8 */
     struct level_light light[LEVEL_LIGHTS];
 };
 
@@ -84,11 +86,14 @@ struct level_pair {
 };
 
 struct level_kernels {
-    /* Draws the pixels that can be decided and writes what it likes to the others, whose places it lists: how many. */
+    /* Draws the pixels that can be decided and writes what it likes to the others, whose places it lists: how many. The
+     * list has room for LEVEL_MORE besides all pixels. */
     int (*shade)(const struct level_run *run, uint16_t *out, uint16_t *list);
 
     /* Bit i: the first body is nearer in pixel i; nobody can say. */
     void (*nearer)(const struct level_pair *pair, uint64_t *nearer, uint64_t *open);
+
+    void (*fill)(uint16_t *out, int count, uint16_t pixel);
 };
 
 #endif
