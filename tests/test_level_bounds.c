@@ -5,7 +5,7 @@
 #include "check.h"
 #include "corpus/corpus.h"
 #include "edge_scene.h"
-#include "levels/prepare.h"
+#include "levels/kept.h"
 #include "levels/proved.h"
 
 #include <stdlib.h>
@@ -81,10 +81,10 @@ static void try_run(const struct tia_view *view, const struct level_row *row, ui
         span.end = span.first + LEVEL_RUN;
     if (span.first >= span.end || !tia_level_fine(view, row, sphere, span.first, span.end, &fine))
         return;
-    if (tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT))
+    if (tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, NULL))
         for (int i = 0; i < span.end - span.first; i += 3)
             try_float(&fine, i);
-    if (!tia_level_fine_bounds(&fine, 0, LEVEL_DOUBLE_CUT))
+    if (!tia_level_fine_bounds(&fine, 0, LEVEL_DOUBLE_CUT, NULL))
         return;
     for (int i = 0; i < span.end - span.first; i += 5) {
         double x = fine.place.low + i, *d = fine.seen.d;

@@ -6,7 +6,7 @@
 #define CELLS (LEVEL_BLOCK / LEVEL_CELL)
 #define SAMPLES (CELLS + 2 * N)
 #define HALF_CELL (LEVEL_CELL / 2)
-#define FAINT_CELL .06f /* of a level that interpolating may cost before it pays no more */
+#define FAINT_CELL .12f /* of a level that interpolating may cost before it pays no more */
 
 struct cells {
     int start; /* pixels of the run before these */
@@ -171,10 +171,11 @@ INLINE void judge_cells(const struct level_run *r, const struct body *k, int cou
     for (int i = 0; i < count; i += N) {
         F x = f_fma(f_add(f_iota(), f_set((float)i + .5f)), f_set(LEVEL_CELL), f_set(cells->x0));
         struct value o = value_at(k, x);
-        struct gained gained = {.lost = f_set(0)};
+        struct gained gained;
         M good;
         struct motion p = motion_over(r, cells, i, &good);
-        for (int c = 0; c < 3; c++)
+        gained.lost = f_set(0);
+        for (int c = 0; c < (grey ? 1 : 3); c++)
             gained.low[c] = gained.high[c] = f_set(r->emission[c]);
         for (int l = 0; l < lights; l++)
             good = m_and(good, light_cells(r, l, x, &o, &p, cells, i, &gained, grey ? 1 : 3,

@@ -44,6 +44,11 @@ static enum shadow shadow_at(const struct level_fine_cast *cast, double swell, c
     return delta > bound && a > ea && a - w < -beyond ? DARK : OPEN;
 }
 
+static double at_most_1(double a)
+{
+    return a > 1 ? 1 : a;
+}
+
 /* Adds a light to the colour; false when nobody can say how much. */
 static bool add_light(const struct level_fine_light *light, const struct pixel *p, double sum[3])
 {
@@ -63,17 +68,19 @@ static bool add_light(const struct level_fine_light *light, const struct pixel *
             tint[c] *= lamp->cast[j].through[c];
     }
     for (int c = 0; c < 3; c++)
-        sum[c] = fmin(1, sum[c] + fmin(1, lambert) * tint[c] * lamp->colour[c]);
+        sum[c] = at_most_1(sum[c] + at_most_1(lambert) * tint[c] * lamp->colour[c]);
     return true;
 }
 
 /* A channel's level; false when it is too near to another. */
 static bool quantise(double channel, double levels, double half, double near, unsigned *level)
 {
-    double y = channel * levels + half, whole = floor(y + .5);
+    double y = channel * levels + half;
 
-    *level = (unsigned)whole;
-    return fabs(y - whole) <= near;
+    if (!(y >= -.5 && y < 64))
+        return false;
+    *level = (unsigned)(y + .5);
+    return fabs(y - (int)*level) <= near;
 }
 
 static bool decide(const struct level_fine *fine, int i, double half, tia_rgb565 *out)
@@ -81,7 +88,7 @@ static bool decide(const struct level_fine *fine, int i, double half, tia_rgb565
     const double *b = fine->seen.b, *d = fine->seen.d;
     struct pixel p = {.x = fine->place.low + i};
     double depth = d[0] + p.x * (d[1] + p.x * d[2]), sum[3] = {fine->emission[0], fine->emission[1], fine->emission[2]};
-    unsigned r, g, blue;
+    unsigned r = 0, g = 0, blue = 0;
 
     if (!(depth >= fine->depth.cut))
         return false;
@@ -97,10 +104,10 @@ static bool decide(const struct level_fine *fine, int i, double half, tia_rgb565
     return sure;
 }
 
-void tia_level_decide(struct level_fine *fine, const uint16_t *list, int count, const num_u threshold[8],
-                      tia_rgb565 *out)
+void tia_level_decide(struct level_fine *fine, struct level_kept *kept, const uint16_t *list, int count,
+                      const num_u threshold[8], tia_rgb565 *out)
 {
-    bool fit = count > 0 && tia_level_fine_bounds(fine, LEVEL_DOUBLE, LEVEL_DOUBLE_CUT);
+    bool fit = count > 0 && tia_level_fine_bounds(fine, LEVEL_DOUBLE, LEVEL_DOUBLE_CUT, kept);
 
     for (int i = 0; i < count; i++) {
         int x = fine->first + list[i];

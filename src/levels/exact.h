@@ -2,15 +2,16 @@
 #ifndef TIA_LEVELS_EXACT_H
 #define TIA_LEVELS_EXACT_H
 
-#include "prepare.h"
+#include "kept.h"
 
 /* Pixels x .. x + count - 1 of row y, which all see the sphere, by the integer code. */
 void tia_level_plain(const struct tia_view *view, uint32_t sphere, int x, int y, int count, const num_u threshold[8],
                      tia_rgb565 *out);
 
 /* The run's pixels listed, counted from its first: in double precision, and what that leaves open by the integer
- * code. `out` is the run's first pixel. */
-void tia_level_decide(struct level_fine *fine, const uint16_t *list, int count, const num_u threshold[8],
-                      tia_rgb565 *out);
+ * code. `out` is the run's first pixel, `kept` for bounds in
+ * double precision. */
+void tia_level_decide(struct level_fine *fine, struct level_kept *kept, const uint16_t *list, int count,
+                      const num_u threshold[8], tia_rgb565 *out);
 
 #endif

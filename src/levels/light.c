@@ -54,6 +54,13 @@ struct flat {
     bool known, dithered; /* then by the row */
 };
 
+/* What rows hand on to the next. */
+struct carried {
+    struct flat flat;
+    struct level_dither dither;
+    struct level_shelf shelves[LEVEL_SHELVES];
+};
+
 static void find_flat(const struct span_view *spans, const struct tia_rgb *colour, int first, const num_u threshold[8],
                       struct flat *flat)
 {
@@ -66,9 +73,11 @@ static void find_flat(const struct span_view *spans, const struct tia_rgb *colou
     spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, first, 8, flat->pixels);
 }
 
-static void light_flat(const struct tia_view *view, const struct level_span *span, const num_u threshold[8],
-                       struct flat *flat, tia_rgb565 *out)
+static void light_flat(const struct tia_view *view, const struct level_span *span, struct carried *carried,
+                       tia_rgb565 *out)
 {
+    const num_u *threshold = carried->dither.threshold;
+    struct flat *flat = &carried->flat;
     const struct tia_scene *scene = view->scene;
     bool light = span->object != TIA_NO_OBJECT;
     int count = span->end - span->first;
@@ -89,32 +98,34 @@ static void light_flat(const struct tia_view *view, const struct level_span *spa
 }
 
 static void light_part(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
-                       const struct level_dither *dither, tia_rgb565 *out)
+                       struct carried *carried, tia_rgb565 *out)
 {
+    const num_u *threshold = carried->dither.threshold;
     struct level_fine fine;
     struct level_run run;
     uint16_t list[LEVEL_RUN + LEVEL_MORE];
 
-    if (!tia_level_fine(view, row, sphere, first, end, &fine) ||
-        !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT)) {
-        tia_level_plain(view, sphere, first, row->y, end - first, dither->threshold, out);
+    bool good = tia_level_fine(view, row, sphere, first, end, &fine);
+    struct level_shelf *shelf = good ? level_shelf_of(carried->shelves, &fine) : NULL;
+    if (!good || !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, &shelf->single)) {
+        tia_level_plain(view, sphere, first, row->y, end - first, threshold, out);
         return;
     }
-    tia_level_run(&fine, dither, &run);
+    tia_level_run(&fine, &carried->dither, &run);
     int count = view->level->kernels->shade(&run, out, list);
-    tia_level_decide(&fine, list, count, dither->threshold, out);
+    tia_level_decide(&fine, &shelf->fine, list, count, threshold, out);
 }
 
 static void light_span(const struct tia_view *view, const struct level_row *row, const struct level_span *span,
-                       const struct level_dither *dither, struct flat *flat, tia_rgb565 *out)
+                       struct carried *carried, tia_rgb565 *out)
 {
     if (span->object >= view->scene->sphere_count) { /* as TIA_NO_OBJECT is */
-        light_flat(view, span, dither->threshold, flat, out);
+        light_flat(view, span, carried, out);
         return;
     }
     for (int x = span->first; x < span->end; x += LEVEL_RUN) {
         int end = span->end - x < LEVEL_RUN ? span->end : x + LEVEL_RUN;
-        light_part(view, row, span->object, x, end, dither, out + (x - span->first));
+        light_part(view, row, span->object, x, end, carried, out + (x - span->first));
     }
 }
 
@@ -125,8 +136,7 @@ static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t 
 }
 
 static void light_row(const struct tia_view *view, const struct level_row *row, struct tia_tile tile,
-                      const struct level_line *line, const struct tia_surface *surface,
-                      const struct level_dither *dither, struct flat *flat)
+                      const struct level_line *line, const struct tia_surface *surface, struct carried *carried)
 {
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
     bool direct = surface->step == sizeof(tia_rgb565);
@@ -134,7 +144,7 @@ static void light_row(const struct tia_view *view, const struct level_row *row, 
 
     for (int i = 0; i < line->count; i++) {
         const struct level_span *span = &line->spans[line->which][i];
-        light_span(view, row, span, dither, flat, place + (span->first - (int)tile.x));
+        light_span(view, row, span, carried, place + (span->first - (int)tile.x));
     }
     if (!direct)
         copy(pixels, tile.width, out, surface->step);
@@ -146,16 +156,18 @@ static void light_strip(const struct tia_view *view, struct tia_tile tile, const
     const struct span_view *spans = span_view_of(view);
     struct span guess[LEVEL_GUESSES] = {{0, 0}};
     struct level_line line;
-    struct flat flat = {.known = false};
-    struct level_dither part_dither;
+    struct carried carried;
 
+    carried.flat.known = false;
+    for (int i = 0; i < LEVEL_SHELVES; i++)
+        carried.shelves[i].single.known = carried.shelves[i].fine.known = false;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         struct level_row row;
         if (dither || y == (int)tile.y)
-            tia_level_dither(dither, y, &part_dither);
+            tia_level_dither(dither, y, &carried.dither);
         tia_level_row(&spans->primary, y, &row);
         tia_level_find(view, &row, tile, guess, &line);
-        light_row(view, &row, tile, &line, surface, &part_dither, &flat);
+        light_row(view, &row, tile, &line, surface, &carried);
     }
 }
 

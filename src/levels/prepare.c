@@ -2,15 +2,8 @@
 
 #include <math.h>
 
-#include "proved.h"
-
 #include "render/dither.h"
 #include "scene/colour.h"
-
-static const struct span_sphere *sphere_of(const struct level_fine *fine)
-{
-    return &span_view_of(fine->view)->spheres[fine->sphere];
-}
 
 static void cast_forms(const struct level_fine *fine, const struct level_fine_light *light,
                        const struct level_caster *from, struct level_fine_cast *cast)
@@ -60,7 +53,7 @@ bool tia_level_fine(const struct tia_view *view, const struct level_row *row, ui
     if (view->light_count > LEVEL_LIGHTS)
         return false;
     tia_level_place(&spans->primary, row, first, end, &fine->place);
-    if (!tia_level_see(&spans->primary, row, &fine->place, sphere_of(fine), &fine->seen))
+    if (!tia_level_see(&spans->primary, row, &fine->place, level_sphere_of(fine), &fine->seen))
         return false;
     fine->grey = spans->grey && colour_is_grey(&material->colour) && colour_is_grey(&material->emission);
     fine->emission[0] = (double)material->emission.r * 0x1p-30;
@@ -70,54 +63,6 @@ bool tia_level_fine(const struct tia_view *view, const struct level_row *row, ui
         if (!light_forms(fine, l))
             return false;
     return true;
-}
-
-static double size_of(const double form[2], const struct level_place *place)
-{
-    return fabs(form[0]) + fabs(form[1]) * place->reach;
-}
-
-static bool light_bounds(struct level_fine *fine, struct level_fine_light *light, double unit)
-{
-    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
-    const struct level_lamp *lamp = light->lamp;
-
-    tia_level_bound_light(primary, lamp, &fine->place, &fine->depth, unit, size_of(light->g, &fine->place),
-                          size_of(light->q, &fine->place), &light->bounds);
-    if (!(light->bounds.lambert < .01))
-        return false;
-    for (int j = 0; j < lamp->casts; j++) {
-        struct level_fine_cast *cast = &light->cast[j];
-        tia_level_bound_cast(primary, lamp, &lamp->cast[j], &fine->place, &fine->depth, &light->bounds, unit,
-                             size_of(cast->a + 1, &fine->place), size_of(cast->k + 1, &fine->place), &cast->bounds);
-    }
-    return true;
-}
-
-/* A colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, LEVEL_COLOUR
- * units and 2^-30 a light and as many a caster; interpolating takes LEVEL_LINE units more. max, min and the clamps only
- * bring values nearer. A level: as many times that, and 6 units of 63 for scaling and rounding. */
-bool tia_level_fine_bounds(struct level_fine *fine, double unit, double cut)
-{
-    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
-    double off[3] = {0, 0, 0}, step = LEVEL_COLOUR * unit + 0x1p-30;
-
-    tia_level_depth(primary, fine->row, &fine->place, sphere_of(fine), &fine->seen, unit, cut, &fine->depth);
-    if (!(fine->depth.es + fine->depth.et < .01))
-        return false;
-    for (uint32_t l = 0; l < fine->view->light_count; l++) {
-        struct level_fine_light *light = &fine->light[l];
-        if (!light_bounds(fine, light, unit))
-            return false;
-        for (int c = 0; c < 3; c++)
-            off[c] +=
-                light->lamp->colour[c] * (light->bounds.lambert + LEVEL_LINE * unit) + step * (1 + light->lamp->casts);
-    }
-    double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
-
-    fine->near31 = .5 - (31 * side + 31 * 6 * unit) * 1.01 - 6 * unit;
-    fine->near63 = .5 - (63 * green + 63 * 6 * unit) * 1.01 - 6 * unit;
-    return fine->near31 > .1 && fine->near63 > .1;
 }
 
 /* ---- for the kernels ---- */

@@ -36,8 +36,10 @@ struct level_fine {
 bool tia_level_fine(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
                     struct level_fine *fine);
 
-/* The bounds for an arithmetic; false when they are too large. */
-bool tia_level_fine_bounds(struct level_fine *fine, double unit, double cut);
+static inline const struct span_sphere *level_sphere_of(const struct level_fine *fine)
+{
+    return &span_view_of(fine->view)->spheres[fine->sphere];
+}
 
 /* A row's dithering. */
 struct level_dither {
