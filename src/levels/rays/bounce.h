@@ -120,7 +120,7 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.d = f->to;
         next.p.ed = f->eto;
         next.p.from = leaving(h, next.p.d, next.p.ed, -1, 0);
-        push(w, bends, &next, false);
+        push(w, bends, &next, true, false);
     }
     if (straight) {
         next.p.o = v3_along(h->point, h->viewer, vset(-s->bias));
@@ -128,7 +128,7 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.d = r->p.d;
         next.p.ed = r->p.ed;
         next.p.from = leaving(h, next.p.d, next.p.ed, -1, SURE_2(6));
-        push(w, straight, &next, true);
+        push(w, straight, &next, true, true);
     }
 }
 
@@ -150,7 +150,7 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     next.p.d =
         v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->en + h->ev + SURE_2(48), &next.p.ed);
     next.p.from = leaving(h, next.p.d, next.p.ed, 1, 0);
-    push(w, lanes, &next, false);
+    push(w, lanes, &next, false, false);
 }
 
 static void bounce(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r)

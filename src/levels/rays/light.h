@@ -2,7 +2,6 @@
 #ifndef TIA_LEVELS_RAYS_LIGHT_H
 #define TIA_LEVELS_RAYS_LIGHT_H
 
-#include "math/trig.h"
 #include "power.h"
 #include "surface.h"
 
@@ -39,37 +38,6 @@ static void aim_at(const struct sure_light *l, const struct shade *h, struct aim
     a->axes[1] = v3_set(l->axes[1]);
     if (l->from->kind == TIA_SPHERE_LIGHT)
         aim_at_sphere(l, h, a);
-}
-
-/* The four bits of i in reverse order. */
-LANE_OP unsigned mirrored(unsigned i)
-{
-    return (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
-}
-
-LANE_OP double sine(unsigned v)
-{
-    unsigned place = v & 63;
-    double s = sure_cosine(tia_sines[v & 64 ? 64 - place : place]);
-
-    return v & 128 ? -s : s;
-}
-
-/* Where sample i lies along the axes, in a pixel of that class: see trace/light.c. */
-LANE_OP void place_of(const struct sure_light *l, unsigned i, unsigned class, double at[2])
-{
-    unsigned n = l->from->samples;
-    double u = (double)((32 * i + 16 + 2 * n * class) % (32 * n)) / (32 * n);
-    unsigned v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
-
-    if (l->from->kind == TIA_RECTANGLE_LIGHT) {
-        at[0] = u * 2 - 1;
-        at[1] = ((double)v - 128) / 128;
-        return;
-    }
-    double r = l->radius * __builtin_sqrt(u);
-    at[0] = r * sine(v + 64);
-    at[1] = r * sine(v);
 }
 
 /* How much of a light arrives: its attenuation, and the falloff of a spot light. */
@@ -138,8 +106,9 @@ static void sample_of(const struct sure_light *l, const struct aim *a, const str
     if (l->from->kind >= TIA_RECTANGLE_LIGHT) {
         double place[2][LANES];
         for (int k = 0; k < LANES; k++) {
-            double at[2];
-            place_of(l, i, class[k], at);
+            double other[2], *at = l->place ? l->place[class[k]][i] : other;
+            if (!l->place)
+                tia_sure_place(l, i, class[k], at);
             place[0][k] = at[0];
             place[1][k] = at[1];
         }

@@ -1,4 +1,5 @@
 /* lights.c - lights in double precision, and how bright a ray can be. */
+#include "math/trig.h"
 #include "sure.h"
 
 static void set_area(struct sure_light *to, const struct ray_light *l)
@@ -38,6 +39,47 @@ static void set_light(struct sure_light *to, const struct ray_light *l)
     to->unit = sure_cosine(l->unit);
     if (l->kind >= TIA_RECTANGLE_LIGHT)
         set_area(to, l);
+}
+
+/* The four bits of i in reverse order. */
+static unsigned mirrored(unsigned i)
+{
+    return (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
+}
+
+static double sine(unsigned v)
+{
+    unsigned place = v & 63;
+    double s = sure_cosine(tia_sines[v & 64 ? 64 - place : place]);
+
+    return v & 128 ? -s : s;
+}
+
+void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, double at[2])
+{
+    unsigned n = l->from->samples;
+    double u = (double)((32 * i + 16 + 2 * n * class) % (32 * n)) / (32 * n);
+    unsigned v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
+
+    if (l->from->kind == TIA_RECTANGLE_LIGHT) {
+        at[0] = u * 2 - 1;
+        at[1] = ((double)v - 128) / 128;
+        return;
+    }
+    double r = l->radius * __builtin_sqrt(u);
+    at[0] = r * sine(v + 64);
+    at[1] = r * sine(v);
+}
+
+static void set_places(struct sure_light *l, double (*places)[SURE_PLACES][2])
+{
+    l->place = NULL;
+    if (!places || l->from->kind < TIA_RECTANGLE_LIGHT || l->from->samples > SURE_PLACES)
+        return;
+    for (unsigned class = 0; class < 16; class ++)
+        for (unsigned i = 0; i < l->from->samples; i++)
+            tia_sure_place(l, i, class, places[class][i]);
+    l->place = places;
 }
 
 /* What a surface sends by itself at most, and what of light from elsewhere. */
@@ -96,7 +138,9 @@ void tia_sure_set_lights(struct tia_view *view)
     struct sure_scene *s = tia_sure_scene(view);
 
     s->light_count = s->view->light_count;
-    for (uint32_t i = 0; i < s->light_count; i++)
+    for (uint32_t i = 0; i < s->light_count; i++) {
         set_light(&s->lights[i], &s->view->lights[i]);
+        set_places(&s->lights[i], i < SURE_AREAS ? s->places[i] : NULL);
+    }
     set_brightest(s);
 }

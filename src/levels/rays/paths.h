@@ -2,6 +2,7 @@
 #ifndef TIA_LEVELS_RAYS_PATHS_H
 #define TIA_LEVELS_RAYS_PATHS_H
 
+#include "check.h"
 #include "light.h"
 #include "render/whitted/media.h"
 
@@ -100,12 +101,13 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
 }
 
 /* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
-static void push(struct work *w, unsigned lanes, struct rays *next, bool straight)
+static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
 {
     vd top = most3(next->weight), least = vset(SURE_2(16)), margin = next->ew + SURE_2(40);
     unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
     double number[COLUMNS][LANES];
 
+    (void)refracted; /* for the check alone */
     give_up(w, lanes & ~(yes | no), next, vset(1));
     for (int i = 0; i < COLUMNS; i++)
         vstore(number[i], *column_of(next, i));
@@ -116,6 +118,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool straigh
             mark(w, next->slot[k]);
             continue;
         }
+        check_push(w->count, refracted);
         struct item *to = &w->items[w->count++];
         for (int i = 0; i < COLUMNS; i++)
             to->number[i] = number[i][k];
@@ -138,6 +141,7 @@ static unsigned pop(struct work *w, struct rays *r)
     }
     for (int k = 0; k < LANES && w->count; k++) {
         const struct item *from = &w->items[--w->count];
+        check_pop(w->count);
         bool open = !(w->block->unsure >> from->slot & 1);
         lanes |= (unsigned)open << k;
         for (int i = 0; i < COLUMNS; i++)

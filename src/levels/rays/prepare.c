@@ -27,6 +27,7 @@ struct places {
     struct sure_places of;
     struct sure_material *materials;
     struct sure_light *lights;
+    double (*places)[16][SURE_PLACES][2];
 };
 
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
@@ -47,6 +48,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
     p->of.instances = take(room, scene->shape_count, sizeof *p->of.instances);
     p->materials = take(room, scene->material_count, sizeof *p->materials);
     p->lights = take(room, light_capacity, sizeof *p->lights);
+    p->places = take(room, light_capacity < SURE_AREAS ? light_capacity : SURE_AREAS, sizeof *p->places);
     return room->used;
 }
 
@@ -206,6 +208,7 @@ void tia_sure_prepare(struct tia_view *view)
         set_material(&places.materials[i], &scene->materials[i], scene->textures);
     s->materials = places.materials;
     s->lights = places.lights;
+    s->places = places.places;
     s->unbounded = scene->bvh->unbounded;
     s->unbounded_count = scene->bvh->unbounded_count;
     s->depth = s->view->depth;

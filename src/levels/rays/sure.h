@@ -102,6 +102,9 @@ struct sure_material {
     double cells[2][3], repeat[2], offset[2];
 };
 
+#define SURE_PLACES 64 /* samples of a light at most whose places are kept, */
+#define SURE_AREAS 16  /* and lights */
+
 struct sure_light {
     const struct ray_light *from;
     double at[3], emission[3], radius;
@@ -111,6 +114,7 @@ struct sure_light {
     double inner, outer;                      /* cosines of a spot light */
     double constant, linear, quadratic, unit; /* of one that fades */
     bool seen;
+    double (*place)[SURE_PLACES][2]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
 };
 
 struct sure_camera {
@@ -126,6 +130,7 @@ struct sure_scene {
     const struct sure_object *object;
     struct sure_material *materials;
     struct sure_light *lights;
+    double (*places)[16][SURE_PLACES][2]; /* of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
     double brightest;         /* no ray has a colour above that */
@@ -208,6 +213,9 @@ struct sure_places {
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
+
+/* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
+void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
 /* By the integers: the colour of sample i of a pixel, not clamped. */
 void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);

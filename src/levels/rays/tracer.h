@@ -48,6 +48,8 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     for (uint32_t n = 0; n < s->light_count; n++)
         add_light(s, n, h, mof(*lanes), class, &w->blocker[n % BLOCKERS], &lit);
     drop(lanes, w, lit.unsure, r);
+    if (*lanes)
+        check_own(&lit);
     vd top = most3(lit.own);
     for (int c = 0; c < 3; c++)
         lit.own[c] = lit.own[c] * r->weight[c];
@@ -63,6 +65,8 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
     find_nearest(s, &q, &r->p, mof(lanes));
     vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
     drop(&lanes, w, mnot(mor(sky, vlt(q.t + q.e, q.low))), r);
+    if (lanes)
+        check_met(r, &q);
     add_far(w, &lanes, &q, r);
     if (!lanes)
         return;
@@ -70,6 +74,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
     drop(&lanes, w, h.unsure, r);
     if (!lanes)
         return;
+    check_surface(&h);
     add_own(w, &lanes, &h, r);
     if (lanes)
         bounce(w, &h, lanes, r);
@@ -136,6 +141,7 @@ static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
     r->weight[0] = r->weight[1] = r->weight[2] = vset(1);
     r->ew = vset(0);
     camera_rays(&b->scene->camera, x, y, &r->p);
+    check_camera(b, r);
     return lanes;
 }
 
