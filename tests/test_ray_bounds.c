@@ -14,7 +14,7 @@
 #define SURE_CHECK
 #include "levels/rays/one.h"
 
-static unsigned random_scenes = 8;
+static unsigned random_scenes = 150;
 
 enum { ORIGIN, DIRECTION, DISTANCE, POINT, GEOMETRIC, NORMAL, OWN, COLOUR, BOUNDS };
 static const char *const names[BOUNDS] = {"origin",           "direction", "distance",           "point",

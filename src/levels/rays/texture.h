@@ -2,6 +2,8 @@
 #ifndef TIA_LEVELS_RAYS_TEXTURE_H
 #define TIA_LEVELS_RAYS_TEXTURE_H
 
+#include "math/atan2.h"
+#include "render/geometry/round.h"
 #include "vector.h"
 
 /* A point in the axes of its object, and what was hit there. */
@@ -114,7 +116,59 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     return true;
 }
 
-/* False where they are for the integers: what asks for angles. */
+/* atan2(y, x)/(2 pi) by the integers' own function, of a vector of length 1 or less within e: the angle is within e
+ * over its length. False where that is too much, and near the jump at 1/2. */
+static bool angle_of(double y, double x, double e, double *angle, double *bound)
+{
+    double size = __builtin_sqrt(x * x + y * y), full = (double)(INT64_C(1) << 62);
+
+    if (!(16 * e < size) || size < SURE_2(12) || size > 1.0625 || (x < 0 && __builtin_fabs(y) <= e))
+        return false;
+    *angle = sure_cosine(tia_atan2((int64_t)(y * full * 0.75), (int64_t)(x * full * 0.75)));
+    *bound = 0.1875 * e / size + SURE_2(50);
+    return true;
+}
+
+static bool sphere_coordinates(const struct texture_point *p, struct coordinates *c)
+{
+    const double *at = p->object->at, v[3] = {p->at[0] - at[0], p->at[1] - at[1], p->at[2] - at[2]};
+    double size = __builtin_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), e = 1.0625 * p->e / size + SURE_2(49);
+    double aside = __builtin_sqrt(v[0] * v[0] + v[2] * v[2]), u, w, eu, ew;
+
+    if (!(16 * p->e < size) || !angle_of(v[2] / size, v[0] / size, e, &u, &eu) ||
+        !angle_of(aside / size, v[1] / size, e + SURE_2(46), &w, &ew))
+        return false;
+    c->uv[0] = 0.5 - u;
+    c->uv[1] = 1 - 2 * w;
+    c->e = eu + 2 * ew + 2 * UNIT;
+    return true;
+}
+
+/* Caps are discs, see cap_uv. */
+static bool round_coordinates(const struct texture_point *p, struct coordinates *c)
+{
+    const struct sure_round *k = p->object->round;
+    const double v[3] = {p->at[0] - k->base[0], p->at[1] - k->base[1], p->at[2] - k->base[2]};
+    double right = along(v, k->across[0]), down = along(v, k->across[1]), e = p->e + size_of(v) * SURE_2(49) + 2 * UNIT;
+    double radius = p->element == ROUND_BASE ? k->base_radius : k->top_radius, size, u, eu;
+
+    if (p->element != ROUND_SIDE) {
+        bool upright = k->axis[0] == 0 && k->axis[2] == 0, base = p->element == ROUND_BASE;
+        c->uv[0] = (radius + (base && !upright ? -right : right)) / (2 * radius);
+        c->uv[1] = (radius - (base && upright ? -down : down)) / (2 * radius);
+        c->e = e / (2 * radius) + 2 * UNIT + SURE_2(50);
+        return true;
+    }
+    size = __builtin_sqrt(right * right + down * down);
+    if (!(16 * e < size) || !angle_of(down / size, right / size, 1.0625 * e / size + SURE_2(50), &u, &eu))
+        return false;
+    c->uv[0] = 0.5 - u;
+    c->uv[1] = along(v, k->axis) / k->length;
+    c->e = eu + e / k->length + 2 * UNIT + SURE_2(50);
+    return true;
+}
+
+/* False where they are for the integers: at poles, along seams, and in faces that are too small. */
 static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -136,6 +190,10 @@ static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
     case SURE_MESH:
     case SURE_TRIANGLE:
         return face_coordinates(p, c);
+    case SURE_SPHERE:
+        return sphere_coordinates(p, c);
+    case SURE_ROUND:
+        return round_coordinates(p, c);
     default:
         return false;
     }
