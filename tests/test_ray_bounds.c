@@ -2,7 +2,7 @@
  * measured. None may be exceeded; the largest part of each is told.
  *
  *     test_ray_bounds            as many scenes as seconds allow
- *     test_ray_bounds N          N random scenes */
+ *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/levels) */
 #include <math.h>
 #include <stdlib.h>
 

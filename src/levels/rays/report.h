@@ -24,10 +24,14 @@ LANE_OP void report_any(struct query *q, const struct report *r)
     q->blocker = many(before) ? q->index : q->blocker;
 }
 
+/* The integers meet nothing beyond 2^17: what may be there is for them. */
 LANE_OP void report(struct query *q, struct report r)
 {
-    r.sure = mand(r.sure, q->active);
-    r.may = mand(r.may, q->active);
+    vm far = mand(r.sure, mnot(vlt(r.t + r.e, vset(131072))));
+
+    r.low = vsel(far, r.t - r.e, r.low);
+    r.may = mand(mor(r.may, far), q->active);
+    r.sure = mand(mand(r.sure, mnot(far)), q->active);
     if (q->any) {
         report_any(q, &r);
         return;

@@ -147,6 +147,7 @@ static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
 
 static void trace(struct sure_block *b)
 {
+    const struct tia_view *view = b->scene->view->view;
     int count = b->width * b->height * b->samples;
     struct work w;
     struct rays r;
@@ -161,11 +162,11 @@ static void trace(struct sure_block *b)
         w.class[i] = (uint8_t)ray_pixel_class(b->x + pixel % b->width, b->y + pixel / b->width);
         b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w.rays[i] = 0;
     }
-    for (int from = 0; from < count; from += LANES) {
+    for (int from = 0; from < count && !view_stops(view); from += LANES) {
         unsigned lanes = first_rays(b, from, &r);
         follow(&w, &r, lanes);
     }
-    while (w.count) {
+    while (w.count && !view_stops(view)) {
         unsigned lanes = pop(&w, &r);
         if (lanes)
             follow(&w, &r, lanes);
