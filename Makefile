@@ -150,7 +150,8 @@ NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 # where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
 LEVELS_SRC := $(filter src/levels/%,$(CORE_SRC))
 CORE_SRC  := $(filter-out src/levels/%,$(CORE_SRC))
-LEVEL_NAMES := sse41 avx2 avx512 neon neon32
+LEVEL_NAMES := scalar sse41 avx2 avx512 neon neon32
+flags_scalar :=
 flags_sse41  := -msse4.1
 flags_avx2   := -mavx2 -mfma
 flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
@@ -159,7 +160,7 @@ flags_neon32 := -mfpu=neon
 LEVELS ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is asked with a line for each level.
 LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
-LEVELS_SRC := $(filter-out $(patsubst %,src/levels/%.c,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES))),$(LEVELS_SRC))
+LEVELS_SRC := $(filter-out $(foreach l,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(LEVELS_SRC))
 HAVE_LEVELS := $(addprefix -DTIA_HAVE_,$(shell echo $(LEVELS_HAD) | tr a-z A-Z))
 # Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow read scene/bvh scene/shapes render/geometry render/trace render/whitted render/raster)),$(CORE_SRC)) \
@@ -213,7 +214,8 @@ $(BUILD)/f64/%.o: %.c
 $(BUILD)/f32/%.o: %.c
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
 $(BUILD)/levels/src/levels/%.o: src/levels/%.c
-	$(call compile,CC,$(filter-out -ffreestanding,$(CORE)) $(flags_$*) -fno-math-errno -ffp-contract=off)
+	$(call compile,CC,$(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $*)) -fno-math-errno \
+	    -ffp-contract=$(if $(filter rays/%,$*),fast,off))
 $(BUILD)/levels/port/levels/%.o: port/levels/%.c
 	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
 $(BUILD)/host/%.o: %.c

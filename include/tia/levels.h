@@ -1,16 +1,17 @@
-/* levels.h - vector units: scenes of spheres many times as fast, with the same bits as plain C.
+/* levels.h - vector units: pictures several times as fast, with the same bits as plain C.
  *
- * A level is a set of a processor's instructions, such as AVX2. Levels are a library of their own, libtia-levels.a,
- * for programs on an operating system; libtia.a alone has none, contains no floating point and links without it.
- * A program picks a level, asks how much memory it needs, and hands it to a view that has been prepared:
+ * A level is a set of a processor's instructions, such as AVX2; "scalar" is none, with floating point. Levels are a
+ * library of their own, libtia-levels.a, for programs on an operating system; libtia.a alone has none, contains no
+ * floating point and links without it. A program picks a level, asks how much memory it needs, and hands it to a view
+ * that has been prepared:
  *
  *     level = tia_level_best();
  *     size_t size = tia_level_size(level, scene, light_capacity);
  *     tia_view_set_level(view, level, malloc(size), size);
  *
- * A level draws what scene.h says scenes of spheres without mirrors are; whatever else, such as a view whose eye is in
- * a sphere, stays with plain C. No pixel, object or hash differs. It needs the rounding mode in which C programs
- * start.
+ * A level draws what scene.h says scenes of spheres without mirrors are, but for a view whose eye is in a sphere, and
+ * what general rays draw in a scene with a hierarchy. Whatever else stays with plain C. No pixel, object or hash
+ * differs. It needs the rounding mode in which C programs start.
  */
 #ifndef TIA_LEVELS_H
 #define TIA_LEVELS_H
@@ -20,8 +21,8 @@
 /* The widest level that this library has and this processor too; NULL when there is none. */
 const struct tia_level *tia_level_best(void);
 
-/* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "sse41", "avx2",
- * "avx512" or "neon". TIA_ERR_ARGUMENT when no level anywhere has that name. */
+/* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar", "sse41",
+ * "avx2", "avx512" or "neon". TIA_ERR_ARGUMENT when no level anywhere has that name. */
 int tia_level_called(const char *name, const struct tia_level **level);
 
 /* The levels that this library has and this processor too, from the narrowest; NULL from their number on. */

@@ -20,6 +20,13 @@ struct entry {
         return (question);                                                                                             \
     }
 
+#ifdef TIA_HAVE_SCALAR
+extern const struct tia_level tia_level_scalar;
+THERE(has_scalar, true)
+#define SCALAR &tia_level_scalar, has_scalar
+#else
+#define SCALAR NULL, NULL
+#endif
 #ifdef TIA_HAVE_SSE41
 extern const struct tia_level tia_level_sse41;
 THERE(has_sse41, __builtin_cpu_supports("sse4.1") != 0)
@@ -55,7 +62,8 @@ THERE(has_neon, true) /* every AArch64 */
 #endif
 
 /* From the narrowest; those of one processor side by side. */
-static const struct entry entries[] = {{"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}};
+static const struct entry entries[] = {
+    {"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}};
 #define ENTRIES (sizeof entries / sizeof *entries)
 
 const struct tia_level *tia_level_at(unsigned index)
@@ -87,7 +95,7 @@ int tia_level_called(const char *name, const struct tia_level **level)
             found = entries[i].level;
         if (strcmp(name, entries[i].name) == 0) {
             /* "neon" allows nothing that a processor of the other kind has */
-            *level = i < 3 || entries[i].level ? found : NULL;
+            *level = i < 4 || entries[i].level ? found : NULL;
             return TIA_OK;
         }
     }

@@ -5,15 +5,21 @@
 #include "pair.h"
 #include "render/renderer.h"
 
-/* See struct tia_level. */
+/* See struct level_renderer: scenes of spheres, and any others. */
 bool tia_level_draws(const struct tia_view *view);
 void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                      const struct tia_options *options);
 
+/* A tile by plain C, from hits of its own. */
+void tia_level_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                           const struct tia_options *options);
+
+extern const struct level_renderer tia_level_spans, tia_level_rays;
+
 #define LEVEL(level)                                                                                                   \
     extern const struct tia_level tia_level_##level;                                                                   \
-    const struct tia_level tia_level_##level = {#level,          &span_kernels_plain, tia_level_pairs_size,            \
-                                                tia_level_draws, tia_level_prepare,   tia_level_light,                 \
-                                                &kernels}
+    extern const struct sure_kernels tia_sure_##level;                                                                 \
+    const struct tia_level tia_level_##level = {                                                                       \
+        #level, &span_kernels_plain, {&tia_level_spans, &tia_level_rays}, &kernels, &tia_sure_##level}
 
 #endif

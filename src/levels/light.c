@@ -15,36 +15,6 @@ bool tia_level_draws(const struct tia_view *view)
     return true;
 }
 
-/* ---- with path hashes: plain C, from hits of its own ---- */
-
-#define PIECE 512 /* pixels of a row that are traced at once */
-
-static void light_piece(const struct tia_view *view, struct tia_tile piece, const struct tia_surface *surface,
-                        const struct tia_options *options)
-{
-    uint32_t object[PIECE];
-    num_u distance[PIECE];
-    struct tia_hits hits = {view, piece, object, distance};
-
-    span_trace(view, &hits, piece);
-    span_light(view, &hits, piece, surface, options);
-}
-
-static void light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                        const struct tia_options *options)
-{
-    for (unsigned y = 0; y < tile.height; y++)
-        for (unsigned x = 0; x < tile.width; x += PIECE) {
-            unsigned width = tile.width - x < PIECE ? tile.width - x : PIECE;
-            struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
-            char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
-            struct tia_options mine = {.dither = options->dither,
-                                       .path_hash = options->path_hash + (size_t)y * tile.width + x};
-            light_piece(view, piece, &part, &mine);
-        }
-}
-
 /* ---- rows ---- */
 
 /* What the background, or a light itself, is drawn as: one colour, but for dithering. */
@@ -177,7 +147,7 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
     struct tia_surface part = *surface;
 
     if (options->path_hash) {
-        light_plain(view, tile, surface, options);
+        tia_level_light_plain(view, tile, surface, options);
         return;
     }
     for (int x = (int)tile.x, right = tile_right(tile); x < right; x += LEVEL_STRIP) {
@@ -187,3 +157,6 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
         light_strip(view, strip, &part, options->dither);
     }
 }
+
+const struct level_renderer tia_level_spans = {tia_level_pairs_size, tia_level_draws, NULL, tia_level_prepare,
+                                               tia_level_light};

@@ -12,6 +12,9 @@
 
 #include <tia/levels.h> /* after num.h, which may rename its functions */
 
+/* What a level may draw: LEVEL_PARTS of a renderer says nothing. */
+enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_PARTS };
+
 struct renderer {
     /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
     bool (*draws)(const struct tia_scene *scene);
@@ -30,29 +33,35 @@ struct renderer {
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-    bool takes_levels; /* what a level draws is this renderer's */
+    enum level_part part; /* of a level, which may draw in its place */
 
     /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */
     bool (*has_room)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 };
 
-/* What draws scenes of spheres in place of plain C on a processor with vector units: the same bits. See tia/levels.h
- * and src/levels. */
-struct tia_level {
-    const char *name;
-    const struct span_kernels *plain; /* those whose bits it gives: one arithmetic's */
-
+/* What draws in place of one renderer's plain C, on a processor with vector units: the same bits. */
+struct level_renderer {
     /* Bytes behind view->level_memory, SIZE_MAX when there are too many. */
     size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
 
-    /* Whether it can draw the view, whatever the lights; then, whenever the lights change, prepares its memory. */
+    /* Whether it can draw the view, whatever the lights. Then `open`, unless NULL, prepares its memory once, and
+     * `prepare` whenever the lights change. */
     bool (*draws)(const struct tia_view *view);
+    void (*open)(struct tia_view *view);
     void (*prepare)(struct tia_view *view);
 
     /* As in struct renderer, but without hits: their buffer stays unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options);
-    const struct level_kernels *kernels;
+};
+
+/* See tia/levels.h and src/levels. */
+struct tia_level {
+    const char *name;
+    const struct span_kernels *plain;                /* those whose bits it gives: one arithmetic's */
+    const struct level_renderer *parts[LEVEL_PARTS]; /* NULL: left to plain C */
+    const struct level_kernels *kernels;             /* of the spans */
+    const struct sure_kernels *sure;                 /* of the rays */
 };
 
 /* A scene prepared for one image size. */
@@ -68,6 +77,13 @@ struct tia_view {
     bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_init_until */
     void *stop_ctx;
 };
+
+/* What of a level draws the scenes of a renderer, or NULL. */
+static inline const struct level_renderer *level_renderer_for(const struct tia_level *level,
+                                                              const struct renderer *renderer)
+{
+    return level && renderer->part < LEVEL_PARTS ? level->parts[renderer->part] : NULL;
+}
 
 static inline bool view_stops(const struct tia_view *view)
 {

@@ -81,29 +81,37 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
         view->lights[i] = lights[i];
     status = view->renderer->set_lights(view);
     if (!status && view->level)
-        view->level->prepare(view);
+        level_renderer_for(view->level, view->renderer)->prepare(view);
     return status;
+}
+
+/* NULL: plain C draws it, since the level does not, or is another arithmetic's. */
+static const struct level_renderer *drawn_by(const struct tia_level *level, const struct renderer *renderer)
+{
+    return level && level->plain == &span_kernels_plain ? level_renderer_for(level, renderer) : NULL;
 }
 
 size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity)
 {
-    bool drawn = level && level->plain == &span_kernels_plain && renderer_for(scene)->takes_levels;
+    const struct level_renderer *drawn = drawn_by(level, renderer_for(scene));
 
-    return drawn ? level->size(scene, light_capacity) : 0;
+    return drawn ? drawn->size(scene, light_capacity) : 0;
 }
 
 int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size)
 {
-    bool drawn = level && level->plain == &span_kernels_plain && view->renderer->takes_levels && level->draws(view);
+    const struct level_renderer *drawn = drawn_by(level, view->renderer);
 
     view->level = NULL;
-    if (!drawn)
+    if (!drawn || !drawn->draws(view))
         return TIA_OK;
     if (size < tia_level_size(level, view->scene, view->light_capacity))
         return TIA_ERR_MEMORY;
     view->level = level;
     view->level_memory = memory;
-    level->prepare(view);
+    if (drawn->open)
+        drawn->open(view);
+    drawn->prepare(view);
     return TIA_OK;
 }
 

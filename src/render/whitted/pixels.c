@@ -125,4 +125,4 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 const struct renderer whitted_renderer = {
-    draws, ray_prepared_size, ray_prepare, ray_set_lights, buffer_size, trace_tile, light_tile, false, NULL};
+    draws, ray_prepared_size, ray_prepare, ray_set_lights, buffer_size, trace_tile, light_tile, LEVEL_RAYS, NULL};

@@ -1,0 +1,26 @@
+/* avx512.c - 8 doubles: AVX-512 F, DQ and VL. */
+#include <immintrin.h>
+
+#include "lanes.h"
+
+#define LANES 8
+typedef __m512d vd;
+typedef int64_t vi __attribute__((vector_size(64)));
+typedef __mmask8 vm;
+#define vset(x) _mm512_set1_pd(x)
+#define vsqrt(a) _mm512_sqrt_pd(a)
+#define vabs(a) _mm512_abs_pd(a)
+#define vmin(a, b) _mm512_min_pd(a, b)
+#define vmax(a, b) _mm512_max_pd(a, b)
+#define vlt(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
+#define vle(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ)
+#define vsel(m, a, b) _mm512_mask_blend_pd(m, b, a)
+#define mand(a, b) ((vm)((a) & (b)))
+#define mor(a, b) ((vm)((a) | (b)))
+#define mnot(a) _knot_mask8(a)
+#define mbits(m) ((unsigned)(m))
+#define mof(bits) ((vm)(bits))
+
+#include "tracer.h"
+
+SURE(avx512);

@@ -1,0 +1,17 @@
+/* exact.c - what stays open, by the integers. */
+#include "render/whitted/whitted.h"
+#include "sure.h"
+
+void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3])
+{
+    struct path path = {.view = view, .class = ray_pixel_class(x, y), .next_reached = PATH_REACHED};
+    struct ray ray;
+    struct hit hit;
+
+    for (int k = 0; k < PATH_BLOCKERS; k++)
+        path.blocker[k] = TIA_NO_OBJECT;
+    ray_camera_ray(&view->camera, x, y, i, &ray);
+    ray_intersect(view, &ray, &hit);
+    ray_intersect_lights(view, &ray, &hit);
+    path_colour(&path, &ray, &hit, colour);
+}

@@ -1,0 +1,21 @@
+/* lanes.h - what a level's file defines before it includes tracer.h:
+ *
+ *   LANES            1, 2, 4 or 8
+ *   vd, vi, vm       so many doubles, 64-bit integers, and truth values; vd has the language's + - * /, vi also << >>
+ *   vset(x)          x in every lane
+ *   vsqrt vabs vmin vmax      vmin(a, NaN) and vmax(a, NaN) may be anything
+ *   vlt vle          a < b, a <= b: false where one is NaN
+ *   vsel(m, a, b)    a where m is true
+ *   mand mor mnot, mbits(m), mof(bits)    lane k is bit k */
+#ifndef TIA_LEVELS_RAYS_LANES_H
+#define TIA_LEVELS_RAYS_LANES_H
+
+#include "sure.h"
+
+#define LANE_OP static inline __attribute__((always_inline, unused))
+
+#define SURE(level)                                                                                                    \
+    extern const struct sure_kernels tia_sure_##level;                                                                 \
+    const struct sure_kernels tia_sure_##level = {trace}
+
+#endif

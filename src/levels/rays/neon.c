@@ -1,0 +1,30 @@
+/* neon.c - 2 doubles: NEON of AArch64. */
+#include <arm_neon.h>
+
+#include "lanes.h"
+
+#define LANES 2
+typedef float64x2_t vd;
+typedef int64_t vi __attribute__((vector_size(16)));
+typedef uint64x2_t vm;
+#define vset(x) vdupq_n_f64(x)
+#define vsqrt(a) vsqrtq_f64(a)
+#define vabs(a) vabsq_f64(a)
+#define vmin(a, b) vminq_f64(a, b)
+#define vmax(a, b) vmaxq_f64(a, b)
+#define vlt(a, b) vcltq_f64(a, b)
+#define vle(a, b) vcleq_f64(a, b)
+#define vsel(m, a, b) vbslq_f64(m, a, b)
+#define mand(a, b) vandq_u64(a, b)
+#define mor(a, b) vorrq_u64(a, b)
+#define mnot(a) veorq_u64(a, vdupq_n_u64(UINT64_MAX))
+#define mbits(m) ((unsigned)((vgetq_lane_u64(m, 0) & 1) | (vgetq_lane_u64(m, 1) & 2)))
+
+LANE_OP vm mof(unsigned bits)
+{
+    return vcombine_u64(vcreate_u64(0 - (uint64_t)(bits & 1)), vcreate_u64(0 - (uint64_t)(bits >> 1 & 1)));
+}
+
+#include "tracer.h"
+
+SURE(neon);

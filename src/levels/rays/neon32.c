@@ -1,0 +1,4 @@
+/* neon32.c - 32-bit ARM: its NEON has no doubles, its floating-point unit has. */
+#include "one.h"
+
+SURE(neon);

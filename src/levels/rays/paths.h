@@ -1,0 +1,161 @@
+/* paths.h - the rays of a block: those that wait, and what comes of them. */
+#ifndef TIA_LEVELS_RAYS_PATHS_H
+#define TIA_LEVELS_RAYS_PATHS_H
+
+#include "check.h"
+#include "light.h"
+#include "render/whitted/media.h"
+
+#define COLUMNS 15
+
+/* A ray that waits, see struct bounce of whitted.c. Its numbers lie in the order of column_of. */
+struct item {
+    double number[COLUMNS];
+    uint32_t slot, depth, layers;
+    struct media media;
+};
+
+#define ITEMS 256
+#define BLOCKERS 16
+
+struct work {
+    struct sure_block *block;
+    uint32_t blocker[BLOCKERS];
+    uint8_t class[SURE_SLOTS];
+    double rays[SURE_SLOTS]; /* how many there are at most so far, once paths may have layers */
+    struct item items[ITEMS];
+    int count;
+};
+
+/* Rays of a packet: their throughput is within ew. */
+struct rays {
+    struct pack p;
+    vd weight[3], ew;
+    uint32_t slot[LANES], depth[LANES], layers[LANES];
+    struct media media[LANES];
+};
+
+LANE_OP vd *column_of(struct rays *r, int i)
+{
+    vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,         &r->p.d.x,          &r->p.d.y,
+                                 &r->p.d.z, &r->weight[0], &r->weight[1],     &r->weight[2],      &r->p.eo,
+                                 &r->p.ed,  &r->ew,        &r->p.from.object, &r->p.from.element, &r->p.from.inside};
+
+    return column[i];
+}
+
+LANE_OP void add_colour(struct work *w, unsigned lanes, const uint32_t slot[LANES], const vd rgb[3], vd error)
+{
+    double c[3][LANES], e[LANES];
+
+    for (int i = 0; i < 3; i++)
+        vstore(c[i], rgb[i]);
+    vstore(e, error);
+    for (int k = 0; k < LANES; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        for (int i = 0; i < 3; i++)
+            w->block->colour[slot[k]][i] += c[i][k];
+        w->block->error[slot[k]] += e[k];
+    }
+}
+
+LANE_OP void mark(struct work *w, uint32_t slot)
+{
+    w->block->unsure |= UINT64_C(1) << slot;
+}
+
+/* The integers stop after TIA_RAYS rays of a sample, which only paths with layers can reach. */
+LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
+{
+    w->rays[slot] += rays;
+    if (w->rays[slot] > TIA_RAYS / 2)
+        mark(w, slot);
+}
+
+/* Rays of which nothing is known. No ray has a colour below 0 or above `brightest`: where throughput times that is
+ * small, half of it is added and as much may be wrong, which mostly leaves the pixel's level as it is; otherwise the
+ * sample is unsure. The throughputs of a generation add up to no more than that of the first ray, and each is 2^-16 or
+ * more. */
+static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd factor)
+{
+    const struct sure_scene *s = w->block->scene;
+    double weight[LANES], e[LANES];
+
+    vstore(weight, most3(r->weight) * factor);
+    vstore(e, r->ew);
+    for (int k = 0; lanes >> k; k++) {
+        double most = (weight[k] + e[k]) * s->brightest, half = most / 2;
+        uint32_t slot = r->slot[k];
+        if (!(lanes >> k & 1))
+            continue;
+        if (!(most < SURE_2(8)) || s->generations == 0) {
+            mark(w, slot);
+            continue;
+        }
+        for (int c = 0; c < 3; c++)
+            w->block->colour[slot][c] += half;
+        w->block->error[slot] += half + SURE_2(42);
+        count_rays(w, slot, 1 + (weight[k] + e[k]) * 65536 * s->generations);
+    }
+}
+
+/* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
+static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
+{
+    vd top = most3(next->weight), least = vset(SURE_2(16)), margin = next->ew + SURE_2(40);
+    unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
+    double number[COLUMNS][LANES];
+
+    (void)refracted; /* for the check alone */
+    give_up(w, lanes & ~(yes | no), next, vset(1));
+    for (int i = 0; i < COLUMNS; i++)
+        vstore(number[i], *column_of(next, i));
+    for (int k = 0; yes >> k; k++) {
+        if (!(yes >> k & 1))
+            continue;
+        if (w->count == ITEMS) {
+            mark(w, next->slot[k]);
+            continue;
+        }
+        check_push(w->count, refracted);
+        struct item *to = &w->items[w->count++];
+        for (int i = 0; i < COLUMNS; i++)
+            to->number[i] = number[i][k];
+        to->slot = next->slot[k];
+        to->depth = next->depth[k] + !straight;
+        to->layers = next->layers[k] + straight;
+        to->media = next->media[k];
+    }
+}
+
+/* Takes rays that wait; those of samples that are unsure by now are dropped. */
+static unsigned pop(struct work *w, struct rays *r)
+{
+    double number[COLUMNS][LANES] = {{0}};
+    unsigned lanes = 0;
+
+    for (int k = 0; k < LANES; k++) {
+        r->slot[k] = r->depth[k] = r->layers[k] = 0;
+        r->media[k].count = 0;
+    }
+    for (int k = 0; k < LANES && w->count; k++) {
+        const struct item *from = &w->items[--w->count];
+        check_pop(w->count);
+        bool open = !(w->block->unsure >> from->slot & 1);
+        lanes |= (unsigned)open << k;
+        for (int i = 0; i < COLUMNS; i++)
+            number[i][k] = from->number[i];
+        r->slot[k] = from->slot;
+        r->depth[k] = from->depth;
+        r->layers[k] = from->layers;
+        r->media[k] = from->media;
+        if (open)
+            count_rays(w, from->slot, 1);
+    }
+    for (int i = 0; i < COLUMNS; i++)
+        *column_of(r, i) = vload(number[i]);
+    return lanes;
+}
+
+#endif

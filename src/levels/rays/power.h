@@ -1,0 +1,61 @@
+/* power.h - x^e for highlights, as 2^(e log2 x) by polynomials.
+ *
+ * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, z = (m - 1)/(m + 1): |z| <= 0.1716, so the series to z^15 is
+ * off by 2 z^17/17 < 1.2e-14, and log2 by 2e-14 with its roundings. The exponential of a fraction in -1/2..1/2 times ln
+ * 2 to the power 11: off by 0.3466^12/12! < 7e-15. For y = e log2 x that makes (1 + e) 2^-44 of the result, which is at
+ * most 1; users take (1 + e) 2^-40, in which what the integers' squarings and roots round by, below 32 units, is as
+ * well. Below 2^-64 the result is 0: with |y| < 64, 1.5 2^52 added to y rounds it. */
+#ifndef TIA_LEVELS_RAYS_POWER_H
+#define TIA_LEVELS_RAYS_POWER_H
+
+#include "vector.h"
+
+/* x + SHIFT is rounded to a whole number, which its lowest bits are. */
+#define SHIFT 6755399441055744.0 /* 1.5 2^52 */
+
+LANE_OP vd log2_of(vd x)
+{
+    vi bits = as_integers(x), exponent = (bits - INT64_C(0x3fe6a09e667f3bcd)) >> 52; /* of sqrt(1/2) */
+    vd m = as_doubles(bits - (exponent << 52)), n = as_doubles(exponent + INT64_C(0x4338000000000000)) - vset(SHIFT);
+    vd z = (m - 1) / (m + 1), w = z * z, sum = vset(1.0 / 15);
+
+    sum = sum * w + 1.0 / 13;
+    sum = sum * w + 1.0 / 11;
+    sum = sum * w + 1.0 / 9;
+    sum = sum * w + 1.0 / 7;
+    sum = sum * w + 1.0 / 5;
+    sum = sum * w + 1.0 / 3;
+    return n + (sum * w * z + z) * 2.8853900817779268; /* 2/ln 2 */
+}
+
+/* 2^y, -64 <= y <= 0. */
+LANE_OP vd exp2_of(vd y)
+{
+    vd k = y + SHIFT, f = (y - (k - SHIFT)) * 0.69314718055994531, sum = vset(1.0 / 39916800);
+    vi whole = as_integers(k) << 52;
+
+    sum = sum * f + 1.0 / 3628800;
+    sum = sum * f + 1.0 / 362880;
+    sum = sum * f + 1.0 / 40320;
+    sum = sum * f + 1.0 / 5040;
+    sum = sum * f + 1.0 / 720;
+    sum = sum * f + 1.0 / 120;
+    sum = sum * f + 1.0 / 24;
+    sum = sum * f + 1.0 / 6;
+    sum = sum * f + 0.5;
+    sum = sum * f + 1;
+    sum = sum * f + 1;
+    return as_doubles(as_integers(sum) + whole);
+}
+
+/* x in 0..1, e in 1..10000. */
+LANE_OP vd power(vd x, vd e)
+{
+    vm none = vlt(x, vset(1e-18));
+    vd y = e * log2_of(vsel(none, vset(1), x));
+    vm small = mor(none, vlt(y, vset(-64)));
+
+    return vsel(small, vset(0), exp2_of(vsel(small, vset(0), y)));
+}
+
+#endif

@@ -1,0 +1,4 @@
+/* scalar.c - plain C. */
+#include "one.h"
+
+SURE(scalar);

@@ -1,0 +1,223 @@
+/* sure.h - rays in double precision, sure to be what the integers say.
+ *
+ * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the integers' one, their
+ * roundings included: |x_double - x_integers| <= e. Each decision - hit or miss, which of two is nearer, lit or not,
+ * this level of a colour or the next - is taken only when it is the same all over x +- e. A sample where one is not is
+ * "unsure", and traced by the integers' own code from its camera ray on. So the integers decide wherever doubles might
+ * not; a bound that is too small is the only way to a wrong bit, one that is too large only takes time.
+ *
+ * Nothing depends on lanes, their order, or whether the compiler fuses products and sums: the bounds hold for any of
+ * them, and what is sure is right. Levels need not agree on which samples are sure.
+ *
+ * Here: the scene in doubles. Its constants are computed by the integers' functions and then converted, so each is
+ * within 2^-53 of its size. */
+#ifndef TIA_LEVELS_RAYS_SURE_H
+#define TIA_LEVELS_RAYS_SURE_H
+
+#include "render/trace/trace.h"
+
+struct sure_node {
+    double box[6]; /* minimum, maximum: exact */
+    uint32_t index, count;
+};
+
+struct sure_face {
+    double at[3][3], normal[3], smooth[3][3];
+    double extent; /* of the edges: the most of |x| + |y| + |z| */
+    double bend;   /* how far the smooth normals are apart */
+    bool any, smoothed;
+};
+
+struct sure_tree {
+    const struct sure_node *nodes;
+    const uint32_t *items;
+    const struct sure_face *faces; /* of a mesh */
+    const uint32_t *groups;        /* and those of its faces, or NULL */
+    uint32_t node_count;
+};
+
+/* SURE_UNKNOWN: may be hit anywhere in its box. */
+enum sure_kind {
+    SURE_UNKNOWN,
+    SURE_SPHERE,
+    SURE_MESH,
+    SURE_TRIANGLE,
+    SURE_PLANE,
+    SURE_DISC,
+    SURE_ROUND,
+    SURE_BOX,
+    SURE_GRID
+};
+
+/* See struct prepared_cone. */
+struct sure_round {
+    double axis[3], across[2][3], base[3], anchor[3];
+    double anchored, reach, length, base_radius, top_radius, cosine, sine;
+    bool capped;
+};
+
+struct sure_instance {
+    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* of the scales */
+    double size;                                                       /* how far the box reaches, in the world */
+    double centre[3], extent;                                          /* of the shape in its axes */
+};
+
+struct sure_grid {
+    const struct tia_grid *from;
+    double corner[3], edge;
+};
+
+struct sure_object {
+    enum sure_kind kind;
+    uint32_t material;
+    bool opaque;                                       /* lets no light through */
+    bool unclear;                                      /* what it lets through is for the integers */
+    bool grouped;                                      /* it does so once for each group of faces */
+    double at[3], radius, normal[3], axes[2][3], unit; /* a box: its corners are `at` and `normal` */
+    const struct tia_mesh *faces;                      /* of a mesh */
+    double transmission[3];
+    const struct sure_tree *mesh;
+    const struct sure_face *face;
+    const struct sure_round *round;
+    const struct sure_grid *grid;
+    const struct sure_instance *placed; /* NULL: the world's axes */
+};
+
+/* Where in a material's columns each colour begins. */
+enum {
+    SURE_COLOUR,
+    SURE_SPECULAR = 3,
+    SURE_MIRROR = 6,
+    SURE_REFRACTION = 9,
+    SURE_EMISSION = 12,
+    SURE_FACING = 15,
+    SURE_EXPONENT = 18,
+    SURE_COLUMNS
+};
+
+struct sure_material {
+    double column[SURE_COLUMNS];
+    bool known, is_specular, is_mirror, refracts, fresnel;
+    const struct tia_texture *texture; /* of the colour, or NULL */
+    double cells[2][3], repeat[2], offset[2];
+};
+
+#define SURE_PLACES 64 /* samples of a light at most whose places are kept, */
+#define SURE_AREAS 16  /* and lights */
+
+struct sure_light {
+    const struct ray_light *from;
+    double at[3], emission[3], radius;
+    double axes[2][3]; /* of a disc; a rectangle's sides */
+    double normal[3], across[2][3], reach[2];
+    double brightest;
+    double inner, outer;                      /* cosines of a spot light */
+    double constant, linear, quadratic, unit; /* of one that fades */
+    bool seen;
+    double (*place)[SURE_PLACES][2]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
+};
+
+struct sure_camera {
+    double eye[3], u[3], v[3], n[3], left, top, across, upward, away;
+    int width, height, side;
+    bool orthographic;
+};
+
+struct sure_scene {
+    const struct ray_view *view;
+    struct sure_tree objects;
+    const struct sure_tree *meshes;
+    const struct sure_object *object;
+    struct sure_material *materials;
+    struct sure_light *lights;
+    double (*places)[16][SURE_PLACES][2]; /* of the first SURE_AREAS lights */
+    const uint32_t *unbounded;
+    uint32_t unbounded_count, light_count, depth;
+    double brightest;         /* no ray has a colour above that */
+    double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */
+    double centre[3], extent; /* of all that has bounds: around centre, the sum of the axes' halves */
+    double background[3], bias;
+    struct sure_camera camera;
+};
+
+#define SURE_SLOTS 64 /* samples of a block */
+
+/* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
+struct sure_block {
+    const struct sure_scene *scene;
+    int x, y, width, height, samples;
+    double colour[SURE_SLOTS][3], error[SURE_SLOTS];
+    uint64_t unsure; /* a bit for each slot */
+};
+
+struct sure_kernels {
+    void (*trace)(struct sure_block *block);
+};
+
+#define SURE_2(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
+#define SURE_UNIT SURE_2(45)                           /* of the integers' coordinates */
+#define SURE_EPS SURE_2(53)                            /* half a unit of a double of 1 */
+
+static inline double sure_length(num_length x)
+{
+    return (double)x * SURE_UNIT;
+}
+
+static inline double sure_cosine(num_unit d)
+{
+    return (double)d * SURE_2(62);
+}
+
+static inline void sure_point(double to[3], struct num_point p)
+{
+    to[0] = sure_length(p.x);
+    to[1] = sure_length(p.y);
+    to[2] = sure_length(p.z);
+}
+
+static inline void sure_dir(double to[3], struct num_dir d)
+{
+    to[0] = sure_cosine(d.x);
+    to[1] = sure_cosine(d.y);
+    to[2] = sure_cosine(d.z);
+}
+
+static inline void sure_rgb(double to[3], const struct tia_rgb *c)
+{
+    to[0] = (double)c->r * SURE_2(30);
+    to[1] = (double)c->g * SURE_2(30);
+    to[2] = (double)c->b * SURE_2(30);
+}
+
+static inline double sure_most3(const double c[3])
+{
+    double most = c[0] > c[1] ? c[0] : c[1];
+
+    return most > c[2] ? most : c[2];
+}
+
+/* Bytes for a scene; then the scene in them, and its lights whenever they change. */
+size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
+struct sure_scene *tia_sure_scene(const struct tia_view *view);
+void tia_sure_prepare(struct tia_view *view);
+void tia_sure_set_lights(struct tia_view *view);
+
+/* What objects have of their own, one for each shape. */
+struct sure_places {
+    struct sure_object *objects;
+    struct sure_round *rounds;
+    struct sure_face *faces;
+    struct sure_grid *grids;
+    struct sure_instance *instances;
+};
+
+void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
+
+/* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
+void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
+
+/* By the integers: the colour of sample i of a pixel, not clamped. */
+void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);
+
+#endif

@@ -1,0 +1,176 @@
+/* tracer.h - a block of pixels: camera rays, then whatever they give rise to, in packets. */
+#ifndef TIA_LEVELS_RAYS_TRACER_H
+#define TIA_LEVELS_RAYS_TRACER_H
+
+#include "bounce.h"
+
+LANE_OP void drop(unsigned *lanes, struct work *w, vm unsure, const struct rays *r)
+{
+    unsigned gone = *lanes & mbits(unsure);
+
+    give_up(w, gone, r, vset(1));
+    *lanes &= ~gone;
+}
+
+/* Lanes that see the background, or a light, are done. */
+static void add_far(struct work *w, unsigned *lanes, const struct query *q, const struct rays *r)
+{
+    const struct sure_scene *s = w->block->scene;
+    unsigned sky = *lanes & mbits(vle(vset(NEVER), q->t)), shining = *lanes & ~mbits(vlt(q->id, vset(LIGHT_ID)));
+    double id[LANES], rgb[3][LANES];
+
+    *lanes &= ~(sky | shining);
+    if (!(sky | shining))
+        return;
+    vstore(id, q->id);
+    for (int k = 0; k < LANES; k++) {
+        const double *from = shining >> k & 1 ? s->lights[(uint32_t)(id[k] - LIGHT_ID)].emission : s->background;
+        for (int c = 0; c < 3; c++)
+            rgb[c][k] = from[c];
+    }
+    vd flat[3] = {vload(rgb[0]), vload(rgb[1]), vload(rgb[2])}, top = most3(flat);
+    for (int c = 0; c < 3; c++)
+        flat[c] = flat[c] * r->weight[c];
+    add_colour(w, sky | shining, r->slot, flat, top * r->ew + SURE_2(42) * (1 + top));
+}
+
+/* What the surfaces send by themselves. False in lanes that are not known. */
+static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
+{
+    const struct sure_scene *s = w->block->scene;
+    struct lit lit = {.unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
+    uint8_t class[LANES];
+
+    for (int k = 0; k < LANES; k++)
+        class[k] = w->class[r->slot[k]];
+    for (int c = 0; c < 3; c++)
+        lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, vset(0));
+    for (uint32_t n = 0; n < s->light_count; n++)
+        add_light(s, n, h, mof(*lanes), class, &w->blocker[n % BLOCKERS], &lit);
+    drop(lanes, w, lit.unsure, r);
+    if (*lanes)
+        check_own(&lit);
+    vd top = most3(lit.own);
+    for (int c = 0; c < 3; c++)
+        lit.own[c] = lit.own[c] * r->weight[c];
+    add_colour(w, *lanes, r->slot, lit.own, lit.eown * (most3(r->weight) + r->ew) + top * r->ew + SURE_2(42));
+}
+
+static void follow(struct work *w, struct rays *r, unsigned lanes)
+{
+    const struct sure_scene *s = w->block->scene;
+    struct query q;
+    struct shade h;
+
+    find_nearest(s, &q, &r->p, mof(lanes));
+    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
+    drop(&lanes, w, mnot(mor(sky, vlt(q.t + q.e, q.low))), r);
+    if (lanes)
+        check_met(r, &q);
+    add_far(w, &lanes, &q, r);
+    if (!lanes)
+        return;
+    find_surfaces(s, &r->p, &q, lanes, &h);
+    drop(&lanes, w, h.unsure, r);
+    if (!lanes)
+        return;
+    check_surface(&h);
+    add_own(w, &lanes, &h, r);
+    if (lanes)
+        bounce(w, &h, lanes, r);
+}
+
+/* The rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit, the
+ * window and the depth by as much. */
+static void camera_rays(const struct sure_camera *c, const double x[LANES], const double y[LANES], struct pack *p)
+{
+    vd h = vset(c->left) + vset(c->across) * vload(x), v = vset(c->top) - vset(c->upward) * vload(y);
+    struct v3 aside = v3_add(v3_scale(v3_set(c->u), h), v3_scale(v3_set(c->v), v));
+    double window = __builtin_fabs(c->left) + c->across + __builtin_fabs(c->top) + c->upward;
+    vd size = vabs(h) + vabs(v) + vset(window);
+    p->from = (struct origin){vset(-1), vset(0), vset(0)};
+
+    if (c->orthographic) {
+        p->o = v3_add(v3_set(c->eye), aside);
+        p->eo = size * SURE_2(47) + 8 * UNIT + v3_sum(p->o) * SURE_2(51);
+        p->d = v3_neg(v3_set(c->n));
+        p->ed = vset(SURE_2(51));
+        return;
+    }
+    p->o = v3_set(c->eye);
+    p->eo = vset(SURE_2(50));
+    p->d = v3_unit(v3_sub(aside, v3_scale(v3_set(c->n), vset(c->away))),
+                   (size + __builtin_fabs(c->away)) * SURE_2(49) + 4 * UNIT, &p->ed);
+}
+
+/* Where sample slot % n of pixel slot / n lies, see ray_camera_ray. */
+LANE_OP void place_of_slot(const struct sure_block *b, int slot, double *px, double *py)
+{
+    const struct sure_camera *c = &b->scene->camera;
+    int n = c->side, pixel = slot / b->samples, sample = slot % b->samples, i = sample % n, j = sample / n;
+    int x = b->x + pixel % b->width, y = b->y + pixel / b->width;
+
+    *px = (double)(2 * n * n * x + 2 * n * i + 2 * j + 1) / (double)(2 * n * n * c->width);
+    *py = (double)(2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1) / (double)(2 * n * n * c->height);
+}
+
+/* In which order the slots of a block go into packets: of 8 x 2n pixels 4 x 2 neighbours together. */
+LANE_OP int packed(const struct sure_block *b, int i)
+{
+    int packet = i / 8, lane = i % 8;
+
+    if (b->samples != 1 || b->width != 8 || b->height % 2 || LANES != 8)
+        return i;
+    return (packet / 2 * 2 + lane / 4) * 8 + packet % 2 * 4 + lane % 4;
+}
+
+static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
+{
+    int count = b->width * b->height * b->samples;
+    double x[LANES], y[LANES];
+    unsigned lanes = 0;
+
+    for (int k = 0; k < LANES; k++) {
+        int slot = packed(b, from + k < count ? from + k : count - 1);
+        r->slot[k] = (uint32_t)slot;
+        r->depth[k] = r->layers[k] = 0;
+        r->media[k].count = 0;
+        place_of_slot(b, slot, &x[k], &y[k]);
+        lanes |= (unsigned)(from + k < count) << k;
+    }
+    r->weight[0] = r->weight[1] = r->weight[2] = vset(1);
+    r->ew = vset(0);
+    camera_rays(&b->scene->camera, x, y, &r->p);
+    check_camera(b, r);
+    return lanes;
+}
+
+static void trace(struct sure_block *b)
+{
+    const struct tia_view *view = b->scene->view->view;
+    int count = b->width * b->height * b->samples;
+    struct work w;
+    struct rays r;
+
+    w.block = b;
+    w.count = 0;
+    b->unsure = 0;
+    for (int i = 0; i < BLOCKERS; i++)
+        w.blocker[i] = TIA_NO_OBJECT;
+    for (int i = 0; i < count; i++) {
+        int pixel = i / b->samples;
+        w.class[i] = (uint8_t)ray_pixel_class(b->x + pixel % b->width, b->y + pixel / b->width);
+        b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w.rays[i] = 0;
+    }
+    for (int from = 0; from < count && !view_stops(view); from += LANES) {
+        unsigned lanes = first_rays(b, from, &r);
+        follow(&w, &r, lanes);
+    }
+    while (w.count && !view_stops(view)) {
+        unsigned lanes = pop(&w, &r);
+        if (lanes)
+            follow(&w, &r, lanes);
+    }
+}
+
+#endif

@@ -1,0 +1,288 @@
+/* walk.h - packets through the hierarchy: any active lane enters a node. The nearest hit of each ray, and what stands
+ * between a point and a light. */
+#ifndef TIA_LEVELS_RAYS_WALK_H
+#define TIA_LEVELS_RAYS_WALK_H
+
+#include "box.h"
+#include "flat.h"
+#include "grid.h"
+#include "instance.h"
+#include "round.h"
+#include "sphere.h"
+#include "triangle.h"
+
+struct waiting {
+    vd near;
+    uint32_t node;
+};
+
+/* Nodes yet to be visited. */
+struct nodes {
+    struct waiting stack[TIA_BVH_DEPTH_MAX + 2];
+    int depth;
+    vd near;
+    uint32_t node;
+};
+
+/* Goes to the child that more lanes enter first; the other one waits. False: none is entered. */
+LANE_OP bool descend(struct nodes *w, const struct sure_tree *tree, const struct query *q)
+{
+    uint32_t first = w->node + 1, second = tree->nodes[w->node].index;
+    vd near_first, near_second;
+    vm a = box_enter(q, tree->nodes[first].box, &near_first), b = box_enter(q, tree->nodes[second].box, &near_second);
+    bool any_a = many(a), any_b = many(b), turn = !any_a;
+
+    if (!any_a && !any_b)
+        return false;
+    near_first = vsel(a, near_first, vset(NEVER));
+    near_second = vsel(b, near_second, vset(NEVER));
+    if (any_a && any_b) {
+        unsigned closer = mbits(vlt(near_first, near_second)), farther = mbits(vlt(near_second, near_first));
+        turn = __builtin_popcount(farther) > __builtin_popcount(closer);
+        w->stack[w->depth++] = (struct waiting){turn ? near_first : near_second, turn ? first : second};
+    }
+    w->node = turn ? second : first;
+    w->near = turn ? near_second : near_first;
+    return true;
+}
+
+/* The next node that waits and is still of use; false: there is none. */
+LANE_OP bool resume(struct nodes *w, const struct query *q)
+{
+    while (w->depth > 0 && many(q->active)) {
+        const struct waiting *next = &w->stack[--w->depth];
+        if (many(mand(vle(next->near, q->limit), q->active))) {
+            w->node = next->node;
+            w->near = next->near;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Two walks of one shape: a mesh's is called from within the scene's. */
+#define WALK(name, leaf)                                                                                               \
+    static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
+                                               struct query *q)                                                        \
+    {                                                                                                                  \
+        struct nodes w = {.depth = 0, .node = 0};                                                                      \
+                                                                                                                       \
+        if (!tree->node_count || !many(box_enter(q, tree->nodes[0].box, &w.near)))                                     \
+            return;                                                                                                    \
+        do {                                                                                                           \
+            while (!tree->nodes[w.node].count && descend(&w, tree, q)) {                                               \
+            }                                                                                                          \
+            if (tree->nodes[w.node].count)                                                                             \
+                leaf(s, tree, &tree->nodes[w.node], q, w.near);                                                        \
+        } while (resume(&w, q));                                                                                       \
+    }
+
+LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct sure_node *leaf,
+                        struct query *q, vd near)
+{
+    (void)s;
+    (void)near;
+    for (uint32_t i = leaf->index; i < leaf->index + leaf->count; i++) {
+        uint32_t face = tree->items[i];
+        q->group = q->groups ? tree->groups[face] : 0;
+        meet_face(q, &tree->faces[face], face);
+    }
+}
+
+WALK(walk_faces, meet_faces)
+
+/* What is not known may be hit from its box on. */
+LANE_OP void meet_unknown(struct query *q, vd near)
+{
+    report(q, (struct report){.sure = mnone(),
+                              .may = vle(near, q->limit),
+                              .t = vset(0),
+                              .e = vset(0),
+                              .ep = vset(0),
+                              .low = near,
+                              .element = vset(0)});
+}
+
+LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q, vd near)
+{
+    switch (o->kind) {
+    case SURE_SPHERE:
+        meet_sphere(q, o->at, o->radius);
+        break;
+    case SURE_MESH:
+        walk_faces(s, o->mesh, q);
+        break;
+    case SURE_TRIANGLE:
+        meet_face(q, o->face, 0);
+        break;
+    case SURE_PLANE:
+        meet_plane(q, o);
+        break;
+    case SURE_DISC:
+        meet_disc(q, o);
+        break;
+    case SURE_ROUND:
+        meet_round(q, o->round);
+        break;
+    case SURE_BOX:
+        meet_box(q, o->at, o->normal);
+        break;
+    case SURE_GRID:
+        meet_grid(q, o->grid);
+        break;
+    case SURE_UNKNOWN:
+        meet_unknown(q, near);
+        break;
+    }
+}
+
+static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, const struct sure_object *o,
+                                                  struct query *q, vd near)
+{
+    struct placed placed;
+    struct query inner;
+
+    place_rays(o->placed, q->p, q->active, &placed);
+    placed_query(q, &placed, &inner);
+    if (many(inner.active))
+        meet_shape(s, o, &inner, near * placed.k);
+    report_placed(q, &placed, &inner, o->placed->most);
+}
+
+/* An object that filters light does so once, wherever it is met; either side rounds each product. */
+LANE_OP void filter(struct query *q, const struct sure_object *o)
+{
+    vm unclear = mand(q->may_meet, mnot(q->met));
+
+    if (o->unclear)
+        unclear = mor(unclear, q->met);
+    q->maybe = mor(q->maybe, unclear);
+    q->ethrough = q->ethrough + vsel(q->met, vset(UNIT), vset(0));
+    for (int c = 0; c < 3; c++)
+        q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
+}
+
+/* A mesh of groups that lets light through. */
+static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
+                                                   struct query *q)
+{
+    struct group_list groups = {.full = 0};
+
+    q->groups = &groups;
+    walk_faces(s, o->mesh, q);
+    q->groups = NULL;
+    filter_groups(q, &groups, o->transmission);
+}
+
+LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, vd near)
+{
+    const struct sure_object *o = &s->object[index];
+
+    q->index = index;
+    q->object = (double)index;
+    q->opaque = o->opaque;
+    q->met = q->may_meet = mnone();
+    if (q->any && o->grouped) {
+        meet_grouped(s, o, q);
+        return;
+    }
+    if (o->placed)
+        meet_placed(s, o, q, near);
+    else
+        meet_shape(s, o, q, near);
+    if (q->any && !o->opaque)
+        filter(q, o);
+}
+
+LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct sure_node *leaf,
+                          struct query *q, vd near)
+{
+    for (uint32_t i = leaf->index; i < leaf->index + leaf->count; i++)
+        meet_object(s, tree->items[i], q, near);
+}
+
+WALK(walk_objects, meet_objects)
+
+static __attribute__((noinline)) void meet_unbounded(const struct sure_scene *s, struct query *q)
+{
+    for (uint32_t i = 0; i < s->unbounded_count; i++)
+        meet_object(s, s->unbounded[i], q, vset(0));
+}
+
+static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint32_t object, struct query *q)
+{
+    meet_object(s, object, q, vset(0));
+}
+
+/* Lights have no index among objects: light n is told as this and n. */
+#define LIGHT_ID 4294967296.0
+
+static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, struct query *q)
+{
+    for (uint32_t n = 0; n < s->light_count; n++) {
+        const struct sure_light *l = &s->lights[n];
+        q->object = LIGHT_ID + n;
+        if (!l->seen)
+            continue;
+        if (l->from->kind == TIA_POINT_LIGHT || l->from->kind == TIA_SPHERE_LIGHT)
+            meet_sphere(q, l->at, l->radius);
+        else
+            meet_flat_light(q, l);
+    }
+}
+
+/* The nearest, lights included; lanes that are too far off may have met anything. */
+static void find_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
+{
+    vm fine = pack_start(s->centre, s->extent, p, active), wild = mand(active, mnot(fine));
+
+    q->p = p;
+    q->active = mand(active, fine);
+    q->any = false;
+    q->groups = NULL;
+    q->limit = q->t = q->low = vset(NEVER);
+    q->e = q->ep = vset(0);
+    q->id = q->element = vset(-1);
+    meet_unbounded(s, q);
+    walk_objects(s, &s->objects, q);
+    meet_lights(s, q);
+    q->low = vsel(wild, vset(-1), q->low);
+    q->t = vsel(wild, vset(0), q->t);
+}
+
+/* Shadow rays, and what is known of them. */
+struct shadow {
+    struct pack p;
+    vd distance, edistance;
+    vm blocked, unsure;
+    vd through[3], ethrough;
+};
+
+/* *blocker is tried first, and becomes what blocked a ray. */
+static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm active, uint32_t *blocker)
+{
+    vm fine = pack_start(s->centre, s->extent, &shadow->p, active);
+    struct query q = {.p = &shadow->p, .active = mand(active, fine), .any = true, .blocker = *blocker, .groups = NULL};
+
+    q.distance = shadow->distance;
+    q.edistance = shadow->edistance;
+    q.limit = q.distance + q.edistance;
+    q.blocked = q.maybe = q.met = q.may_meet = mnone();
+    q.t = q.e = q.ep = q.low = q.id = q.element = q.ethrough = vset(0);
+    for (int c = 0; c < 3; c++)
+        q.through[c] = vset(1);
+    if (*blocker != TIA_NO_OBJECT)
+        meet_one(s, *blocker, &q);
+    if (many(q.active))
+        meet_unbounded(s, &q);
+    if (many(q.active))
+        walk_objects(s, &s->objects, &q);
+    *blocker = q.blocker;
+    shadow->ethrough = q.ethrough;
+    shadow->blocked = q.blocked;
+    shadow->unsure = mor(mand(q.maybe, mnot(q.blocked)), mand(active, mnot(fine)));
+    for (int c = 0; c < 3; c++)
+        shadow->through[c] = q.through[c];
+}
+
+#endif

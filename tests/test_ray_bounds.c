@@ -1,0 +1,206 @@
+/* The bounds of src/levels/rays: the integers' ray is traced beside each of ours, and how much of each bound is used is
+ * measured. None may be exceeded; the largest part of each is told.
+ *
+ *     test_ray_bounds            as many scenes as seconds allow
+ *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/levels) */
+#include <math.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "common/scene/scene.h"
+#include "corpus/corpus_rays.h"
+#include "render/whitted/shade.h"
+
+#define SURE_CHECK
+#include "levels/rays/one.h"
+
+static unsigned random_scenes = 150;
+
+enum { ORIGIN, DIRECTION, DISTANCE, POINT, GEOMETRIC, NORMAL, OWN, COLOUR, BOUNDS };
+static const char *const names[BOUNDS] = {"origin",           "direction", "distance",           "point",
+                                          "geometric normal", "normal",    "light of a surface", "colour of a sample"};
+static double used[BOUNDS];
+static unsigned long compared, differing;
+
+static void use(int what, double gap, double bound)
+{
+    double part = gap / bound;
+
+    used[what] = part > used[what] || isnan(part) ? part : used[what];
+    compared++;
+}
+
+static double gap3(const struct v3 *a, const double b[3])
+{
+    return sqrt((a->x - b[0]) * (a->x - b[0]) + (a->y - b[1]) * (a->y - b[1]) + (a->z - b[2]) * (a->z - b[2]));
+}
+
+/* ---- the integers' side: the ray that is followed, those that wait, and what the ray meets ---- */
+
+static const struct ray_view *view;
+static struct exact {
+    struct ray ray;
+    struct media media;
+    unsigned class; /* of its pixel */
+} now, waiting[ITEMS];
+static struct shading shading;
+static struct path path;
+
+static void check_camera(const struct sure_block *b, const struct rays *r)
+{
+    int pixel = (int)r->slot[0] / b->samples, x = b->x + pixel % b->width, y = b->y + pixel / b->width;
+
+    now.class = ray_pixel_class(x, y);
+    now.media.count = 0;
+    ray_camera_ray(&view->camera, x, y, (int)r->slot[0] % b->samples, &now.ray);
+}
+
+static void check_push(int item, bool refracted)
+{
+    struct bounces next;
+
+    shade_bounce(view, &shading, &now.media, &next);
+    waiting[item] =
+        (struct exact){refracted ? next.refracted : next.reflected, refracted ? next.media : now.media, now.class};
+}
+
+static void check_pop(int item)
+{
+    now = waiting[item];
+}
+
+static void check_met(const struct rays *r, const struct query *q)
+{
+    double o[3], d[3];
+    struct hit hit;
+
+    sure_point(o, now.ray.origin);
+    sure_dir(d, now.ray.direction);
+    use(ORIGIN, gap3(&r->p.o, o), r->p.eo);
+    use(DIRECTION, gap3(&r->p.d, d), r->p.ed);
+    path = (struct path){.view = view, .class = now.class, .next_reached = PATH_REACHED};
+    for (int i = 0; i < PATH_BLOCKERS; i++)
+        path.blocker[i] = TIA_NO_OBJECT;
+    ray_intersect(view, &now.ray, &hit);
+    ray_intersect_lights(view, &now.ray, &hit);
+    double object = hit.light != TIA_NO_OBJECT    ? LIGHT_ID + hit.light
+                    : hit.object != TIA_NO_OBJECT ? (double)hit.object
+                                                  : -1;
+    bool same = object == q->id && (object < 0 || object >= LIGHT_ID || q->element == hit.element);
+    differing += !same;
+    if (object >= 0)
+        use(DISTANCE, fabs(sure_length(hit.t) - q->t), q->e);
+    if (object >= 0 && object < LIGHT_ID)
+        shade_prepare(&path, &now.ray, &hit, &shading);
+}
+
+static void check_surface(const struct shade *h)
+{
+    double v[3];
+
+    sure_point(v, shading.point);
+    use(POINT, gap3(&h->point, v), h->ep);
+    sure_dir(v, shading.geometric);
+    use(GEOMETRIC, gap3(&h->geometric, v), h->eg);
+    sure_dir(v, shading.normal);
+    use(NORMAL, gap3(&h->normal, v), h->en);
+}
+
+static void check_own(const struct lit *lit)
+{
+    const num_length whole[3] = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE};
+    num_length colour[3] = {0, 0, 0};
+
+    shade_light(&path, &shading, whole, colour);
+    for (int c = 0; c < 3; c++)
+        use(OWN, fabs(sure_length(colour[c]) - lit->own[c]), lit->eown);
+}
+
+/* ---- scenes ---- */
+
+static void check_block(struct sure_block *b)
+{
+    trace(b);
+    for (int i = 0; i < b->width * b->height * b->samples; i++) {
+        int pixel = i / b->samples;
+        num_length colour[3];
+        if (b->unsure >> i & 1)
+            continue;
+        tia_sure_sample(view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
+        for (int c = 0; c < 3; c++)
+            use(COLOUR, fabs(sure_length(colour[c]) - b->colour[i][c]), b->error[i]);
+    }
+}
+
+static void check_scene(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    size_t size = tia_view_size(scene, scene->light_count), more = tia_sure_size(scene, scene->light_count);
+    void *memory = malloc(size), *constants = malloc(more);
+    struct tia_view *prepared;
+    struct sure_block b;
+
+    CHECK_EQ(tia_view_init(&prepared, memory, size, scene, scene->light_count, width, height), TIA_OK);
+    prepared->level_memory = constants;
+    view = prepared->prepared;
+    tia_sure_prepare(prepared);
+    tia_sure_set_lights(prepared);
+    b.scene = tia_sure_scene(prepared);
+    b.samples = view->camera.side * view->camera.side;
+    b.width = b.height = 8 / view->camera.side;
+    for (b.y = 0; b.y + b.height <= (int)height; b.y += b.height)
+        for (b.x = 0; b.x + b.width <= (int)width; b.x += b.width)
+            check_block(&b);
+    free(constants);
+    free(memory);
+}
+
+static void check_bounds(const char *what)
+{
+    for (int i = 0; i < BOUNDS; i++) {
+        CHECK_MSG(used[i] <= 1, "%s: the bound of the %s is exceeded %.2f times", what, names[i], used[i]);
+        printf("# %s: %.3f of the bound of the %s\n", what, used[i], names[i]);
+    }
+    CHECK_MSG(differing == 0, "%s: %lu decisions differ", what, differing);
+    CHECK(compared > 10000);
+    memset(used, 0, sizeof used);
+    compared = differing = 0;
+}
+
+TEST(scene_files)
+{
+    static const char *const files[] = {"scenes/nff/balls_2.nff", "scenes/nff/rings_3.nff", "scenes/nff/teapot_3.nff",
+                                        "scenes/nff/jacks_3.nff", "scenes/orrery.tia"};
+
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        struct scene_file file;
+        CHECK_EQ(scene_open(&file, files[i], scene_format_of(files[i]), false), TIA_OK);
+        check_scene(&file.scene, i < 4 ? 32 : 16, i < 4 ? 24 : 16);
+        scene_close(&file);
+    }
+    check_bounds("files");
+}
+
+TEST(random_corpus)
+{
+    static struct corpus_rays c;
+
+    for (unsigned i = 0; i < random_scenes; i++) {
+        corpus_random_rays(&c, 12, i);
+        size_t size = tia_bvh_size(&c.scene);
+        void *memory = malloc(size);
+        CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene), TIA_OK);
+        check_scene(&c.scene, 16, 16);
+        c.scene.bvh = NULL;
+        free(memory);
+    }
+    check_bounds("random scenes");
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1)
+        random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    RUN(scene_files);
+    RUN(random_corpus);
+    return check_status();
+}

@@ -1,0 +1,223 @@
+/* General rays by every level of vector units against plain C, byte by byte: random scenes, scene files, tiles of any
+ * size, threads. What the processor lacks is named.
+ *
+ *     test_ray_levels            as many scenes as seconds allow
+ *     test_ray_levels N          N random scenes: make check runs 200 (tests/slow/levels) */
+#include <stdlib.h>
+#include <tia/levels.h>
+
+#include "common/scene/scene.h"
+#include "common/thread_pool.h"
+#include "corpus/corpus_rays.h"
+#include "level_frames.h"
+#include "levels/rays/sure.h"
+
+static const struct tia_level *level;
+static unsigned random_scenes = 6;
+
+/* The level with its kernels behind ours, which count: one that left all to the integers would be found out. */
+static const struct sure_kernels *kernels;
+static unsigned long samples, unsure;
+
+static void count(struct sure_block *block)
+{
+    kernels->trace(block);
+    samples += (unsigned)(block->width * block->height * block->samples);
+    for (uint64_t bits = block->unsure; bits; bits &= bits - 1)
+        unsure++;
+}
+
+static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
+                    bool dither)
+{
+    struct level_frames f;
+
+    CHECK(level_frames_open(&f, level, scene, width, height));
+    CHECK_MSG(strcmp(tia_view_level(f.level), level->name) == 0, "%s %u is left to plain C", what, number);
+    CHECK_MSG(level_frames_differ(&f, true, dither) == 0, "%s: %s %u, %ux%u: %s", level->name, what, number, width,
+              height, level_frames_where(&f));
+    level_frames_close(&f);
+}
+
+/* With a hierarchy, without which levels draw no rays. */
+static void with_hierarchy(struct tia_scene *scene, void (*then)(const struct tia_scene *, unsigned), unsigned number)
+{
+    size_t size = tia_bvh_size(scene);
+    void *memory = malloc(size);
+
+    CHECK_EQ(tia_bvh_build(&scene->bvh, memory, size, NULL, scene), TIA_OK);
+    then(scene, number);
+    scene->bvh = NULL;
+    free(memory);
+}
+
+static void compare_random(const struct tia_scene *scene, unsigned number)
+{
+    bool fine = scene->camera.samples <= 1;
+
+    compare("random scene", number, scene, fine ? 32 : 12, fine ? 25 : 9, number % 5 == 4);
+}
+
+TEST(random_corpus)
+{
+    static struct corpus_rays c;
+
+    samples = unsure = 0;
+    for (unsigned i = 0; i < random_scenes; i++) {
+        corpus_random_rays(&c, 11, i);
+        with_hierarchy(&c.scene, compare_random, i);
+        if (i % 3)
+            continue;
+        corpus_add_opacity(&c, i);
+        with_hierarchy(&c.scene, compare_random, i);
+    }
+    printf("# %lu of %lu samples were left to the integers\n", unsure, samples);
+}
+
+/* Scenes of files, and the most of their samples, in thousandths, that may be unsure. */
+static const struct {
+    const char *path;
+    unsigned unsure;
+} files[] = {
+    {"scenes/nff/balls_3.nff", 2}, {"scenes/nff/gears_1.nff", 5},   {"scenes/nff/jacks_3.nff", 10},
+    {"scenes/nff/mount_3.nff", 5}, {"scenes/nff/rings_3.nff", 20},  {"scenes/nff/shells_2.nff", 5},
+    {"scenes/nff/tetra_4.nff", 2}, {"scenes/nff/teapot_3.nff", 30}, {"scenes/nff/lattice_3.nff", 5},
+    {"scenes/nff/tree_4.nff", 2},
+};
+
+TEST(scene_files)
+{
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        struct scene_file file;
+        CHECK_EQ(scene_open(&file, files[i].path, scene_format_of(files[i].path), false), TIA_OK);
+        samples = unsure = 0;
+        compare(files[i].path, 0, &file.scene, 48, 37, false);
+        CHECK_MSG(unsure * 1000 <= samples * files[i].unsure, "%s: %s: %lu of %lu samples are unsure", level->name,
+                  files[i].path, unsure, samples);
+        scene_close(&file);
+    }
+}
+
+static void draw_tiles(const struct tia_scene *scene, unsigned size)
+{
+    static tia_rgb565 want[150 * 113], got[150 * 113];
+    enum { W = 150, H = 113 };
+    struct level_frames f;
+
+    CHECK(level_frames_open(&f, level, scene, W, H));
+    for (unsigned y = 0; y < H; y += size)
+        for (unsigned x = 0; x < W; x += 2 * size) {
+            unsigned width = W - x < 2 * size ? W - x : 2 * size, height = H - y < size ? H - y : size;
+            struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)width, (uint16_t)height};
+            struct tia_surface a = {want + x * H + y, 2 * H, 2}, b = {got + x * H + y, 2 * H, 2};
+            CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
+            CHECK_EQ(tia_render(f.level, f.hits[1], tile, &b, NULL), TIA_OK);
+        }
+    CHECK(memcmp(want, got, sizeof want) == 0);
+    level_frames_close(&f);
+}
+
+static struct scene_file balls;
+
+TEST(tiles_and_turned_surfaces)
+{
+    static const unsigned sizes[] = {1, 3, 8, 37, 113};
+
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        draw_tiles(&balls.scene, sizes[i]);
+}
+
+/* What is asked for beside pixels is the same too. */
+TEST(objects_hashes_and_lights)
+{
+    enum { W = 60, H = 45 };
+    static uint32_t hashes[2][W * H];
+    static uint64_t lit[2][W * H];
+    struct level_frames f;
+
+    CHECK(level_frames_open(&f, level, &balls.scene, W, H));
+    for (int i = 0; i < 2; i++) {
+        struct tia_options options = {.path_hash = hashes[i], .lit = lit[i]};
+        struct tia_surface surface = level_frames_surface(i ? f.got : f.want, f.pitch);
+        CHECK_EQ(tia_render(i ? f.level : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
+    }
+    CHECK(memcmp(hashes[0], hashes[1], sizeof hashes[0]) == 0 && memcmp(lit[0], lit[1], sizeof lit[0]) == 0);
+    for (unsigned i = 0; i < W * H; i += 7)
+        CHECK_EQ(tia_hits_object(f.hits[1], i % W, i / W), tia_hits_object(f.hits[0], i % W, i / W));
+    level_frames_close(&f);
+}
+
+static void draw_row(void *arg, unsigned index)
+{
+    struct level_frames *f = arg;
+    struct tia_tile tile = {0, (uint16_t)(5 * index), f->area.width, 5};
+    struct tia_surface surface = level_frames_surface(f->got + (size_t)f->pitch * tile.y, f->pitch);
+
+    CHECK_EQ(tia_render(f->level, f->hits[1], tile, &surface, NULL), TIA_OK);
+}
+
+TEST(threads)
+{
+    struct threads *pool = threads_create(4);
+    struct level_frames f;
+
+    CHECK(level_frames_open(&f, level, &balls.scene, 120, 90));
+    CHECK_EQ(level_frames_differ(&f, true, false), 0);
+    memset(f.got, GUARDED, f.bytes);
+    threads_workers.run(pool, draw_row, &f, 18);
+    CHECK(memcmp(f.want, f.got, f.bytes) == 0);
+    level_frames_close(&f);
+    threads_destroy(pool);
+}
+
+/* New lights need no new scene; too little memory is refused. */
+TEST(lights_move)
+{
+    struct tia_light lights[8];
+    struct level_frames f;
+
+    CHECK(balls.scene.light_count > 0 && balls.scene.light_count <= 8);
+    CHECK(level_frames_open(&f, level, &balls.scene, 60, 45));
+    memcpy(lights, balls.scene.lights, balls.scene.light_count * sizeof *lights);
+    lights[0].centre.x /= 2;
+    CHECK_EQ(tia_view_set_lights(f.plain, lights, balls.scene.light_count), TIA_OK);
+    CHECK_EQ(tia_view_set_lights(f.level, lights, balls.scene.light_count), TIA_OK);
+    CHECK_EQ(level_frames_differ(&f, true, true), 0);
+    size_t size = tia_level_size(level, &balls.scene, balls.scene.light_count);
+    CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], size - 1), TIA_ERR_MEMORY);
+    CHECK(strcmp(tia_view_level(f.level), "plain") == 0);
+    level_frames_close(&f);
+}
+
+static void run_all(const struct tia_level *tested)
+{
+    const struct sure_kernels counting = {count};
+    struct tia_level mine = *tested;
+    char title[80];
+
+    kernels = tested->sure;
+    mine.sure = &counting;
+    level = &mine;
+#define RUN_LEVEL(test) ((void)snprintf(title, sizeof title, "%s: %s", tested->name, #test), check_run(title, test))
+    RUN_LEVEL(random_corpus);
+    RUN_LEVEL(scene_files);
+    RUN_LEVEL(tiles_and_turned_surfaces);
+    RUN_LEVEL(objects_hashes_and_lights);
+    RUN_LEVEL(lights_move);
+    level = tested; /* threads do not count */
+    RUN_LEVEL(threads);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = "scenes/nff/balls_2.nff";
+
+    if (argc > 1)
+        random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    if (scene_open(&balls, path, scene_format_of(path), false))
+        return EXIT_FAILURE;
+    for (unsigned i = 0; tia_level_at(i); i++)
+        run_all(tia_level_at(i));
+    scene_close(&balls);
+    return check_status();
+}
