@@ -68,6 +68,34 @@ TEST(roots_are_rounded_down)
     }
 }
 
+TEST(coarse_roots_are_not_below)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_unit d = (num_unit)(random_bits() >> 2 >> random_bits() % 62), root = num_root_up(d);
+        exact below = (exact)root - ((exact)1 << 34); /* 2^-28 */
+        CHECK((exact)root * root >= (exact)d << 62);
+        CHECK(below < 0 || below * below <= (exact)d << 62);
+    }
+}
+
+/* A plane's distance is too small in size, by less than 2^-21 of it, and a unit. */
+TEST(slopes_reach_planes_early)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_unit d = any(62) | 1;
+        num_length origin = any(61);
+        tia_q16 plane = (tia_q16)any(31);
+        struct num_slope slope = num_slope(origin, d);
+        real want = ((real)num_length_of(plane) - (real)origin) / (real)d * (real)0x1p55; /* 2^38 2^62/2^45 */
+        real got = (real)num_walk_to(&slope, plane), size = want < 0 ? -want : want, got_size = got < 0 ? -got : got;
+        CHECK(size < 1 || got_size < 1 || (got < 0) == (want < 0));
+        CHECK(got_size <= size + 1);
+        CHECK(slope.level || got_size >= size * (1 - (real)0x1p-21) - 1);
+        CHECK_EQ(slope.level, (d < 0 ? -d : d) < (num_unit)1 << 54);
+    }
+    CHECK(num_slope(NUM_LENGTH_FAR, NUM_UNIT_ONE).level && num_slope(-NUM_LENGTH_FAR, -1).level);
+}
+
 TEST(within_has_its_edge)
 {
     static const struct num_point whole[] = {{1, 2, 2}, {2, 3, 6}, {-1, 4, 8}, {4, -4, 7}, {6, 6, -7}, {0, 0, -5}};
@@ -138,6 +166,8 @@ int main(void)
 {
     RUN(products_are_rounded_to_nearest);
     RUN(roots_are_rounded_down);
+    RUN(coarse_roots_are_not_below);
+    RUN(slopes_reach_planes_early);
     RUN(within_has_its_edge);
     RUN(what_is_beyond);
     RUN(quotients);
