@@ -144,6 +144,25 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
+/* The bits of the roots, though it takes none. */
+TEST(powers_as_lengths)
+{
+    for (int i = 0; i < ROUNDS / 2; i++) {
+        num_unit d = (num_unit)random_short(62) | 1;
+        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
+        d = i % 4 ? d : NUM_UNIT_ONE - d / 2;
+        CHECK_MSG(num_power_length(d, e) == num_length_of_unit(num_power(d, e)), "%jd^%jd", (intmax_t)d, (intmax_t)e);
+        num_unit whole = num_whole_power(d, e >> 16);
+        if (e >> 16 && d < NUM_UNIT_ONE) {
+            long double want = (long double)whole * powl((long double)d / 0x1p62L, (long double)(e & 0xffff) / 65536);
+            long double off = fabsl((long double)tia_power_near(whole, d, e & 0xffff) - want);
+            CHECK_MSG(off < 0x1p7L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
+        }
+    }
+    CHECK_EQ(num_power_length(0, TIA_Q16(3.5)), 0);
+    CHECK_EQ(num_power_length(NUM_UNIT_ONE, TIA_Q16(3.5)), NUM_LENGTH_ONE);
+}
+
 TEST(powers_and_turns)
 {
     for (int i = 0; i < ROUNDS / 10; i++) {
@@ -171,6 +190,7 @@ int main(void)
     RUN(within_has_its_edge);
     RUN(what_is_beyond);
     RUN(quotients);
+    RUN(powers_as_lengths);
     RUN(powers_and_turns);
     return check_status();
 }

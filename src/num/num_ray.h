@@ -23,7 +23,7 @@
  *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
  *   num_div_by(x, d), num_fraction_by(x, d)   the same for many x, with d = num_divisor_of(y)
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; num_area_sign, num_barycentric: see there
- *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16
+ *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16; num_power_length(d, e): as num_length, faster
  *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
  *   num_repeat(x, n, &cell)      n x - floor(n x), and floor(n x) in cell; n in Q16.16, at most 1024
  *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length

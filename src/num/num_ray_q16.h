@@ -238,25 +238,7 @@ static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
     parts[0] = NUM_UNIT_ONE - parts[1] - parts[2];
 }
 
-/* d^e: the integer part of e by squaring, its fraction by square roots. */
-static inline num_unit num_power(num_unit d, tia_q16 e)
-{
-    num_unit power = NUM_UNIT_ONE, base = d;
-
-    NUM_CHECK(d >= 0 && d <= NUM_UNIT_ONE && e >= 0);
-    for (tia_q16 n = e >> 16; n; n >>= 1) {
-        if (n & 1)
-            power = num_times(power, base);
-        base = num_times(base, base);
-    }
-    base = d;
-    for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
-        base = num_unit_sqrt(base);
-        if (n & 0x8000)
-            power = num_times(power, base);
-    }
-    return power;
-}
+#include "num_power_q16.h"
 
 #define NUM_UNIT_LEVEL ((num_unit)1 << 42) /* 2^-20 */
 

@@ -221,6 +221,11 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
+static inline num_length num_power_length(num_unit d, tia_q16 e)
+{
+    return num_power(d, e);
+}
+
 #define NUM_UNIT_LEVEL ((num_real)1 / 1048576)
 
 static inline num_length num_reciprocal(num_unit d)

@@ -65,7 +65,7 @@ static num_length highlight(const struct shading *s, struct num_dir to, num_unit
 
     if (half <= 0)
         return 0;
-    return num_length_of_unit(num_power(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent));
+    return num_power_length(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent);
 }
 
 /* What the material reflects of light from `to` towards the viewer. */
