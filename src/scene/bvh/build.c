@@ -116,17 +116,17 @@ static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint
 }
 
 /* The mean of those of the objects with a box. */
-static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count)
+static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct asker *asker)
 {
     uint64_t sum = 0;
 
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count && !asker_stops(asker, 1); i++) {
         uint32_t spheres = scene->sphere_count;
         bool sphere = items[i] < spheres;
         enum tia_shape_kind kind = sphere ? TIA_SPHERE : scene->shapes[items[i] - spheres].kind;
         sum += sphere ? SPHERE_COST : kind == TIA_CYLINDER || kind == TIA_CONE ? ROUND_COST : FACE_COST;
     }
-    return count ? (uint32_t)(sum / count) : FACE_COST;
+    return sum > count ? (uint32_t)(sum / count) : 1;
 }
 
 /* Objects with a box fill `items` from the front, the others from the back. */
@@ -140,7 +140,7 @@ static void build_objects(struct space *space, struct tia_bvh *bvh, const struct
             items[first++] = i;
         else
             items[--last] = i;
-    bvh->objects = build(space, items, first, object_cost(scene, items, first));
+    bvh->objects = build(space, items, first, object_cost(scene, items, first, &space->asker));
     bvh->unbounded = items + last;
     bvh->unbounded_count = count - last;
 }
