@@ -200,7 +200,7 @@ TEST(a_depth_that_would_not_do)
     struct tia_bounds boxes[100];
     uint32_t numbers[100];
     struct asker nobody = {0};
-    const struct tia_bvh_split_items items = {boxes, numbers, 100, &nobody};
+    const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &nobody};
 
     for (uint32_t i = 0; i < 100; i++) {
         struct tia_vec3 p = {i < 90 ? (tia_q16)i : (tia_q16)i * ONE, 0, 0};
@@ -213,6 +213,20 @@ TEST(a_depth_that_would_not_do)
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 90), 90);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 89), 50);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 50), 50);
+}
+
+/* Two cubes that share half of their space: 12/16 + 12/16 + 1/c < 2 for a cost c above 2. */
+TEST(items_that_cost_more_are_split_sooner)
+{
+    const struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
+    uint32_t numbers[2] = {0, 1};
+    struct asker nobody = {0};
+
+    for (uint32_t cost = 1; cost < 5; cost++) {
+        const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &nobody};
+        struct tia_bounds bounds = tia_bvh_split_bounds(&items);
+        CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cost > 2);
+    }
 }
 
 TEST(ends_of_the_numbers)
@@ -248,6 +262,7 @@ int main(void)
     RUN(one_place);
     RUN(exponential_spacing);
     RUN(a_depth_that_would_not_do);
+    RUN(items_that_cost_more_are_split_sooner);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);
     free(memory);

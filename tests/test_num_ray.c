@@ -68,6 +68,34 @@ TEST(roots_are_rounded_down)
     }
 }
 
+TEST(coarse_roots_are_not_below)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_unit d = (num_unit)(random_bits() >> 2 >> random_bits() % 62), root = num_root_up(d);
+        exact below = (exact)root - ((exact)1 << 34); /* 2^-28 */
+        CHECK((exact)root * root >= (exact)d << 62);
+        CHECK(below < 0 || below * below <= (exact)d << 62);
+    }
+}
+
+/* A plane's distance is too small in size, by less than 2^-21 of it, and a unit. */
+TEST(slopes_reach_planes_early)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_unit d = any(62) | 1;
+        num_length origin = any(61);
+        tia_q16 plane = (tia_q16)any(31);
+        struct num_slope slope = num_slope(origin, d);
+        real want = ((real)num_length_of(plane) - (real)origin) / (real)d * (real)0x1p55; /* 2^38 2^62/2^45 */
+        real got = (real)num_walk_to(&slope, plane), size = want < 0 ? -want : want, got_size = got < 0 ? -got : got;
+        CHECK(size < 1 || got_size < 1 || (got < 0) == (want < 0));
+        CHECK(got_size <= size + 1);
+        CHECK(slope.level || got_size >= size * (1 - (real)0x1p-21) - 1);
+        CHECK_EQ(slope.level, (d < 0 ? -d : d) < (num_unit)1 << 54);
+    }
+    CHECK(num_slope(NUM_LENGTH_FAR, NUM_UNIT_ONE).level && num_slope(-NUM_LENGTH_FAR, -1).level);
+}
+
 TEST(within_has_its_edge)
 {
     static const struct num_point whole[] = {{1, 2, 2}, {2, 3, 6}, {-1, 4, 8}, {4, -4, 7}, {6, 6, -7}, {0, 0, -5}};
@@ -116,6 +144,25 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
+/* The bits of the roots, though it takes none. */
+TEST(powers_as_lengths)
+{
+    for (int i = 0; i < ROUNDS / 2; i++) {
+        num_unit d = (num_unit)random_short(62) | 1;
+        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
+        d = i % 4 ? d : NUM_UNIT_ONE - d / 2;
+        CHECK_MSG(num_power_length(d, e) == num_length_of_unit(num_power(d, e)), "%jd^%jd", (intmax_t)d, (intmax_t)e);
+        num_unit whole = num_whole_power(d, e >> 16);
+        if (e >> 16 && d < NUM_UNIT_ONE) {
+            long double want = (long double)whole * powl((long double)d / 0x1p62L, (long double)(e & 0xffff) / 65536);
+            long double off = fabsl((long double)tia_power_near(whole, d, e & 0xffff) - want);
+            CHECK_MSG(off < 0x1p7L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
+        }
+    }
+    CHECK_EQ(num_power_length(0, TIA_Q16(3.5)), 0);
+    CHECK_EQ(num_power_length(NUM_UNIT_ONE, TIA_Q16(3.5)), NUM_LENGTH_ONE);
+}
+
 TEST(powers_and_turns)
 {
     for (int i = 0; i < ROUNDS / 10; i++) {
@@ -138,9 +185,12 @@ int main(void)
 {
     RUN(products_are_rounded_to_nearest);
     RUN(roots_are_rounded_down);
+    RUN(coarse_roots_are_not_below);
+    RUN(slopes_reach_planes_early);
     RUN(within_has_its_edge);
     RUN(what_is_beyond);
     RUN(quotients);
+    RUN(powers_as_lengths);
     RUN(powers_and_turns);
     return check_status();
 }

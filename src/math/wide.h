@@ -74,12 +74,22 @@ typedef struct {
     uint64_t low;
 } wide;
 
+/* a b, |a| <= 2^31, b < 2^32. */
+static inline int64_t wide_mixed(int32_t a, uint32_t b)
+{
+    return (int64_t)(tia_mul_u32((uint32_t)a, b) - (a < 0 ? (uint64_t)b << 32 : 0));
+}
+
+/* The upper words are signed, the lower ones are not: no sum below leaves 64 bits. */
 static inline wide wide_product(int64_t a, int64_t b)
 {
-    struct tia_wide p = tia_wide_product((uint64_t)a, (uint64_t)b);
-    uint64_t high = p.high - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0);
+    uint32_t a0 = (uint32_t)a, b0 = (uint32_t)b;
+    int32_t a1 = (int32_t)(a >> 32), b1 = (int32_t)(b >> 32);
+    uint64_t low = tia_mul_u32(a0, b0);
+    int64_t middle = wide_mixed(a1, b0) + (int64_t)(low >> 32);
+    int64_t cross = wide_mixed(b1, a0) + (int64_t)(uint32_t)middle;
 
-    return (wide){(int64_t)high, p.low};
+    return (wide){tia_mul_s32(a1, b1) + (middle >> 32) + (cross >> 32), (uint64_t)cross << 32 | (uint32_t)low};
 }
 
 static inline wide wide_sum(wide a, wide b)
@@ -140,10 +150,13 @@ static inline wide wide_times(wide a, int64_t b)
 }
 #endif
 
-/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. */
+/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit that is shifted out is the
+ * one that rounds up. */
 static inline int64_t wide_round(wide a, unsigned s)
 {
-    return wide_down(wide_sum(a, wide_up(wide_product(1, 1), s - 1)), s);
+    uint64_t half = s > 64 ? (uint64_t)wide_high(a) >> (s - 65) : wide_low(a) >> (s - 1);
+
+    return wide_down(a, s) + (int64_t)(half & 1);
 }
 
 /* |a| */
@@ -273,22 +286,39 @@ static inline int64_t wide_reciprocal(uint64_t b)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* a/b * 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a|, |b| <
- * 2^63, e in 0..126. */
-static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
+/* What many quotients by the same b share: |b| < 2^63. */
+struct wide_divisor {
+    int64_t reciprocal; /* of |b| 2^zeros; 0 when b is 0 */
+    int zeros;
+    bool negative;
+};
+
+static inline struct wide_divisor wide_divisor(int64_t b)
 {
     uint64_t divisor = b < 0 ? 0 - (uint64_t)b : (uint64_t)b;
-    int64_t most = a == 0 ? 0 : (a < 0) != (b < 0) ? -(INT64_C(1) << 62) : INT64_C(1) << 62;
+    unsigned z = divisor ? tia_clz64(divisor) : 0;
 
-    if (!divisor)
-        return most;
-    unsigned z = tia_clz64(divisor);
-    wide product = wide_product(a < 0 ? -a : a, wide_reciprocal(divisor << z));
-    int shift = 126 - (int)z - e;
-    if (shift < 1 || wide_bits(product) - shift > 62)
+    return (struct wide_divisor){divisor ? wide_reciprocal(divisor << z) : 0, (int)z, b < 0};
+}
+
+/* a/b * 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a| < 2^63, e in
+ * 0..126. */
+static inline int64_t wide_quotient_by(int64_t a, struct wide_divisor b, int e)
+{
+    bool negative = (a < 0) != b.negative;
+    int64_t most = a == 0 ? 0 : negative ? -(INT64_C(1) << 62) : INT64_C(1) << 62;
+    wide product = wide_product(a < 0 ? -a : a, b.reciprocal);
+    int shift = 126 - b.zeros - e;
+
+    if (!b.reciprocal || shift < 1 || wide_bits(product) - shift > 62)
         return most;
     int64_t quotient = shift > 126 ? 0 : wide_round(product, (unsigned)shift);
-    return (a < 0) != (b < 0) ? -quotient : quotient;
+    return negative ? -quotient : quotient;
+}
+
+static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
+{
+    return wide_quotient_by(a, wide_divisor(b), e);
 }
 
 /* Sets d to v, in any unit, divided by its length: Q1.62, within 2^-58. False, and d = 0, when v is 0. |v| < 2^62. */

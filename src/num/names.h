@@ -93,6 +93,7 @@
 #define ray_light_aim NAMES(ray_light_aim)
 #define ray_light_sample NAMES(ray_light_sample)
 #define ray_light_shadow NAMES(ray_light_shadow)
+#define ray_light_is_seen NAMES(ray_light_is_seen)
 #define ray_light_intersect NAMES(ray_light_intersect)
 #define ray_pixel_class NAMES(ray_pixel_class)
 #define ray_texture NAMES(ray_texture)

@@ -18,17 +18,20 @@
  *   num_half_chord(r, p)         sqrt(r^2 - |p|^2), -1 when that is imaginary
  *   num_within(r, p)             |p| <= r, exactly
  *   num_point_power(p, r, k)     (|p|^2 - r^2)/k, clamped to +-NUM_LENGTH_MAX; |p| and r below 2^18
- *   num_norm(p), num_unit_sqrt(d)
+ *   num_norm(p), num_unit_sqrt(d), num_root_up(d): the latter a coarse one, not below the root
  *   num_div(x, d), num_ratio(x, y)   x/d, x/y as num_length, clamped to +-NUM_LENGTH_MAX
  *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
+ *   num_div_by(x, d), num_fraction_by(x, d)   the same for many x, with d = num_divisor_of(y)
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; num_area_sign, num_barycentric: see there
- *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16
+ *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16; num_power_length(d, e): as num_length, faster
  *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
  *   num_repeat(x, n, &cell)      n x - floor(n x), and floor(n x) in cell; n in Q16.16, at most 1024
  *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length
  *   num_reciprocal(d)            1/d clamped to +-2^20, for num_slab(x, reciprocal), the distance x/d in a coarse
  *                                format that only box tests use
  *   num_slab_start(s)            such a distance as num_length, rounded down beyond its error
+ *   num_slope(o, d)              a ray against planes across an axis, for the boxes of a hierarchy: the coarse distance
+ *                                of one is num_walk_to(slope, plane), in a format of its own
  *   num_divide(v, s, d)          the direction d and the length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled and
  *                                num_unscaled multiply and divide by the length, clamped to NUM_LENGTH_MAX
  *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise

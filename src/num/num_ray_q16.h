@@ -161,6 +161,13 @@ static inline num_unit num_unit_sqrt(num_unit d)
     return wide_sqrt(wide_product(d, NUM_UNIT_ONE));
 }
 
+/* Not below sqrt(d), and above it by 2^-28 at most. */
+static inline num_unit num_root_up(num_unit d)
+{
+    NUM_CHECK(d >= 0);
+    return ((num_unit)tia_sqrt64((uint64_t)d) + 4) * ((num_unit)1 << 31);
+}
+
 static inline num_length num_div(num_length x, num_unit d)
 {
     return wide_quotient(x, d, 62);
@@ -176,6 +183,24 @@ static inline num_unit num_fraction(num_length x, num_length y)
     return wide_quotient(x, y, 62);
 }
 
+/* For many quotients by the same number. */
+typedef struct wide_divisor num_divisor;
+
+static inline num_divisor num_divisor_of(int64_t d)
+{
+    return wide_divisor(d);
+}
+
+static inline num_length num_div_by(num_length x, num_divisor d)
+{
+    return wide_quotient_by(x, d, 62);
+}
+
+static inline num_unit num_fraction_by(num_length x, num_divisor y)
+{
+    return wide_quotient_by(x, y, 62);
+}
+
 /* Twice the area of a triangle with a corner at 0; exact for coordinates below 2^17.6. */
 typedef wide num_area;
 
@@ -186,7 +211,7 @@ static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, n
 
 static inline int num_area_sign(num_area a)
 {
-    return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
+    return wide_sign(a);
 }
 
 /* a 2^zeros, rounded down; must be below 2^62. */
@@ -207,30 +232,13 @@ static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
     sum = wide_sum(wide_sum(a[0], a[1]), a[2]);
     int zeros = 62 - wide_bits(sum);
     NUM_CHECK(zeros < 62);
-    parts[1] = wide_quotient(num_area_top(a[1], zeros), num_area_top(sum, zeros), 62);
-    parts[2] = wide_quotient(num_area_top(a[2], zeros), num_area_top(sum, zeros), 62);
+    struct wide_divisor whole = wide_divisor(num_area_top(sum, zeros));
+    parts[1] = wide_quotient_by(num_area_top(a[1], zeros), whole, 62);
+    parts[2] = wide_quotient_by(num_area_top(a[2], zeros), whole, 62);
     parts[0] = NUM_UNIT_ONE - parts[1] - parts[2];
 }
 
-/* d^e: the integer part of e by squaring, its fraction by square roots. */
-static inline num_unit num_power(num_unit d, tia_q16 e)
-{
-    num_unit power = NUM_UNIT_ONE, base = d;
-
-    NUM_CHECK(d >= 0 && d <= NUM_UNIT_ONE && e >= 0);
-    for (tia_q16 n = e >> 16; n; n >>= 1) {
-        if (n & 1)
-            power = num_times(power, base);
-        base = num_times(base, base);
-    }
-    base = d;
-    for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
-        base = num_unit_sqrt(base);
-        if (n & 0x8000)
-            power = num_times(power, base);
-    }
-    return power;
-}
+#include "num_power_q16.h"
 
 #define NUM_UNIT_LEVEL ((num_unit)1 << 42) /* 2^-20 */
 
@@ -265,6 +273,50 @@ static inline num_length num_slab_of(num_length t)
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
+}
+
+/* A ray against planes across an axis, coarsely, for walking a hierarchy: t = (plane - origin)/d with 38 fraction bits.
+ * 1/|d| is 2^8 at most and rounded towards 0, by less than 2^-22 of itself; t is that much too small in size, and a
+ * unit more or less. 32 x 32 bits make a product. An origin beyond 2^16 would need more: no plane is anywhere then. */
+typedef int64_t num_walk;
+
+struct num_slope {
+    int64_t start;   /* origin/d */
+    int32_t inverse; /* 1/d, 22 fraction bits */
+    bool backward;   /* d < 0 */
+    bool level;      /* 1/|d| is larger than said */
+};
+
+static inline struct num_slope num_slope(num_length origin, num_unit d)
+{
+    const uint64_t least = UINT64_C(1) << 54;
+    uint64_t size = d < 0 ? 0 - (uint64_t)d : (uint64_t)d;
+    bool level = size < least;
+
+    if (origin >= NUM_LENGTH_FAR || origin <= -NUM_LENGTH_FAR)
+        return (struct num_slope){0, 0, false, true};
+    size = level ? least : size;
+    unsigned z = tia_clz64(size);
+    int32_t inverse = (int32_t)((tia_reciprocal((uint32_t)(size << z >> 32)) - 3) >> (11 - z));
+    inverse = d < 0 ? -inverse : inverse;
+    return (struct num_slope){wide_round(wide_product(origin, inverse), 29), inverse, d < 0, level};
+}
+
+static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)
+{
+    return tia_mul_s32(plane, s->inverse) - s->start;
+}
+
+/* A limit of t in this format. */
+static inline num_walk num_walk_limit(num_length t)
+{
+    return (t >> 7) + 2;
+}
+
+/* The greatest `near` for which near <= far may be true. */
+static inline num_walk num_walk_slack(num_walk far)
+{
+    return far + (far >> 21) + 4;
 }
 
 /* mantissa 2^exponent */

@@ -127,6 +127,11 @@ static inline num_unit num_unit_sqrt(num_unit d)
     return num_root(d);
 }
 
+static inline num_unit num_root_up(num_unit d)
+{
+    return num_root(d) + (num_real)1 / ((int32_t)1 << 28);
+}
+
 static inline num_real num_bounded(num_real x, num_real most)
 {
     return x > most ? most : x < -most ? -most : x;
@@ -152,6 +157,23 @@ static inline num_length num_ratio(num_length x, num_length y)
 static inline num_unit num_fraction(num_length x, num_length y)
 {
     return num_bounded(num_div(x, y), 1);
+}
+
+typedef num_real num_divisor;
+
+static inline num_divisor num_divisor_of(num_real d)
+{
+    return d;
+}
+
+static inline num_length num_div_by(num_length x, num_divisor d)
+{
+    return num_div(x, d);
+}
+
+static inline num_unit num_fraction_by(num_length x, num_divisor y)
+{
+    return num_fraction(x, y);
 }
 
 typedef num_real num_area;
@@ -199,6 +221,11 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
+static inline num_length num_power_length(num_unit d, tia_q16 e)
+{
+    return num_power(d, e);
+}
+
 #define NUM_UNIT_LEVEL ((num_real)1 / 1048576)
 
 static inline num_length num_reciprocal(num_unit d)
@@ -222,6 +249,35 @@ static inline num_length num_slab_of(num_length t)
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : slab - NUM_SLAB_ERROR;
+}
+
+typedef num_real num_walk;
+
+struct num_slope {
+    num_real origin, inverse;
+    bool backward, level;
+};
+
+static inline struct num_slope num_slope(num_length origin, num_unit d)
+{
+    bool level = d < NUM_UNIT_LEVEL && d > -NUM_UNIT_LEVEL;
+
+    return (struct num_slope){origin, num_reciprocal(d), d < 0, level};
+}
+
+static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)
+{
+    return (num_length_of(plane) - s->origin) * s->inverse;
+}
+
+static inline num_walk num_walk_limit(num_length t)
+{
+    return t + NUM_SLAB_ERROR;
+}
+
+static inline num_walk num_walk_slack(num_walk far)
+{
+    return far + NUM_SLAB_ERROR;
 }
 
 struct num_scale {

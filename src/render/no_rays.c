@@ -28,8 +28,13 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 /* A view that could not be prepared is not drawn: the rest is never called. */
-const struct renderer whitted_renderer = {draws, prepared_size, prepare,     NULL, buffer_size,
-                                          NULL,  NULL,          LEVEL_PARTS, NULL};
+const struct renderer whitted_renderer = {
+    .draws = draws,
+    .prepared_size = prepared_size,
+    .prepare = prepare,
+    .buffer_size = buffer_size,
+    .part = LEVEL_PARTS,
+};
 
 static bool draws_none(const struct tia_scene *scene)
 {
@@ -37,5 +42,10 @@ static bool draws_none(const struct tia_scene *scene)
     return false;
 }
 
-const struct renderer raster_renderer = {draws_none, prepared_size, prepare,     NULL, buffer_size,
-                                         NULL,       NULL,          LEVEL_PARTS, NULL};
+const struct renderer raster_renderer = {
+    .draws = draws_none,
+    .prepared_size = prepared_size,
+    .prepare = prepare,
+    .buffer_size = buffer_size,
+    .part = LEVEL_PARTS,
+};

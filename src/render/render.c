@@ -24,11 +24,11 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
+static const struct tia_options plain = {0};
+
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options)
 {
-    static const struct tia_options plain = {0};
-
     if (!has_tile(view, hits, tile) || !surface->pixels)
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
@@ -42,6 +42,12 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options)
 {
+    if (!view->level && view->renderer->render) {
+        if (!has_tile(view, hits, tile) || !surface->pixels)
+            return TIA_ERR_ARGUMENT;
+        view->renderer->render(view, hits, tile, surface, options ? options : &plain);
+        return view_stops(view) ? TIA_STOPPED : TIA_OK;
+    }
     int status = tia_trace(view, hits, tile);
 
     return status ? status : tia_light_tile(view, hits, tile, surface, options);

@@ -37,6 +37,10 @@ struct renderer {
 
     /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */
     bool (*has_room)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
+
+    /* Traces and lights at once, where that saves work; NULL: one after the other. */
+    void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                   const struct tia_surface *surface, const struct tia_options *options);
 };
 
 /* What draws in place of one renderer's plain C, on a processor with vector units: the same bits. */

@@ -88,7 +88,7 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
     }
     casters->unbounded = items + last;
     casters->unbounded_count = count - last;
-    casters->tree = tia_bvh_build_tree(nodes, items, first, boxes, asker);
+    casters->tree = tia_bvh_build_tree(nodes, items, first, 1, boxes, asker);
     return asker->stopped ? TIA_STOPPED : TIA_OK;
 }
 

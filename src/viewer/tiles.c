@@ -111,12 +111,11 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
 
     if (!status && !loop->whole)
         status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
-    if (!status && !loop->traced)
-        status = loop->core->trace(loop->view, hits, tile);
     if (!status)
         status = v->display->acquire(v->display_ctx, tile, &surface);
     if (!status)
-        status = loop->core->light(loop->view, hits, tile, &surface, &v->options);
+        status = loop->traced ? loop->core->light(loop->view, hits, tile, &surface, &v->options)
+                              : loop->core->render(loop->view, hits, tile, &surface, &v->options);
     return status ? status : v->display->submit(v->display_ctx, tile);
 }
 

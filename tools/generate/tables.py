@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tables.py - prints src/math/integer.c: the seed tables of the number kernels.
+"""tables.py - prints src/math/integer.c: the seed tables of the number kernels; with "power", src/math/power_tables.c.
 
 Each entry packs a straight line over one interval of the argument, its value at the left end
 and its slope: one multiplication gives a seed good to 17 bits, one Newton step makes them 32.
@@ -14,6 +14,7 @@ the wanted number of bits: its slope is the chord's (or a unit beside it), its h
 the error at the ends is minus the error at the interior extremum.
 """
 import math
+import sys
 
 
 def line(f, lo, hi, extremum):
@@ -105,8 +106,66 @@ def sines(count, bits=200):
 def show_longs(name, words):
     print(f"\nconst int64_t {name}[{len(words)}] = {{")
     for i in range(0, len(words), 4):
-        print("    " + " ".join(f"0x{w:016x}," for w in words[i:i + 4]))
+        print("    " + " ".join(f"{'-' if w < 0 else ''}0x{abs(w):016x}," for w in words[i:i + 4]))
     print("};")
+
+
+def ln2(bits):
+    """ln 2 by 2 atanh(1/3)."""
+    term, total, k = (1 << bits) // 3, 0, 0
+    while term:
+        total += term // (2 * k + 1)
+        term //= 9
+        k += 1
+    return 2 * total
+
+
+def logarithm(a, b, bits):
+    """log2(a/b) 2^bits for 1 <= a/b <= 2, by 2 atanh((a - b)/(a + b))."""
+    term, total, k = ((a - b) << bits) // (a + b), 0, 0
+    while term:
+        total += term // (2 * k + 1)
+        term = term * (a - b) ** 2 // (a + b) ** 2
+        k += 1
+    return (2 * total << bits) // ln2(bits)
+
+
+def rounded(x, bits, to):
+    """x 2^-bits in Q.to."""
+    return ((x >> (bits - to - 1)) + 1) >> 1
+
+
+def exponential(n, d, bits):
+    """2^(-n/d) 2^bits, by the series."""
+    x = ln2(bits) * n // d
+    term, total, k = 1 << bits, 0, 0
+    while term and term != -1:
+        total += term
+        k += 1
+        term = -term * x // (k << bits)
+    return total
+
+
+def power(bits=200):
+    """Reciprocals near those of the middles of 64 parts of [1/2, 1), their logarithms, 2^(-i/64), and the series of
+    log2(1 + x) and 2^-x."""
+    near = [(2 * 512 * 256 + 129 + 2 * i) // (2 * (129 + 2 * i)) for i in range(64)]
+    series, factor = [], 1 << bits
+    for n in range(1, 7):
+        factor = -factor * ln2(bits) // (n << bits)
+        series.append(factor)
+    print("/* power_tables.c - what tia_power_length looks up, written by tools/generate/tables.py. */")
+    print("// clang-format off")
+    print('#include "power.h"\n')
+    print("const uint16_t tia_log_inverses[64] = {")
+    for i in range(0, 64, 16):
+        print("    " + " ".join(f"{n}," for n in near[i:i + 16]))
+    print("};")
+    show_longs("tia_logs", [rounded(logarithm(n, 512, bits), bits, 56) for n in near])
+    show_longs("tia_exps", [rounded(exponential(i, 64, bits), bits, 62) for i in range(64)])
+    show_longs("tia_log_series", [rounded((-1) ** (n + 1) * (1 << 2 * bits) // (n * ln2(bits)), bits, 62)
+                                  for n in range(1, 9)])
+    show_longs("tia_exp_series", [rounded(f, bits, 62) for f in series])
 
 
 def main():
@@ -128,4 +187,7 @@ def main():
     show_longs("tia_sines", sines(64))
 
 
-main()
+if sys.argv[1:] == ["power"]:
+    power()
+else:
+    main()

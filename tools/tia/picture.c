@@ -44,9 +44,7 @@ static void draw_rows(struct picture *picture, unsigned job)
                                sizeof(tia_rgb565), (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
     struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
 
-    int status = picture->core->trace(picture->view, picture->hits, tile);
-    if (!status)
-        status = picture->core->light(picture->view, picture->hits, tile, &surface, &picture->pixel_options);
+    int status = picture->core->render(picture->view, picture->hits, tile, &surface, &picture->pixel_options);
     if (status)
         atomic_store(&picture->status, status);
     progress_add(&picture->progress, (uint64_t)tile.width * tile.height);

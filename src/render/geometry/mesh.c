@@ -84,7 +84,9 @@ static void search(struct search *s, const struct prepared_mesh *prepared, const
 {
     s->mesh = prepared->mesh;
     triangle_ray_prepare(&s->ray, ray);
-    if (prepared->tree)
+    if (prepared->tree && prepared->tree->node_count == 1) /* a leaf, and its box is the object's */
+        try_faces(s, prepared->tree->items, 0, prepared->tree->item_count);
+    else if (prepared->tree)
         try_tree(s, prepared->tree, ray);
     else
         try_faces(s, NULL, 0, prepared->mesh->face_count);

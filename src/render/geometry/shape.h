@@ -61,7 +61,8 @@ struct prepared_cone {
     num_length length, base_radius, top_radius;
     struct num_point anchor;           /* the thinner end of the axis, */
     num_length anchored;               /* its height above the base, */
-    num_length reach;                  /* and no point of the shape is farther from that end */
+    num_length reach;                  /* and no point of the shape is farther from that end, */
+    num_length thickness;              /* nor farther from the axis */
     num_unit slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
     bool capped;
 };

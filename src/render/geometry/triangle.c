@@ -40,96 +40,130 @@ static int largest(struct num_dir d)
 }
 
 /* The components in the order main, next, the one after. */
-static void from(int main, num_length x, num_length y, num_length z, num_length v[3])
+static void turn(int main, struct num_point p, num_length v[3])
 {
-    v[0] = main == 0 ? x : main == 1 ? y : z;
-    v[1] = main == 0 ? y : main == 1 ? z : x;
-    v[2] = main == 0 ? z : main == 1 ? x : y;
+    v[0] = main == 0 ? p.x : main == 1 ? p.y : p.z;
+    v[1] = main == 0 ? p.y : main == 1 ? p.z : p.x;
+    v[2] = main == 0 ? p.z : main == 1 ? p.x : p.y;
 }
 
 static void relative(struct num_point origin, int main, struct tia_vec3 corner, num_length v[3])
 {
-    struct num_point p = num_point_sub(num_point_of(corner), origin);
-
-    from(main, p.x, p.y, p.z, v);
+    turn(main, num_point_sub(num_point_of(corner), origin), v);
 }
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
 {
-    num_unit d[3];
+    const struct num_dir *d = &ray->direction;
+    int main = largest(*d);
 
-    start->origin = ray->origin;
-    start->main = largest(ray->direction);
-    from(start->main, ray->direction.x, ray->direction.y, ray->direction.z, d);
-    start->along = d[0];
-    start->slope[0] = num_fraction(d[1], d[0]);
-    start->slope[1] = num_fraction(d[2], d[0]);
+    start->main = main;
+    turn(main, ray->origin, start->origin);
+    start->along = num_divisor_of(main == 0 ? d->x : main == 1 ? d->y : d->z);
+    start->slope[0] = num_fraction_by(main == 0 ? d->y : main == 1 ? d->z : d->x, start->along);
+    start->slope[1] = num_fraction_by(main == 0 ? d->z : main == 1 ? d->x : d->y, start->along);
 }
 
-/* Where a corner is seen: v[0] along the main axis, v[1] and v[2] beside the ray. Not inlined, so that what its
- * products leave on a small processor's stack is gone in deeper calls. */
-__attribute__((noinline)) static void seen(const struct triangle_ray *ray, struct tia_vec3 corner, num_length v[3])
+/* The coordinates of the corners along the axis that is `step` after the main one, from the ray's origin. */
+static void corners_along(const struct triangle_ray *ray, const struct triangle_corners *corners, int step,
+                          num_length v[3])
 {
-    relative(ray->origin, ray->main, corner, v);
-    v[1] -= num_times(v[0], ray->slope[0]);
-    v[2] -= num_times(v[0], ray->slope[1]);
-}
+    int axis = ray->main + step;
 
-/* The areas that the origin makes with the edges: each belongs to the corner that it does not touch. */
-static void span_areas(num_length v[3][3], num_area areas[3])
-{
+    axis = axis > 2 ? axis - 3 : axis;
     for (int i = 0; i < 3; i++) {
-        const num_length *a = v[(i + 1) % 3], *b = v[(i + 2) % 3];
-        areas[i] = num_cross2(a[1], a[2], b[1], b[2]);
+        const struct tia_vec3 *c = &corners->at[i];
+        v[i] = num_length_of(axis == 0 ? c->x : axis == 1 ? c->y : c->z) - ray->origin[step];
     }
 }
 
-static bool is_inside(const num_area areas[3])
+/* Where the corners are seen along that axis. Not inlined, so that what its products leave on a small processor's
+ * stack is gone in deeper calls. */
+__attribute__((noinline)) static void seen(const struct triangle_ray *ray, const struct triangle_corners *corners,
+                                           int step, const num_length ahead[3], num_length v[3])
 {
-    int a = num_area_sign(areas[0]), b = num_area_sign(areas[1]), c = num_area_sign(areas[2]);
-
-    return a * b >= 0 && b * c >= 0 && c * a >= 0 && (a || b || c);
+    corners_along(ray, corners, step, v);
+    for (int i = 0; i < 3; i++)
+        v[i] -= num_times(ahead[i], ray->slope[step - 1]);
 }
 
-/* The product of two edges, exact: corners are 2^33 units of 2^-16 apart at most, so it has up to 67 bits. Returns
- * how many bits its largest component has: 0 where the corners lie on one line. */
-static int edge_product(const struct triangle_corners *corners, wide product[3])
+/* Whether all corners are seen strictly on one side of the ray: then some areas differ in sign, or all are 0. */
+static bool is_beside(const num_length v[3])
+{
+    return (v[0] > 0 && v[1] > 0 && v[2] > 0) || (v[0] < 0 && v[1] < 0 && v[2] < 0);
+}
+
+/* The area that the origin makes with the edge that does not touch corner i. */
+static num_area span_area(const num_length x[3], const num_length y[3], int i)
+{
+    int a = i < 2 ? i + 1 : 0, b = i > 0 ? i - 1 : 2;
+
+    return num_cross2(x[a], y[a], x[b], y[b]);
+}
+
+/* Whether the ray passes the triangle: no two areas differ in sign, and not all are 0. The third is not needed where
+ * the first two differ. */
+static bool is_inside(const num_length x[3], const num_length y[3], num_area areas[3])
+{
+    areas[0] = span_area(x, y, 0);
+    areas[1] = span_area(x, y, 1);
+    int a = num_area_sign(areas[0]), b = num_area_sign(areas[1]);
+
+    if (a * b < 0)
+        return false;
+    areas[2] = span_area(x, y, 2);
+    int c = num_area_sign(areas[2]);
+    return b * c >= 0 && c * a >= 0 && (a || b || c);
+}
+
+/* The edges from the first corner: up to 2^33 units of 2^-16 long. */
+struct edges {
+    int64_t ab[3], ac[3];
+};
+
+static struct edges edges_of(const struct triangle_corners *corners)
 {
     struct tia_vec3 a = corners->at[0], b = corners->at[1], c = corners->at[2];
-    const int64_t ab[3] = {(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z};
-    const int64_t ac[3] = {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z};
-    int bits = 0;
 
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        product[i] = wide_difference(wide_product(ab[j], ac[k]), wide_product(ab[k], ac[j]));
-        int length = wide_bits(wide_size(product[i]));
-        bits = length > bits ? length : bits;
-    }
-    return bits;
+    return (struct edges){{(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z},
+                          {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z}};
 }
 
+/* A component of their product, exact: up to 67 bits. It is that of the axis before j. */
+static wide edge_product(const struct edges *e, int j)
+{
+    int k = j < 2 ? j + 1 : 0;
+
+    return wide_difference(wide_product(e->ab[j], e->ac[k]), wide_product(e->ab[k], e->ac[j]));
+}
+
+/* Whether the corners do not lie on one line. */
 static bool has_area(const struct triangle_corners *corners)
 {
-    wide product[3];
+    struct edges edges = edges_of(corners);
 
-    return edge_product(corners, product) > 0;
+    for (int j = 0; j < 3; j++)
+        if (wide_sign(edge_product(&edges, j)))
+            return true;
+    return false;
 }
 
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t)
 {
-    num_length v[3][3];
+    num_length ahead[3], x[3], y[3];
     num_area areas[3];
     num_unit parts[3];
 
-    for (int i = 0; i < 3; i++)
-        seen(ray, corners->at[i], v[i]);
-    span_areas(v, areas);
-    if (!is_inside(areas))
+    corners_along(ray, corners, 0, ahead);
+    seen(ray, corners, 1, ahead, x);
+    if (is_beside(x))
+        return false;
+    seen(ray, corners, 2, ahead, y);
+    if (is_beside(y) || !is_inside(x, y, areas))
         return false;
     num_barycentric(areas, parts);
-    *t = num_div(num_dot3(v[0][0], v[1][0], v[2][0], parts[0], parts[1], parts[2]), ray->along);
+    *t = num_div_by(num_dot3(ahead[0], ahead[1], ahead[2], parts[0], parts[1], parts[2]), ray->along);
     /* Rounding may give corners on one line an area. */
     return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && has_area(corners);
 }
@@ -137,10 +171,16 @@ bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_co
 /* In integers, exact but for the last rounding. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal)
 {
+    struct edges edges = edges_of(corners);
     wide product[3];
     int64_t n[3], d[3];
-    int bits = edge_product(corners, product);
+    int bits = 0;
 
+    for (int i = 0; i < 3; i++) {
+        product[i] = edge_product(&edges, i < 2 ? i + 1 : 0);
+        int length = wide_bits(wide_size(product[i]));
+        bits = length > bits ? length : bits;
+    }
     for (int i = 0; i < 3; i++)
         n[i] = bits > 61 ? wide_round(product[i], (unsigned)(bits - 61)) : (int64_t)wide_low(product[i]);
     (void)wide_normalise(n, d);
@@ -152,12 +192,16 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {
-    num_length v[3][3];
+    num_length v[3], x[3], y[3];
     num_area areas[3];
 
+    for (int i = 0; i < 3; i++) {
+        relative(point, largest(normal), corners->at[i], v);
+        x[i] = v[1];
+        y[i] = v[2];
+    }
     for (int i = 0; i < 3; i++)
-        relative(point, largest(normal), corners->at[i], v[i]);
-    span_areas(v, areas);
+        areas[i] = span_area(x, y, i);
     num_barycentric(areas, parts);
 }
 

@@ -6,9 +6,9 @@
 
 /* A ray, ready for triangles: `main` is the axis of its direction's largest component, 0, 1 or 2. */
 struct triangle_ray {
-    struct num_point origin;
+    num_length origin[3]; /* along the main axis and the two that follow */
     int main;
-    num_unit along;    /* the direction's component there */
+    num_divisor along; /* the direction's component there */
     num_unit slope[2]; /* those along the two axes that follow, divided by it */
 };
 

@@ -1,18 +1,31 @@
 #include "walk.h"
 
-/* Whether the ray may meet the box before `limit`, and where it enters. */
-static bool enters(const struct walk *w, const struct tia_bounds *b, num_length limit, num_length *near)
+/* The part of near..far between two planes. A ray nearly parallel to the planes is taken to approach them faster than
+ * it does. So it enters early, which is safe, but it would also leave early: if they are ahead it never leaves. */
+static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num_walk *near, num_walk *far)
 {
-    num_length far = num_slab_of(limit);
+    num_walk enter = num_walk_to(s, s->backward ? max : min), leave = num_walk_to(s, s->backward ? min : max);
 
-    *near = 0;
-    slab_clip(&w->slabs[0], num_length_of(b->min.x), num_length_of(b->max.x), near, &far);
-    slab_clip(&w->slabs[1], num_length_of(b->min.y), num_length_of(b->max.y), near, &far);
-    slab_clip(&w->slabs[2], num_length_of(b->min.z), num_length_of(b->max.z), near, &far);
-    return *near <= far + NUM_SLAB_ERROR;
+    *near = enter > *near ? enter : *near;
+    if (leave < *far && (!s->level || leave < 0))
+        *far = leave;
 }
 
-static void push(struct walk *w, uint32_t node, num_length near)
+/* Whether the ray may meet the box before `limit`, and where it enters. */
+static bool enters(const struct walk *w, const struct tia_bounds *b, num_walk limit, num_walk *near)
+{
+    num_walk far = limit;
+
+    *near = 0;
+    clip(&w->slopes[0], b->min.x, b->max.x, near, &far);
+    clip(&w->slopes[1], b->min.y, b->max.y, near, &far);
+    if (*near > num_walk_slack(far))
+        return false;
+    clip(&w->slopes[2], b->min.z, b->max.z, near, &far);
+    return *near <= num_walk_slack(far);
+}
+
+static inline void push(struct walk *w, uint32_t node, num_walk near)
 {
     w->stack[w->depth] = node;
     w->near[w->depth++] = near;
@@ -21,19 +34,19 @@ static void push(struct walk *w, uint32_t node, num_length near)
 void walk_start(struct walk *w, const struct tia_bvh_tree *tree, const struct ray *ray)
 {
     w->tree = tree;
-    w->slabs[0] = slab_of(ray->origin.x, ray->direction.x);
-    w->slabs[1] = slab_of(ray->origin.y, ray->direction.y);
-    w->slabs[2] = slab_of(ray->origin.z, ray->direction.z);
+    w->slopes[0] = num_slope(ray->origin.x, ray->direction.x);
+    w->slopes[1] = num_slope(ray->origin.y, ray->direction.y);
+    w->slopes[2] = num_slope(ray->origin.z, ray->direction.z);
     w->depth = 0;
     if (tree->node_count)
         push(w, 0, 0);
 }
 
-static void push_children(struct walk *w, uint32_t node, num_length limit)
+static void push_children(struct walk *w, uint32_t node, num_walk limit)
 {
     const struct tia_bvh_node *nodes = w->tree->nodes;
     uint32_t first = node + 1, second = nodes[node].index;
-    num_length near_first, near_second;
+    num_walk near_first, near_second;
     bool a = enters(w, &nodes[first].bounds, limit, &near_first);
     bool b = enters(w, &nodes[second].bounds, limit, &near_second);
 
@@ -50,13 +63,15 @@ static void push_children(struct walk *w, uint32_t node, num_length limit)
 
 const struct tia_bvh_node *walk_leaf(struct walk *w, num_length limit)
 {
+    num_walk most = num_walk_limit(limit);
+
     while (w->depth > 0) {
         uint32_t node = w->stack[--w->depth];
-        if (w->near[w->depth] > num_slab_of(limit) + NUM_SLAB_ERROR)
+        if (w->near[w->depth] > most)
             continue;
         if (w->tree->nodes[node].count)
             return &w->tree->nodes[node];
-        push_children(w, node, limit);
+        push_children(w, node, most);
     }
     return NULL;
 }

@@ -1,18 +1,19 @@
 /* walk.h - traverses a bounding volume hierarchy without recursion: the leaves that a ray may meet, nearer ones first.
  *
- * A box is skipped only when the ray certainly misses it: with boxes a unit of 2^-16 larger than what is in
- * them and t rounded to 2^-23, what a box holds is never lost.
+ * A box is skipped only when the ray certainly misses it: boxes are a unit of 2^-16 larger than what is in them, and
+ * distances are compared with all of their error, see num_slope. No pixel depends on which leaves come, so they need
+ * not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and slopes below
+ * 2^-8 across an axis say little about it.
  */
 #ifndef TIA_RENDER_GEOMETRY_WALK_H
 #define TIA_RENDER_GEOMETRY_WALK_H
 
 #include "shape.h"
-#include "slab.h"
 
 struct walk {
     const struct tia_bvh_tree *tree;
-    struct slab slabs[3];
-    num_length near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
+    struct num_slope slopes[3];
+    num_walk near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
     int depth;
 };

@@ -367,5 +367,14 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, &r.first);
 }
 
-const struct renderer raster_renderer = {draws,      prepared_size, prepare,     set_lights, buffer_size,
-                                         trace_tile, light_tile,    LEVEL_PARTS, has_room};
+const struct renderer raster_renderer = {
+    .draws = draws,
+    .prepared_size = prepared_size,
+    .prepare = prepare,
+    .set_lights = set_lights,
+    .buffer_size = buffer_size,
+    .trace = trace_tile,
+    .light = light_tile,
+    .part = LEVEL_PARTS,
+    .has_room = has_room,
+};

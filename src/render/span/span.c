@@ -87,5 +87,13 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
     return (uint64_t)pixels * sizeof(num_u);
 }
 
-const struct renderer span_renderer = {draws,      prepared_size, prepare,     set_lights, buffer_size,
-                                       span_trace, span_light,    LEVEL_SPANS, NULL};
+const struct renderer span_renderer = {
+    .draws = draws,
+    .prepared_size = prepared_size,
+    .prepare = prepare,
+    .set_lights = set_lights,
+    .buffer_size = buffer_size,
+    .trace = span_trace,
+    .light = span_light,
+    .part = LEVEL_SPANS,
+};

@@ -62,8 +62,11 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int
     c->width = width;
     c->height = height;
     c->side = given->samples == 16 ? 4 : given->samples == 4 ? 2 : 1;
+    c->columns = num_divisor_of(num_integer(c->side * c->side * width));
+    c->rows = num_divisor_of(num_integer(c->side * c->side * height));
     look(c, given, fine);
     open_window(c, given);
+    c->ahead = num_point_sub((struct num_point){0, 0, 0}, num_point_along(c->n, c->depth));
 }
 
 /* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
@@ -71,8 +74,8 @@ void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct
 {
     int32_t n = c->side, i = sample % n, j = sample / n;
     int32_t column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
-    num_unit right = num_fraction(num_integer(column) / 2, num_integer(n * n * c->width));
-    num_unit down = num_fraction(num_integer(row) / 2, num_integer(n * n * c->height));
+    num_unit right = num_fraction_by(num_integer(column) / 2, c->columns);
+    num_unit down = num_fraction_by(num_integer(row) / 2, c->rows);
     num_length h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
@@ -81,5 +84,5 @@ void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct
     if (c->projection == TIA_ORTHOGRAPHIC)
         ray->origin = num_point_add(c->eye, aside);
     else
-        (void)num_normalise(num_point_sub(aside, num_point_along(c->n, c->depth)), &ray->direction);
+        (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
 }

@@ -11,6 +11,8 @@ struct ray_camera {
     int width, height, side;                 /* of the image; side^2 samples a pixel */
     num_length depth;                        /* of the image plane before the eye */
     num_length left, bottom, across, upward; /* the window and its sizes */
+    num_divisor columns, rows;               /* of samples' places in the image */
+    struct num_point ahead;                  /* from the eye to the image plane */
 };
 
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);

@@ -106,12 +106,14 @@ static struct num_point scaled(struct num_point p, num_unit s)
     return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
 }
 
-void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_point point, unsigned class)
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_point point, struct num_dir normal,
+                   unsigned class)
 {
     struct num_dir from;
 
     aim->light = l;
     aim->point = point;
+    aim->normal = normal;
     aim->class = class;
     aim->axes[0] = l->axes[0];
     aim->axes[1] = l->axes[1];
@@ -157,6 +159,13 @@ static num_length spot(const struct ray_light *l, struct num_dir to)
     return c <= l->outer ? 0 : num_length_of_unit(num_fraction(c - l->outer, l->inner - l->outer));
 }
 
+/* Whether N.L, computed from the direction L of `way`, is surely below 0. The direction's rounding, 2^-57, moves the
+ * product along `way` by less than 2^-37. */
+static bool is_behind(const struct ray_aim *aim, struct num_point way)
+{
+    return num_point_dot(way, aim->normal) < -NUM_LENGTH_ONE / 1073741824;
+}
+
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *s)
 {
     const struct ray_light *l = aim->light;
@@ -168,7 +177,7 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
     }
     s->source = source(aim, i);
     struct num_point way = num_point_sub(s->source, aim->point);
-    if (!num_normalise(way, &s->to))
+    if (is_behind(aim, way) || !num_normalise(way, &s->to))
         return false;
     s->factor = l->kind == TIA_SPOT_LIGHT ? spot(l, s->to) : NUM_LENGTH_ONE;
     if (s->factor > 0 && l->fades)
@@ -213,6 +222,11 @@ static bool is_within(struct num_point p, struct num_point side, struct num_dir 
 
     at = at < 0 ? -at : at;
     return at <= (reach < 0 ? -reach : reach);
+}
+
+bool ray_light_is_seen(const struct ray_light *l)
+{
+    return l->kind == TIA_RECTANGLE_LIGHT || l->radius > 0;
 }
 
 bool ray_light_intersect(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t)

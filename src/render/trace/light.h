@@ -34,18 +34,24 @@ void ray_light_prepare(struct ray_light *light, const struct tia_light *given, u
 struct ray_aim {
     const struct ray_light *light;
     struct num_point point;
+    struct num_dir normal;  /* light from behind is worth nothing */
     struct num_dir axes[2]; /* of the disc that samples are taken from */
     unsigned class;
 };
 
-void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, unsigned class);
+void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, struct num_dir normal,
+                   unsigned class);
 
-/* Sample i < light->samples. Not for ambient lights. False when the light gives nothing. */
+/* Sample i < light->samples. Not for ambient lights. False when the light gives nothing; from behind the surface it may
+ * be either. */
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
 /* The shadow ray from a point to the sample, and its length; false: they coincide. */
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
+
+/* Whether it has a surface that rays can meet. */
+bool ray_light_is_seen(const struct ray_light *light);
 
 /* Where a ray meets the light's surface, 0 <= t < limit. */
 bool ray_light_intersect(const struct ray_light *light, const struct ray *ray, num_length limit, num_length *t);

@@ -151,7 +151,7 @@ void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, st
 {
     struct asker asker = view_asker(view->view);
 
-    for (uint32_t n = 0; n < view->light_count && !asker_stops(&asker, 1); n++) {
+    for (uint32_t n = 0; view->lit && n < view->light_count && !asker_stops(&asker, 1); n++) {
         num_length t;
         if (ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
             hit->t = t;

@@ -138,7 +138,10 @@ int ray_set_lights(struct tia_view *view)
     struct asker asker = view_asker(view);
 
     rays->light_count = view->light_count;
-    for (uint32_t i = 0; i < view->light_count && !asker_stops(&asker, 1); i++)
+    rays->lit = false;
+    for (uint32_t i = 0; i < view->light_count && !asker_stops(&asker, 1); i++) {
         ray_light_prepare(&rays->lights[i], &view->lights[i], view->scene->scale_bits);
+        rays->lit = rays->lit || ray_light_is_seen(&rays->lights[i]);
+    }
     return asker.stopped ? TIA_STOPPED : TIA_OK;
 }

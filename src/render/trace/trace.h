@@ -18,6 +18,7 @@ struct ray_view {
     uint32_t light_count, depth;
     num_length bias; /* how far off a surface rays start */
     bool layered;    /* some material has an opacity texture */
+    bool lit;        /* some light has a surface that is seen */
 };
 
 /* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */

@@ -21,6 +21,7 @@ struct filters {
     struct filter kept[KEPT];
     uint32_t count, from; /* only objects from this index on */
     uint32_t blocker;     /* the object that takes all light */
+    uint32_t missed;      /* an object that the ray is known not to meet, or TIA_NO_OBJECT */
     bool more;
 };
 
@@ -121,7 +122,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
     struct filter filter = {.object = object};
     uint32_t element = 0;
 
-    if (object < filters->from)
+    if (object < filters->from || object == filters->missed)
         return true;
     if (view->layered && ray_is_layered(view, object))
         return layers_transmit(view, ray, object, limit, filters);
@@ -161,10 +162,15 @@ static void apply(const struct filters *filters, num_length through[3])
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3])
 {
-    struct filters filters = {.from = 0};
+    struct filters filters; /* whose many words need no 0 */
 
-    if (*blocker != TIA_NO_OBJECT && !object_transmits(view, ray, *blocker, limit, &filters))
-        return false;
+    filters.count = filters.from = 0;
+    filters.missed = TIA_NO_OBJECT;
+    if (*blocker != TIA_NO_OBJECT) {
+        if (!object_transmits(view, ray, *blocker, limit, &filters))
+            return false;
+        filters.missed = filters.count ? TIA_NO_OBJECT : *blocker;
+    }
     through[0] = through[1] = through[2] = NUM_LENGTH_ONE;
     do {
         filters.count = 0;

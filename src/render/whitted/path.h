@@ -31,6 +31,7 @@ struct first_hits {
 struct path {
     const struct ray_view *view;
     const struct first_hits *first; /* NULL: they are traced */
+    bool traces;                    /* they are, and the hits with them */
     struct arrivals lit;            /* while `known` */
     bool known;
     unsigned class;        /* of the pixel, see light.h */

@@ -19,21 +19,25 @@ static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
     }
 }
 
-/* What the ray of a pixel's sample meets; `object` is what the first one does. */
-static void find_first(struct path *path, int x, int y, int sample, uint32_t object, const struct ray *ray,
+/* What the ray of a pixel's sample meets. `object` is what the first one does, or receives it if path->traces. */
+static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
                        struct hit *hit)
 {
     path->known = false;
-    if (path->first)
+    if (path->first) {
         path->known = path->first->find(path->first, x, y, sample, ray, hit, &path->lit);
-    else if (sample == 0)
-        ray_intersect_object(path->view, ray, object, hit);
-    else
-        ray_intersect(path->view, ray, hit);
+        return;
+    }
+    if (sample == 0 && !path->traces) {
+        ray_intersect_object(path->view, ray, *object, hit);
+        return;
+    }
+    ray_intersect(path->view, ray, hit);
+    *object = sample == 0 ? hit->object : *object;
 }
 
-/* The mean of a pixel's samples, each clamped. `object` is what the first one meets. */
-static void pixel(struct path *path, int x, int y, uint32_t object, num_length mean[3])
+/* The mean of a pixel's samples, each clamped. `object` as of find_first. */
+static void pixel(struct path *path, int x, int y, uint32_t *object, num_length mean[3])
 {
     const struct ray_camera *camera = &path->view->camera;
     int samples = camera->side * camera->side;
@@ -63,28 +67,41 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
     return (tia_rgb565)(r << 11 | g << 5 | b);
 }
 
+/* What is drawn where. */
+struct job {
+    const struct tia_view *view;
+    const struct tia_hits *hits;
+    struct tia_tile tile;
+    const struct tia_surface *surface;
+    const struct tia_options *options;
+    const struct first_hits *first; /* NULL: rays */
+    bool traces;                    /* the hits are not there yet, and are filled in */
+};
+
 /* False: it was stopped. */
-static bool row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, int y, char *out,
-                ptrdiff_t step, const struct tia_options *options, const struct first_hits *first)
+static bool row(const struct job *job, int y)
 {
-    size_t before = (size_t)(y - (int)tile.y) * tile.width;
+    const struct tia_options *options = job->options;
+    size_t before = (size_t)(y - (int)job->tile.y) * job->tile.width;
+    char *out = (char *)job->surface->pixels + (y - (int)job->tile.y) * job->surface->pitch;
     uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
-    const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->prepared, .first = first, .hashed = path_hash};
+    uint32_t *objects = job->hits->object + hits_index(job->hits, job->tile.x, (unsigned)y);
+    struct path path = {
+        .view = job->view->prepared, .first = job->first, .traces = job->traces, .hashed = path_hash != NULL};
     num_u threshold[8];
 
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     dither_thresholds(options->dither, y, threshold);
-    for (int i = 0; i < (int)tile.width && !path.stopped; i++) {
-        int x = (int)tile.x + i;
+    for (int i = 0; i < (int)job->tile.width && !path.stopped; i++) {
+        int x = (int)job->tile.x + i;
         num_length mean[3];
 
-        path.class = first ? 0 : ray_pixel_class(x, y);
+        path.class = job->first ? 0 : ray_pixel_class(x, y);
         path.hash = PATH_HASH;
         path.reached = 0;
-        pixel(&path, x, y, objects[i], mean);
-        *(tia_rgb565 *)(void *)(out + i * step) = pack(mean, threshold[x & 7]);
+        pixel(&path, x, y, &objects[i], mean);
+        *(tia_rgb565 *)(void *)(out + i * job->surface->step) = pack(mean, threshold[x & 7]);
         if (path_hash)
             path_hash[i] = path.hash;
         if (options->lit)
@@ -93,22 +110,32 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
     return !path.stopped;
 }
 
+static void draw(const struct job *job)
+{
+    bool goes_on = true;
+
+    for (int y = (int)job->tile.y; y < tile_bottom(job->tile) && goes_on; y++)
+        goes_on = row(job, y);
+}
+
 void whitted_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options,
                         const struct first_hits *first)
 {
-    bool goes_on = true;
-
-    for (int y = (int)tile.y; y < tile_bottom(tile) && goes_on; y++) {
-        char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
-        goes_on = row(view, hits, tile, y, out, surface->step, options, first);
-    }
+    draw(&(const struct job){view, hits, tile, surface, options, first, false});
 }
 
 static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
     whitted_light_tile(view, hits, tile, surface, options, NULL);
+}
+
+/* Each ray from the eye is made once, and what it meets is not looked for again. */
+static void render_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                        const struct tia_surface *surface, const struct tia_options *options)
+{
+    draw(&(const struct job){view, hits, tile, surface, options, NULL, true});
 }
 
 static bool draws(const struct tia_scene *scene)
@@ -125,4 +152,13 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 const struct renderer whitted_renderer = {
-    draws, ray_prepared_size, ray_prepare, ray_set_lights, buffer_size, trace_tile, light_tile, LEVEL_RAYS, NULL};
+    .draws = draws,
+    .prepared_size = ray_prepared_size,
+    .prepare = ray_prepare,
+    .set_lights = ray_set_lights,
+    .buffer_size = buffer_size,
+    .trace = trace_tile,
+    .light = light_tile,
+    .part = LEVEL_RAYS,
+    .render = render_tile,
+};

@@ -65,7 +65,7 @@ static num_length highlight(const struct shading *s, struct num_dir to, num_unit
 
     if (half <= 0)
         return 0;
-    return num_length_of_unit(num_power(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent));
+    return num_power_length(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent);
 }
 
 /* What the material reflects of light from `to` towards the viewer. */
@@ -102,6 +102,18 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
                        : ray_transmittance(path->view, &shadow, distance, blocker, through);
 }
 
+static bool is_white(const num_length rgb[3])
+{
+    return rgb[0] == NUM_LENGTH_ONE && rgb[1] == NUM_LENGTH_ONE && rgb[2] == NUM_LENGTH_ONE;
+}
+
+/* Most light comes whole: products by 1 are exact, and left out. */
+static void multiply(num_length rgb[3], const num_length factor[3])
+{
+    for (int c = 0; c < 3 && !is_white(factor); c++)
+        rgb[c] = num_product(rgb[c], factor[c]);
+}
+
 /* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:
  * nothing arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i, unsigned bit,
@@ -118,8 +130,11 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     if (!arrives(path, s, aim->light, &sample, bit, blocker, through))
         return false;
     reflectance(s, sample.to, lambert, rgb);
-    for (int c = 0; c < 3; c++)
-        mean[c] += num_times(num_product_within(num_product(rgb[c], through[c]), sample.factor), 32 * aim->light->part);
+    multiply(rgb, through);
+    for (int c = 0; c < 3; c++) {
+        num_length faded = sample.factor == NUM_LENGTH_ONE ? rgb[c] : num_product_within(rgb[c], sample.factor);
+        mean[c] += aim->light->samples == 1 ? faded : num_times(faded, 32 * aim->light->part);
+    }
     return true;
 }
 
@@ -142,7 +157,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
             own[c] = num_sum_within(own[c], num_product(s->colour[c], light->emission[c]));
         return;
     }
-    ray_light_aim(&aim, light, s->point, path->class);
+    ray_light_aim(&aim, light, s->point, s->normal, path->class);
     for (unsigned i = 0; i < light->samples && !path_stops(path); i++) {
         bool reached = add_sample(path, s, &aim, i, bit + step * i, blocker, mean);
         path_hash_word(path, reached);
@@ -167,7 +182,9 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
     for (int c = 0; c < 3; c++) {
         if (s->opacity < NUM_LENGTH_ONE)
             own[c] = num_product_within(own[c], s->opacity);
-        colour[c] = num_sum_within(colour[c], num_product_within(own[c], throughput[c]));
+        if (throughput[c] != NUM_LENGTH_ONE)
+            own[c] = num_product_within(own[c], throughput[c]);
+        colour[c] = num_sum_within(colour[c], own[c]);
     }
 }
 

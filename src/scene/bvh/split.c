@@ -1,9 +1,9 @@
 /* split.c - the surface area heuristic, binned.
  *
  * A ray that hits a box hits a box inside it with a probability of the ratio of their surface areas. When
- * testing an item and visiting two children both cost 1, a split of n items is worth it if
+ * visiting two children costs 1 and testing an item c, a split of n items is worth it if
  *
- *     1 + n_left area_left/area + n_right area_right/area < n.
+ *     1/c + n_left area_left/area + n_right area_right/area < n.
  *
  * On each axis the items' centres are sorted into BINS bins of equal width, and only the planes between bins
  * are tried: nearly as good as trying all, in linear time.
@@ -172,7 +172,7 @@ uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const stru
         if (choose_bins(&binning, items, axis))
             choose_split(&best, items, &binning, shift);
     }
-    bool leaf = best.cost == UINT64_MAX || best.cost + visit >= visit * items->count;
+    bool leaf = best.cost == UINT64_MAX || best.cost + visit / items->cost >= visit * items->count;
     if (leaf && items->count <= SPLIT_ITEMS_MOST)
         return 0;
     /* No plane separates the centres, or a child would be too large for the depth limit: halve the list. */

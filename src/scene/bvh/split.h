@@ -13,6 +13,7 @@ struct tia_bvh_split_items {
     const struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
+    uint32_t cost; /* of testing an item, in visits to a node's two children; not 0 */
     struct asker *asker;
 };
 

@@ -27,7 +27,7 @@ static uint32_t most_items(uint32_t depth)
     return UINT32_C(1) << (left < 31 ? left : 31);
 }
 
-struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
+struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count, uint32_t cost,
                                        const struct tia_bounds *boxes, struct asker *asker)
 {
     struct task tasks[TIA_BVH_DEPTH_MAX + 1] = {{0, count, 0, 0}};
@@ -35,7 +35,7 @@ struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *ite
 
     while (waiting && !asker_stops(asker, tasks[waiting - 1].count)) {
         struct task task = tasks[--waiting];
-        const struct tia_bvh_split_items part = {boxes, items + task.first, task.count, asker};
+        const struct tia_bvh_split_items part = {boxes, items + task.first, task.count, cost, asker};
         uint32_t here = node_count++;
         struct tia_bvh_node *node = &nodes[here];
 

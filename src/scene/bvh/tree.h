@@ -10,8 +10,9 @@
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
 /* Fills `nodes`, which has room for TREE_NODES(count), and reorders `items`, whose boxes are boxes[item]. In each leaf
- * the items are in rising order. When it is stopped, the tree is not complete. */
-struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count,
+ * the items are in rising order. `cost` is what it costs to test one, in visits to a node's children, at least 1. When
+ * it is stopped, the tree is not complete. */
+struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count, uint32_t cost,
                                        const struct tia_bounds *boxes, struct asker *asker);
 
 #endif

@@ -1,0 +1,18 @@
+/* power.h - d^e as a length, without the roots of an exponent's fraction where the bits allow it. */
+#ifndef TIA_MATH_POWER_H
+#define TIA_MATH_POWER_H
+
+#include "integer.h"
+
+/* 512/x, rounded, for x in the middle of [(64 + i)/128, (65 + i)/128); log2 of that, over 512, Q8.56. */
+extern const uint16_t tia_log_inverses[64];
+extern const int64_t tia_logs[64];
+
+/* 2^(-i/64), and the coefficients of log2(1 + x) and 2^-x from x on, Q1.62. */
+extern const int64_t tia_exps[64];
+extern const int64_t tia_log_series[8], tia_exp_series[6];
+
+/* whole d^(fraction/2^16), within 2^-55; Q1.62, whole <= d < 1, 0 < d. */
+int64_t tia_power_near(int64_t whole, int64_t d, uint32_t fraction);
+
+#endif

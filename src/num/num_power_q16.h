@@ -1,0 +1,53 @@
+/* num_power_q16.h - num_ray.h's powers in integers; for num_ray_q16.h, which includes it. */
+#ifndef TIA_NUM_NUM_POWER_Q16_H
+#define TIA_NUM_NUM_POWER_Q16_H
+
+#include "math/power.h"
+
+/* d^n by squaring. */
+static inline num_unit num_whole_power(num_unit d, tia_q16 n)
+{
+    num_unit power = NUM_UNIT_ONE, base = d;
+
+    for (; n; n >>= 1) {
+        if (n & 1)
+            power = num_times(power, base);
+        base = num_times(base, base);
+    }
+    return power;
+}
+
+/* d^e: the integer part of e by squaring, its fraction by square roots. */
+static inline num_unit num_power(num_unit d, tia_q16 e)
+{
+    num_unit power = num_whole_power(d, e >> 16), base = d;
+
+    NUM_CHECK(d >= 0 && d <= NUM_UNIT_ONE && e >= 0);
+    for (tia_q16 n = e & 0xffff; n; n = (n << 1) & 0xffff) {
+        base = num_unit_sqrt(base);
+        if (n & 0x8000)
+            power = num_times(power, base);
+    }
+    return power;
+}
+
+/* num_power as a length, to the bit, mostly without its roots. With e >= 1 those change d^e by less than 2^-56: each is
+ * rounded by 2^-62, which is 2^-62/sqrt(d) of it, and all are multiplied by d at least. tia_power_near is within 2^-55.
+ * Where 2^-54 either way make no other length, it is that of the roots. */
+static inline num_length num_power_length(num_unit d, tia_q16 e)
+{
+    const num_unit off = (num_unit)1 << 8;
+    num_unit whole = num_whole_power(d, e >> 16);
+
+    if (!(e & 0xffff) || d == NUM_UNIT_ONE || d == 0)
+        return num_length_of_unit(whole);
+    if (e >= TIA_Q16_ONE) {
+        num_unit near = whole <= off ? whole : tia_power_near(whole, d, e & 0xffff);
+        num_length least = num_length_of_unit(near > off ? near - off : 0);
+        if (least == num_length_of_unit(near + off))
+            return least;
+    }
+    return num_length_of_unit(num_power(d, e));
+}
+
+#endif
