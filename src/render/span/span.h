@@ -22,7 +22,7 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
 }
 
 /* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined where
- * a pixel sees no object. */
+ * a pixel sees no object or a wide sphere. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;
