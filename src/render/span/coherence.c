@@ -6,79 +6,22 @@
 
 #define SHORT 12 /* pixels are not worth samples */
 #define LEAF 8   /* pixels between samples are computed one by one rather than divided where a shadow's edge may be */
-#define DEPTH 16 /* of samples that wait */
+#define DEPTH 12 /* of samples that wait */
 
-/* ---- samples ---- */
+#define WIDE 1024 /* pixels */
 
-static void sample_caster(const struct coherence_run *run, const struct lit *lit, struct coherence_sample *s, int j)
+/* Whether it is seen from outside, D = (L.v)^2 - c v.v is concave along rows, and its radius, in front of the eye, is
+ * wider than that: r depth > WIDE sqrt(c). */
+bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
-    const struct coherence_caster *cast = &run->caster[j];
-    const struct shadow_line *line = &cast->line;
-    num_wide ahead = (num_wide)(s->x - run->middle);
-    num t = num_signed(s->t);
-    num_wide product = num_mul(t, num_top(cast->a + ahead * line->a_step));
-    num_wide turn = num_mul(t, num_top(cast->c + ahead * line->c_step));
-    num_wide toward = shadow_toward(line, product, lit->reach[0]) - shadow_bias(line, lit->facing[0], lit->half[0]);
-    num_wide power = shadow_power(line, turn, lit->reach[0]);
-    num_u foot = num_mul_top(num_scale_within(num_abs(toward), cast->scale + lit->half[0]), lit->inverse[0]);
+    num_wide depth = num_shift(primary->depth * primary->depth, -2 * primary->exponent); /* exponent 0 */
 
-    s->foot[j] = toward < 0 ? -(num_wide)foot : (num_wide)foot;
-    s->clear[j] = num_shift(power, 2 * run->exponent - cast->power_exponent) - (num_wide)num_mul_u(foot, foot);
-}
-
-static void sample_casters(const struct coherence_run *run, const struct lit *lit, struct coherence_sample *s)
-{
-    int far_shift = run->exponent - (run->source.exponent >> 1) + 1;
-
-    s->far = num_shift((num_wide)num_mul_top(lit->near[0], lit->inverse[0]), far_shift - lit->half[0]);
-    for (int j = 0; j < run->caster_count; j++)
-        sample_caster(run, lit, s, j);
-}
-
-/* `shadows` says whether to compute what they need. */
-static void sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s)
-{
-    struct lit lit;
-
-    coherence_go(run, x);
-    run->kernels->sphere(&run->body, &s->t);
-    s->x = x;
-    s->lambert = 0;
-    s->faces = run->kernels->light(&run->light, &s->t, &lit);
-    if (s->faces) {
-        s->square = lit.square[0];
-        if (shadows)
-            sample_casters(run, &lit, s);
-        run->kernels->lambert(&lit, run->sphere->inverse, 1, &s->lambert);
-    } else {
-        num t = num_signed(s->t);
-        s->square = light_square(&run->light, t, run->light.q, light_reach(&run->light, t, run->light.square.start));
-    }
-}
-
-/* What arrives at a pixel past the casters. */
-static num_u lambert_at(struct coherence_run *run, int x)
-{
-    num_wide ahead = (num_wide)(x - run->middle);
-    num_u t, lambert = 0;
-    struct lit lit;
-
-    coherence_go(run, x);
-    run->kernels->sphere(&run->body, &t);
-    if (!run->kernels->light(&run->light, &t, &lit))
-        return 0;
-    for (int j = 0; j < run->caster_count; j++) {
-        struct shadow_line *line = &run->caster[j].line;
-        line->a = run->caster[j].a + ahead * line->a_step;
-        line->c = run->caster[j].c + ahead * line->c_step;
-        run->kernels->shadow(line, &t, &lit);
-    }
-    run->kernels->lambert(&lit, run->sphere->inverse, 1, &lambert);
-    return lambert;
+    return sphere->c > sphere->centre.x * sphere->centre.x && sphere->c > 0 &&
+           num_product_above(sphere->radius * sphere->radius, depth, sphere->c, (num_wide)4 * WIDE * WIDE);
 }
 
 /* Whether |Q - P|^2 grows somewhere between two samples, 1, or falls, -1. */
-static int rise(const struct coherence_run *run, num_wide from, num_wide to)
+static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
 {
     num_wide more = to - from;
 
@@ -94,46 +37,46 @@ static int rise(const struct coherence_run *run, num_wide from, num_wide to)
  *     (sqrt(R^2 + e) + m)^2 <= R^2 + e + 2 R m + m^2 + 2 m sqrt(e) <= R^2 + 2 e + 2 R m + 2 m^2,
  *
  * and below R when it is below R^2 by as much. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by m, |w| by path. */
-static enum coherence_shadow shadow_between(const struct coherence_run *run, const struct coherence_caster *cast, int j,
-                                            const struct coherence_sample *a, const struct coherence_sample *b,
-                                            num_wide path)
+static int shadow_between(const struct coherence_run *run, const struct coherence_caster *cast, int j,
+                          const struct coherence_sample *a, const struct coherence_sample *b, num_wide path)
 {
-    num_wide square = a->square < b->square ? a->square : b->square, d = a->far < b->far ? a->far : b->far;
+    num_wide square = a->square < b->square ? a->square : b->square, d = (num_wide)(a->far < b->far ? a->far : b->far);
 
     if (2 * path >= d)
-        return OPEN;
+        return COHERENCE_OPEN;
     num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits; d and it are known to 1/32 */
-    turn += turn / 16 + (num_u)num_bound(0);
-    struct coherence_slack slack = coherence_shadow_slack(run, cast, square, b->slack);
-    if (slack.length > num_bound(24) || slack.power > num_bound(58))
-        return OPEN;
-    num_wide m = num_down(cast->away * (num_wide)turn, 24) + run->bias + num_bound(0);
-    num_wide foot = num_max(num_abs(a->foot[j]), num_abs(b->foot[j])) + m + path + slack.length;
+    turn += turn / 16 + (num_u)coherence_power(0);
+    struct coherence_slack slack = coherence_shadow_slack(run, cast, square, (num_wide)b->slack);
+    if (slack.length > coherence_power(24) || slack.power > coherence_power(58))
+        return COHERENCE_OPEN;
+    num_wide m = num_down(cast->away * (num_wide)turn, 24) + run->bias + coherence_power(0);
+    num_wide foot = num_max(num_abs((num_wide)a->foot[j]), num_abs((num_wide)b->foot[j])) + m + path + slack.length;
     num_wide margin = 2 * m * (cast->radius + m) + 3 * (2 * foot * slack.length + slack.power);
     if (a->clear[j] > margin && b->clear[j] > margin)
-        return LIT;
+        return COHERENCE_LIT;
     num_wide behind = m + 4 * slack.length, before = behind + path;
-    if (a->clear[j] < -margin && b->clear[j] < -margin && a->foot[j] > before && b->foot[j] > before &&
-        a->far - a->foot[j] > behind && b->far - b->foot[j] > behind)
-        return DARK;
-    return OPEN;
+    if (a->clear[j] < -margin && b->clear[j] < -margin && (num_wide)a->foot[j] > before &&
+        (num_wide)b->foot[j] > before && (num_wide)(a->far - a->foot[j]) > behind &&
+        (num_wide)(b->far - b->foot[j]) > behind)
+        return COHERENCE_DARK;
+    return COHERENCE_OPEN;
 }
 
-static enum coherence_shadow shadows_between(const struct coherence_run *run, const struct coherence_sample *a,
-                                             const struct coherence_sample *b)
+static int shadows_between(const struct coherence_run *run, const struct coherence_sample *a,
+                           const struct coherence_sample *b)
 {
-    enum coherence_shadow all = LIT;
+    int all = COHERENCE_LIT;
 
     if (run->caster_count == 0 || (!a->faces && !b->faces))
-        return LIT;
+        return COHERENCE_LIT;
     if (!a->faces || !b->faces)
-        return OPEN;
+        return COHERENCE_OPEN;
     num_wide path = coherence_path(run, a, b);
     for (int j = 0; j < run->caster_count; j++) {
-        enum coherence_shadow shadow = shadow_between(run, &run->caster[j], j, a, b, path);
-        if (shadow == DARK)
-            return DARK;
-        all = shadow == OPEN ? OPEN : all;
+        int shadow = shadow_between(run, &run->caster[j], j, a, b, path);
+        if (shadow == COHERENCE_DARK)
+            return COHERENCE_DARK;
+        all = shadow == COHERENCE_OPEN ? COHERENCE_OPEN : all;
     }
     return all;
 }
@@ -189,12 +132,9 @@ struct drawing {
 };
 
 /* Pixels first..last. */
-static void fill(const struct drawing *d, int first, int last, num_u lambert)
+static void fill(const struct drawing *d, int first, int last, tia_rgb565 pixel)
 {
-    tia_rgb565 pixel = colour_of(&d->colouring, lambert);
-
-    for (int i = first; i <= last; i++)
-        d->pixels[i - d->first] = pixel;
+    span_fill(d->pixels + (first - d->first), last + 1 - first, pixel);
 }
 
 static num_u smaller(num_u a, num_u b)
@@ -206,8 +146,8 @@ static bool same_between(const struct drawing *d, const struct coherence_sample 
 {
     num_u low = smaller(a->lambert, b->lambert), high = a->lambert + b->lambert - low;
 
-    return colour_of(&d->colouring, (num_u)num_max((num_wide)low - b->slack, 0)) ==
-           colour_of(&d->colouring, num_clamp((num_u)((num_wide)high + b->slack)));
+    return colour_of(&d->colouring, (num_u)num_max((num_wide)low - (num_wide)b->slack, 0)) ==
+           colour_of(&d->colouring, num_clamp((num_u)((num_wide)high + (num_wide)b->slack)));
 }
 
 static bool monotone(const struct coherence_sample *a, const struct coherence_sample *b)
@@ -215,25 +155,33 @@ static bool monotone(const struct coherence_sample *a, const struct coherence_sa
     return b->x - a->x <= 1 || (a->before != 0 && a->before == b->behind);
 }
 
+static num_u slack_between(const struct coherence_run *run, const struct coherence_sample *a,
+                           const struct coherence_sample *b)
+{
+    num_wide slack = coherence_lambert_slack(run, a->square < b->square ? a->square : b->square);
+
+    return slack < (num_wide)NUM_ONE ? (num_u)slack : NUM_ONE;
+}
+
 /* Draws a..b, both included; false when they must be divided. */
 static bool draw_between(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b)
 {
-    if (b->shadow == OPEN && monotone(a, b)) {
+    if (b->shadow == COHERENCE_OPEN && monotone(a, b)) {
         if (b->slack == 0)
-            b->slack = coherence_lambert_slack(d->run, a->square < b->square ? a->square : b->square);
-        if (b->slack < (num_wide)(NUM_ONE / 64))
-            b->shadow = shadows_between(d->run, a, b);
+            b->slack = slack_between(d->run, a, b);
+        if (b->slack < NUM_ONE / 64)
+            b->shadow = (uint8_t)shadows_between(d->run, a, b);
     }
-    if (b->shadow == DARK) {
-        fill(d, a->x, b->x, 0);
-    } else if (b->shadow == LIT && b->x - a->x <= 1) {
-        fill(d, a->x, a->x, a->lambert);
-        fill(d, b->x, b->x, b->lambert);
-    } else if (b->shadow == LIT && same_between(d, a, b)) {
-        fill(d, a->x, b->x, a->lambert);
-    } else if (b->shadow == OPEN && b->x - a->x <= LEAF) {
+    if (b->shadow == COHERENCE_DARK) {
+        fill(d, a->x, b->x, colour_of(&d->colouring, 0));
+    } else if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
+        fill(d, a->x, a->x, a->pixel);
+        fill(d, b->x, b->x, b->pixel);
+    } else if (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b)) {
+        fill(d, a->x, b->x, a->pixel);
+    } else if (b->shadow == COHERENCE_OPEN && b->x - a->x <= LEAF) {
         for (int x = a->x; x <= b->x; x++)
-            fill(d, x, x, lambert_at(d->run, x));
+            fill(d, x, x, colour_of(&d->colouring, coherence_lambert_at(d->run, x)));
     } else {
         return false;
     }
@@ -244,12 +192,11 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
 static int guess(const struct colouring *c, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num start = num_signed(a->lambert), step = (num_signed(b->lambert) - start) / (num)(b->x - a->x);
-    tia_rgb565 pixel = colour_of(c, a->lambert);
     int low = a->x, high = b->x;
 
     while (high - low > 1) {
         int x = low + (high - low) / 2;
-        if (colour_of(c, (num_u)(start + (num)(x - a->x) * step)) == pixel)
+        if (colour_of(c, (num_u)(start + (num)(x - a->x) * step)) == a->pixel)
             low = x;
         else
             high = x;
@@ -259,13 +206,16 @@ static int guess(const struct colouring *c, const struct coherence_sample *a, co
 
 /* A sample between two, and what is known of all in between. With `room` for that many more it lies where the colour
  * may change, as long as halving what it leaves would still end in time. */
-static void divide(const struct drawing *d, const struct coherence_sample *a, const struct coherence_sample *b,
-                   int room, struct coherence_sample *s)
+static void divide(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b, int room,
+                   struct coherence_sample *s)
 {
-    bool guessed = b->shadow == LIT && (b->x - a->x) >> room == 0;
+    if (d->run->caster_count > 0 && !a->faces)
+        b->shadow = COHERENCE_OPEN; /* it was not asked about */
+    bool guessed = b->shadow == COHERENCE_LIT && (b->x - a->x) >> room == 0;
     int x = guessed ? guess(&d->colouring, a, b) : a->x + (b->x - a->x) / 2;
 
-    sample_at(d->run, x, b->shadow == OPEN && d->run->caster_count > 0, s);
+    coherence_sample_at(d->run, x, b->shadow == COHERENCE_OPEN && d->run->caster_count > 0, s);
+    s->pixel = colour_of(&d->colouring, s->lambert);
     s->shadow = b->shadow;
     s->slack = b->slack; /* |Q - P| is no less here than at the less of a and b */
     s->behind = rise(d->run, s->square, b->square);
@@ -273,28 +223,33 @@ static void divide(const struct drawing *d, const struct coherence_sample *a, co
         s->behind = b->behind;
 }
 
-/* Samples are taken at both ends, beside them, and then where what is between two samples cannot be drawn. */
+static void end_sample(const struct drawing *d, int x, struct coherence_sample *s)
+{
+    coherence_sample_at(d->run, x, d->run->caster_count > 0, s);
+    s->pixel = colour_of(&d->colouring, s->lambert);
+    s->before = s->behind = 0;
+    s->slack = 0;
+    s->shadow = COHERENCE_OPEN;
+}
+
+/* Samples are taken at both ends, and then where what is between two of them cannot be drawn. */
 static void draw_run(const struct drawing *d, int first, int last)
 {
     struct coherence_run *run = d->run;
-    const int at[4] = {last, last - 1, first + 1, first};
-    struct coherence_sample sample[DEPTH + 1], *left = &sample[3], *right[DEPTH]; /* the nearest last, then free ones */
-    int depth = 3;
+    struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH]; /* the nearest last, then free ones */
+    int depth = 1;
 
     for (int i = 0; i < DEPTH; i++)
-        right[i] = &sample[i < depth ? i : i + 1];
-    for (int i = 0; i < 4; i++) {
-        sample_at(run, at[i], true, &sample[i]);
-        sample[i].before = sample[i].behind = 0;
-        sample[i].slack = 0;
-        sample[i].shadow = OPEN;
-    }
-    coherence_measure(run, left, &sample[0]);
-    sample[1].behind = rise(run, sample[1].square, sample[0].square);
+        right[i] = &sample[i + 1];
+    end_sample(d, first, left);
+    end_sample(d, last, right[0]);
+    coherence_measure(run, left, right[0]);
+    left->before = rise(run, coherence_square_at(run, first - 1), left->square);
+    right[0]->behind = rise(run, right[0]->square, coherence_square_at(run, last + 1));
     while (depth > 0) {
         struct coherence_sample *b = right[depth - 1];
         if (draw_between(d, left, b)) {
-            int grown = rise(run, left->square, b->square);
+            int8_t grown = rise(run, left->square, b->square);
             b->before = grown ? grown : left->before;
             right[--depth] = left;
             left = b;
@@ -317,7 +272,7 @@ static int length_exponent(const struct coherence_run *run, const struct span_vi
         most = num_max(most, size);
     }
     most += num_abs(run->source.light.x) + num_abs(run->source.light.y) + num_abs(run->source.light.z);
-    int exponent = 46 - num_bits(most + num_bound(16 + run->bounds.point));
+    int exponent = 46 - coherence_bits(most + coherence_power(16 + run->bounds.point));
     return exponent < 40 ? exponent : 40; /* so that the bias is below 2^29 */
 }
 
@@ -343,7 +298,7 @@ static bool prepare_casters(struct coherence_run *run, const struct tia_view *vi
         cast->c = line.c;
     }
     run->exponent = length_exponent(run, spans, casters);
-    run->bias = num_shift(2 * NUM_BIAS, run->exponent - 16) + num_bound(0);
+    run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(0);
     for (int j = 0; j < run->caster_count; j++)
         coherence_bound_caster(run, &spans->spheres[casters[j]], &run->caster[j]);
     return true;
@@ -381,7 +336,7 @@ bool coherence_shade(const struct tia_view *view, const struct shaded_span *span
     int last = span->x + span->count - 1;
 
     if (span->count < SHORT || view->light_count != 1 || threshold[0] != threshold[1] ||
-        !prepare_run(&run, view, span, span->x, last))
+        !prepare_run(&run, view, span, span->x - 1, last + 1))
         return false;
     colouring_prepare(view, &scene->materials[scene->spheres[span->object].material], threshold[0], &d.colouring);
     draw_run(&d, span->x, last);

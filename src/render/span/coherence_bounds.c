@@ -19,6 +19,32 @@
  * T/2 + .51 T^2 / 2^reach_down of its last bit. */
 #include "coherence_run.h"
 
+#if defined(__GNUC__)
+#define OUT_OF_LINE __attribute__((noinline))
+#else
+#define OUT_OF_LINE
+#endif
+
+OUT_OF_LINE num_wide coherence_shift(num_wide x, int s)
+{
+    return num_shift(x, s);
+}
+
+OUT_OF_LINE int coherence_bits(num_wide x)
+{
+    return num_bits(x);
+}
+
+OUT_OF_LINE num_wide coherence_power(int bits)
+{
+    return num_bound(bits);
+}
+
+static OUT_OF_LINE num_u coherence_root(num_uwide x)
+{
+    return num_sqrt(x);
+}
+
 static int larger3(int a, int b, int c)
 {
     return num_larger(num_larger(a, b), c);
@@ -27,7 +53,7 @@ static int larger3(int a, int b, int c)
 /* |a| < 2^this, from a.a, which has the exponent 32. */
 static int length_bits(num_wide square)
 {
-    return (num_bits(square) - 31) >> 1;
+    return (coherence_bits(square) - 31) >> 1;
 }
 
 static num_wide sum_of_sizes(struct num_vec a)
@@ -44,7 +70,7 @@ void coherence_go(struct coherence_run *run, int x)
     run->body.b = run->b + ahead * run->body.b_step;
     run->light.g = run->g + ahead * run->light.g_step;
     run->light.q = run->q + ahead * run->light.q_step;
-    run->body.square.start = num_shift(first * first + run->row_square, primary->square_shift) + NUM_HALF;
+    run->body.square.start = coherence_shift(first * first + run->row_square, primary->square_shift) + NUM_HALF;
     run->light.square.start = run->body.square.start;
 }
 
@@ -59,7 +85,7 @@ static struct depth depth_at(struct coherence_run *run, int x)
 
     coherence_go(run, x);
     num_u top = num_top_u(run->body.b), square = num_top_u(run->body.square.start);
-    d.root = num_sqrt(num_excess(num_mul_u(top, top), num_mul_u(run->body.c_disc, square)));
+    d.root = coherence_root(num_excess(num_mul_u(top, top), num_mul_u(run->body.c_disc, square)));
     d.sum = top + d.root;
     run->kernels->sphere(&run->body, &d.t);
     return d;
@@ -67,7 +93,7 @@ static struct depth depth_at(struct coherence_run *run, int x)
 
 static int least_bits(num_u a, num_u b)
 {
-    return num_bits((num_wide)(a < b ? a : b));
+    return coherence_bits((num_wide)(a < b ? a : b));
 }
 
 #define NO_BOUND 40
@@ -87,7 +113,7 @@ static num_wide longer(const struct coherence_run *run, int first, int last)
     num_wide b = num_pixel_coordinate(2 * last + 1 - run->primary->width, run->primary->exponent);
     num_wide x = num_max(num_abs(a), num_abs(b)), y = primary_y(run->primary, run->y), z = run->primary->depth;
 
-    return (num_wide)num_sqrt((num_uwide)(x * x + y * y + z * z)) + num_bound(0);
+    return (num_wide)coherence_root((num_uwide)(x * x + y * y + z * z)) + coherence_power(0);
 }
 
 bool coherence_bound(struct coherence_run *run, int first, int last)
@@ -100,18 +126,18 @@ bool coherence_bound(struct coherence_run *run, int first, int last)
 
     run->v_most = longer(run, first, last);
     b->t = bound_t(&left, &right);
-    b->mantissa = num_larger(num_bits((num_wide)left.t), num_bits((num_wide)right.t));
-    b->point = b->mantissa + num_bits(run->v_most) - sphere->t_exponent - run->primary->exponent;
+    b->mantissa = num_larger(coherence_bits((num_wide)left.t), coherence_bits((num_wide)right.t));
+    b->point = b->mantissa + coherence_bits(run->v_most) - sphere->t_exponent - run->primary->exponent;
     b->point = b->point < tangent ? b->point : tangent;
     b->radius = sphere->radius_bits - 17;
     b->reach = 1 + num_larger(b->mantissa, 2 * b->mantissa - run->light.reach_down) - source->reach_exponent;
     b->square = 1 + num_larger(b->mantissa + 1 - source->exponent, b->reach);
     int facing_exponent = 15 - sphere->radius_bits + (source->exponent >> 1) - run->light.scale;
-    int between = num_bits(sum_of_sizes(num_vec_sub(source->light, sphere->centre))) - 16;
+    int between = coherence_bits(sum_of_sizes(num_vec_sub(source->light, sphere->centre))) - 16;
     b->facing = 1 + num_larger(b->mantissa - facing_exponent, between + b->point + b->t);
     int away = 1 + num_larger(light, b->point);
-    b->square_slack = num_bound(2 + num_larger(b->square, 2 + away + b->point + b->t) + source->exponent);
-    return num_bound(b->t + 32) <= num_bound(20);
+    b->square_slack = coherence_power(2 + num_larger(b->square, 2 + away + b->point + b->t) + source->exponent);
+    return coherence_power(b->t + 32) <= coherence_power(20);
 }
 
 /* d, where d^2 is at most `square` and what that may be off by. */
@@ -121,7 +147,7 @@ struct distance {
 
 static struct distance distance_of(const struct coherence_run *run, num_wide square)
 {
-    int twice = num_bits(square) - 2 - run->source.exponent;
+    int twice = coherence_bits(square) - 2 - run->source.exponent;
     struct distance d = {twice >> 1, twice};
 
     return d;
@@ -135,9 +161,9 @@ num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide squar
     struct distance d = distance_of(run, square);
     int relative = 1 + num_larger(b->square - d.twice, 2 + b->point + b->t - d.once);
 
-    if (num_bound(relative + 25) > num_bound(20))
-        return NUM_ONE;
-    return num_bound(30 + 3 + larger3(b->facing - b->radius - d.once, relative - 1, -26));
+    if (coherence_power(relative + 25) > coherence_power(20))
+        return (num_wide)NUM_ONE;
+    return coherence_power(30 + 3 + larger3(b->facing - b->radius - d.once, relative - 1, -26));
 }
 
 /* The chord from one point to the other is |t2 v2 - t1 v1| <= |t2 - t1| |v1| + t2 |v2 - v1|. Half an arc that is less
@@ -148,26 +174,26 @@ num_wide coherence_path(const struct coherence_run *run, const struct coherence_
 {
     int shift = run->exponent - run->sphere->t_exponent - run->primary->exponent;
     num_wide t = (num_wide)(a->t > b->t ? a->t : b->t), less = (num_wide)(a->t > b->t ? b->t : a->t);
-    num_wide off = num_bound(run->bounds.t + run->bounds.mantissa + 2);
+    num_wide off = coherence_power(run->bounds.t + run->bounds.mantissa + 2);
     num_wide half_step = num_pixel_coordinate(b->x - a->x, run->primary->exponent);
-    num_wide chord =
-        num_shift((t - less + off) * run->v_most, shift) + 2 * num_shift((t + off) * half_step, shift) + num_bound(2);
+    num_wide chord = coherence_shift((t - less + off) * run->v_most, shift) +
+                     2 * coherence_shift((t + off) * half_step, shift) + coherence_power(2);
 
-    return 4 * chord <= run->chord ? chord / 2 + chord / 64 + num_bound(1) : chord - chord / 5;
+    return 4 * chord <= run->chord ? chord / 2 + chord / 64 + coherence_power(1) : chord - chord / 5;
 }
 
 static num_wide side(const struct coherence_run *run, const struct coherence_sample *s)
 {
     int shift = run->exponent - run->sphere->t_exponent - run->primary->exponent;
 
-    return num_shift((num_wide)s->t * num_pixel_coordinate(2 * s->x + 1 - run->primary->width, run->primary->exponent),
-                     shift);
+    return coherence_shift(
+        (num_wide)s->t * num_pixel_coordinate(2 * s->x + 1 - run->primary->width, run->primary->exponent), shift);
 }
 
 /* Their distance along x alone, less what t is off by at both. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b)
 {
-    num_wide off = num_bound(run->bounds.t + run->bounds.point + run->exponent + 2) + num_bound(1);
+    num_wide off = coherence_power(run->bounds.t + run->bounds.point + run->exponent + 2) + coherence_power(1);
 
     run->chord = side(run, b) - side(run, a) - off;
 }
@@ -184,9 +210,9 @@ void coherence_bound_caster(const struct coherence_run *run, const struct span_s
     int off_sphere = size - 12 + b->point + b->t - b->radius;
 
     cast->power_exponent = 2 * e_a - e_d - cast->line.exponent;
-    cast->radius = num_shift(caster->radius, run->exponent - 16) + num_bound(0);
-    cast->away = num_shift((num_wide)num_sqrt((num_uwide)num_square30(away)), run->exponent - 15) +
-                 num_bound(num_larger(run->exponent - 15, 0) + 1);
+    cast->radius = coherence_shift(caster->radius, run->exponent - 16) + coherence_power(0);
+    cast->away = coherence_shift((num_wide)coherence_root((num_uwide)num_square30(away)), run->exponent - 15) +
+                 coherence_power(num_larger(run->exponent - 15, 0) + 1);
     cast->scale = run->exponent - 31 - e_a + (e_d >> 1);
     cast->toward_error = 1 + num_larger(b->mantissa - e_a, b->reach);
     cast->power_error = 3 + num_larger(larger3(b->mantissa + 1 - cast->power_exponent, b->reach, off_sphere),
@@ -198,10 +224,10 @@ struct coherence_slack coherence_shadow_slack(const struct coherence_run *run, c
 {
     const struct coherence_bounds *b = &run->bounds;
     struct distance d = distance_of(run, square);
-    int size = 30 - run->exponent, bias = size - 43 + num_bits(lambert_slack);
+    int size = 30 - run->exponent, bias = size - 43 + coherence_bits(lambert_slack);
     int length = 2 + larger3(1 + num_larger(cast->toward_error, bias) - d.once, size + b->square - d.twice, size - 28);
-    struct coherence_slack slack = {num_bound(length + run->exponent),
-                                    num_bound(cast->power_error + 2 * run->exponent)};
+    struct coherence_slack slack = {coherence_power(length + run->exponent),
+                                    coherence_power(cast->power_error + 2 * run->exponent)};
 
     return slack;
 }

@@ -47,23 +47,36 @@ struct coherence_run {
     struct coherence_caster caster[COHERENCE_CASTERS];
 };
 
-/* What is computed of a pixel. */
+enum { COHERENCE_LIT, COHERENCE_DARK, COHERENCE_OPEN };
+
+/* What is computed of a pixel: in few bytes, as several wait at once. */
 struct coherence_sample {
-    int x;
-    num_u t;
     num_wide square;                   /* |Q - P|^2 */
-    num_u lambert;                     /* without shadows */
-    bool faces;                        /* the light; what follows is undefined otherwise */
-    num_wide far;                      /* |w|, w = Q - P, with the run's exponent */
-    num_wide foot[COHERENCE_CASTERS];  /* A'.w/|w|, see kernels.h */
     num_wide clear[COHERENCE_CASTERS]; /* how far the shadow ray passes by: h^2 - R^2, with twice the run's exponent */
-    int before, behind; /* whether |Q - P|^2 grows somewhere to the left, or right, of it: 1, falls: -1, or 0 */
-    num_wide slack;     /* what lambert may be off by between the sample to the left and it; 0: not known yet */
-    enum coherence_shadow { LIT, DARK, OPEN } shadow; /* of all pixels from the sample to the left of it on */
+    num foot[COHERENCE_CASTERS];       /* A'.w/|w|, see kernels.h, with the run's exponent */
+    num far;                           /* |w|, w = Q - P */
+    num_u t, lambert;                  /* without shadows */
+    num_u slack; /* what lambert may be off by from the sample to the left of it on; 0: not known yet */
+    int x;
+    tia_rgb565 pixel;      /* that lambert makes */
+    bool faces;            /* the light; clear, foot and far are undefined otherwise */
+    uint8_t shadow;        /* of all pixels from the sample to the left of it on: COHERENCE_LIT, .._DARK or .._OPEN */
+    int8_t before, behind; /* whether |Q - P|^2 grows somewhere to the left, or right, of it: 1, falls: -1, or 0 */
 };
+
+/* num_shift, num_bits and num_bound out of line: they are called from many places, and flash is scarce. */
+num_wide coherence_shift(num_wide x, int s);
+int coherence_bits(num_wide x);
+num_wide coherence_power(int bits);
 
 /* Moves the lines, without those of casters, to pixel x. */
 void coherence_go(struct coherence_run *run, int x);
+
+/* |Q - P|^2 at pixel x; all of a sample but slack, shadow, pixel, before and behind, with what shadows need or without;
+ * what arrives past the casters. */
+num_wide coherence_square_at(struct coherence_run *run, int x);
+void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s);
+num_u coherence_lambert_at(struct coherence_run *run, int x);
 
 /* The bounds of pixels first..last; false when t is not known to 2^-12. Needs what comes before v_most, but for the
  * exponent. */

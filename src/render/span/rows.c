@@ -4,6 +4,13 @@
 #include "shade.h"
 #include "span.h"
 
+/* So that arrays are off the stack when something else needs it. */
+#if defined(__GNUC__)
+#define NOINLINE __attribute__((noinline))
+#else
+#define NOINLINE
+#endif
+
 #define PIECE 1024 /* the most pixels of a row that are taken at once, CHUNK where lights are seen or pixels copied */
 
 /* Pixels of a row on their way to the display. */
@@ -14,6 +21,7 @@ struct chunk {
     const num_u *t;
     const uint32_t *object;
     uint32_t *path_hash; /* NULL, or the row's */
+    bool lights;         /* the row may see lights */
     tia_rgb565 *pixels;  /* side by side */
 };
 
@@ -31,8 +39,8 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
     chunk->spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, period, pixels);
-    for (int i = 0; !dithered && i < count; i++)
-        chunk->pixels[first + i] = pixels[0];
+    if (!dithered)
+        span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
 }
@@ -75,6 +83,9 @@ static int span_end(const uint32_t *object, int first, int count)
     uint32_t seen = object[first];
     int end = first + 1;
 
+    while (end + 4 <= count && object[end] == seen && object[end + 1] == seen && object[end + 2] == seen &&
+           object[end + 3] == seen)
+        end += 4;
     while (end < count && object[end] == seen)
         end++;
     return end;
@@ -94,11 +105,7 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
 
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
  * copy of the objects, with the lights among them. */
-#if defined(__GNUC__)
-__attribute__((noinline)) /* so that its arrays are off the stack when the chunk is shaded */
-#endif
-static void
-see_lights(struct chunk *chunk, uint32_t object[CHUNK])
+static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
     num_u nearest[CHUNK];
@@ -125,7 +132,8 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
 }
 
 /* Pixel by pixel; those of a wide sphere with distances of their own. */
-static void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
+                                  const num_u threshold[8])
 {
     num_u t[CHUNK];
 
@@ -147,19 +155,16 @@ static void shade_sphere(const struct chunk *chunk, int first, int end, const nu
     uint32_t object = chunk->object[first];
     struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL};
 
-    if (chunk->path_hash || !chunk->spans->spheres[object].wide ||
+    if (chunk->path_hash || chunk->lights || !chunk->spans->spheres[object].wide ||
         !coherence_shade(chunk->view, &span, threshold, chunk->pixels + first))
         shade_pixels(chunk, object, first, end, threshold);
 }
 
-static void light_chunk(struct chunk *chunk, bool lights, const num_u threshold[8])
+static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 {
     const struct tia_view *view = chunk->view;
-    uint32_t copy[CHUNK];
     int end;
 
-    if (lights)
-        see_lights(chunk, copy);
     for (int first = 0; first < chunk->count; first = end) {
         uint32_t object = chunk->object[first];
         end = span_end(chunk->object, first, chunk->count);
@@ -170,6 +175,15 @@ static void light_chunk(struct chunk *chunk, bool lights, const num_u threshold[
         else
             shade_sphere(chunk, first, end, threshold);
     }
+}
+
+/* The same where the row may see lights. */
+static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[8])
+{
+    uint32_t object[CHUNK];
+
+    see_lights(chunk, object);
+    light_chunk(chunk, threshold);
 }
 
 static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_t step)
@@ -184,8 +198,8 @@ static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struc
 {
     size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
     char *out = (char *)surface->pixels + (chunk->y - (int)tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
-    bool direct = surface->step == sizeof(tia_rgb565), lights = row_sees_lights(chunk);
-    unsigned most = direct && !lights ? PIECE : CHUNK;
+    bool direct = surface->step == sizeof(tia_rgb565);
+    unsigned most = direct && !chunk->lights ? PIECE : CHUNK;
     tia_rgb565 pixels[CHUNK];
 
     chunk->x = (int)(tile.x + x);
@@ -193,7 +207,10 @@ static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struc
     chunk->t = span_distances_of(hits) + at;
     chunk->object = hits->object + at;
     chunk->pixels = direct ? (tia_rgb565 *)(void *)out : pixels;
-    light_chunk(chunk, lights, threshold);
+    if (chunk->lights)
+        light_chunk_with_lights(chunk, threshold);
+    else
+        light_chunk(chunk, threshold);
     if (!direct)
         copy_pixels(pixels, chunk->count, out, surface->step);
     return chunk->count;
@@ -224,6 +241,7 @@ void span_light(const struct tia_view *view, const struct tia_hits *hits, struct
     chunk.spans = view->prepared;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         chunk.y = y;
+        chunk.lights = row_sees_lights(&chunk);
         light_row(&chunk, hits, tile, surface, options);
     }
 }

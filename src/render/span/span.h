@@ -28,6 +28,16 @@ static inline num_u *span_distances_of(const struct tia_hits *hits)
     return hits->buffer;
 }
 
+static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
+{
+    int i = 0;
+
+    for (; i + 4 <= count; i += 4)
+        pixels[i] = pixels[i + 1] = pixels[i + 2] = pixels[i + 3] = pixel;
+    for (; i < count; i++)
+        pixels[i] = pixel;
+}
+
 /* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 

@@ -1,4 +1,4 @@
-#include "sphere.h"
+#include "coherence.h"
 
 /* The exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
  * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32.
@@ -53,18 +53,6 @@ static struct span rows_that_see(const struct primary_rays *primary, const struc
     return s.c > 0 ? cone_row_span(&s, none) : all;
 }
 
-#define WIDE 1024 /* pixels */
-
-/* Whether it is seen from outside, D = (L.v)^2 - c v.v is concave along rows, and its radius, in front of the eye, is
- * wider than that: r depth > WIDE sqrt(c). */
-static bool is_wide(const struct primary_rays *primary, const struct span_sphere *sphere)
-{
-    num_wide depth = num_shift(primary->depth * primary->depth, -2 * primary->exponent); /* exponent 0 */
-
-    return sphere->c > sphere->centre.x * sphere->centre.x && sphere->c > 0 &&
-           num_product_above(sphere->radius * sphere->radius, depth, sphere->c, (num_wide)4 * WIDE * WIDE);
-}
-
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius)
 {
@@ -82,7 +70,7 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
     prepare_discriminant(primary, sphere);
     prepare_distance(primary, sphere);
     sphere->rows = rows_that_see(primary, sphere);
-    sphere->wide = is_wide(primary, sphere);
+    sphere->wide = coherence_pays(primary, sphere);
 }
 
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
