@@ -144,7 +144,7 @@ endif
 # ---- sources: one object per file and arithmetic ----
 # All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
-CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c,$(call c_below,src))
+CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/no_coherence.c,$(call c_below,src))
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 # Vector units: a library of its own, with floating point. A level is a file of src/levels with its own flags, and there
 # where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.

@@ -13,9 +13,12 @@ rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
-# The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 5760
+# Those without the flash for coherence.c.
+TIGHT_BOARDS := rv32 atmega1284p
+small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(filter-out src/render/span/coherence%,$(SMALL_SRC)) src/render/span/no_coherence.c,$(SMALL_SRC))
+# The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
 # bytes, and 512 for the program itself. tests/slow/boards measures how much of it is used.
-SMALL_STACK := 6272
+SMALL_STACK := 7232
 comma := ,
 # Other boards' scripts say where everything goes, an AVR's only adds to that of avr-libc.
 board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(SMALL_STACK)) \
@@ -40,7 +43,7 @@ endef
 # of the core in another arithmetic lie in a folder of its name. The core is that of spheres on a small board.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(or $(6),$(if $(filter $(1),$(SMALL_BOARDS)),$(SMALL_SRC),$(CORE_SRC)))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(or $(6),$(if $(filter $(1),$(SMALL_BOARDS)),$(call small_src,$(1)),$(CORE_SRC)))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
 	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
@@ -58,7 +61,7 @@ endef
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4))
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(SMALL_SRC)))))
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(call small_src,$(1))))))
 endef
 # The viewer of a compiled scene, $(2).
 define shown

@@ -24,6 +24,7 @@
  *   num_sqrt(x)            the square root, rounded down
  *   num_quotient(a, b, s)  a/b * 2^(63 - s), see there
  *   num_normal(x)          x normalised, and 1/sqrt(x)
+ *   num_bound(b)           2^b rounded up, at most 2^62: what integers may err by. In the floating builds 0
  */
 #ifndef TIA_NUM_NUM_H
 #define TIA_NUM_NUM_H
@@ -88,6 +89,11 @@ static inline num_wide num_abs(num_wide x)
 static inline num_u num_clamp(num_u colour)
 {
     return colour < NUM_ONE ? colour : NUM_ONE;
+}
+
+static inline int num_larger(int a, int b)
+{
+    return a < b ? b : a;
 }
 
 static inline num_wide num_max(num_wide a, num_wide b)

@@ -158,6 +158,11 @@ static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
     return b >= 0 && (c <= 0 || tia_cmp_products((uint64_t)b, (uint64_t)b, (uint64_t)c, (uint64_t)q) >= 0);
 }
 
+static inline num_wide num_bound(int bits)
+{
+    return (num_wide)1 << (bits < 0 ? 0 : bits < 62 ? bits : 62);
+}
+
 /* a b > c d, exactly; b >= 0 and c > 0. */
 static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
 {

@@ -136,6 +136,12 @@ static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
     return b >= 0 && b * b >= c * q;
 }
 
+static inline num_wide num_bound(int bits)
+{
+    (void)bits;
+    return 0;
+}
+
 static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
 {
     return a * b > c * d;

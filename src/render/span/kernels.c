@@ -55,11 +55,8 @@ static bool light(const struct light_line *line, const num_u *distance, struct l
 
         lit->facing[i] = 0;
         if (facing > 0) {
-            num reach = num_signed((num_u)num_down(num_mul(t, num_top(v.start)), line->reach_down));
-            lit->reach[i] = num_mul(t, reach);
-            num_wide square =
-                line->distance - 2 * num_mul(t, num_top(q)) + num_down(lit->reach[i], line->distance_down);
-            light_pixel(line, facing, square, lit, i);
+            lit->reach[i] = light_reach(line, t, v.start);
+            light_pixel(line, facing, light_square(line, t, q, lit->reach[i]), lit, i);
             any = true;
         }
         g += line->g_step;
@@ -79,14 +76,14 @@ static void lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
 /* Whether the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
 static bool meets(const struct shadow_line *line, num_wide product, num_wide turn, const struct lit *lit, int i)
 {
-    num_wide a = line->toward - product + num_down(lit->reach[i], line->a_down);
+    num_wide a = shadow_toward(line, product, lit->reach[i]);
 
     if (a <= 0)
         return false;
-    a -= num_bias_product(lit->facing[i], line->inverse, line->bias_shift + lit->half[i]);
+    a -= shadow_bias(line, lit->facing[i], lit->half[i]);
     if (a <= 0 || (!line->enclosed && num_down(lit->square[i], line->square_down) <= num_down(a, line->product_down)))
         return false;
-    num_wide k = line->power - 2 * turn + num_down(lit->reach[i], line->power_down);
+    num_wide k = shadow_power(line, turn, lit->reach[i]);
     if (k <= 0)
         return !line->enclosed;
     return num_covers(a, lit->near[i], lit->half[i], k, line->swell, line->exponent);

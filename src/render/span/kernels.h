@@ -98,6 +98,33 @@ struct span_kernels {
                  tia_rgb565 *out);
 };
 
+/* |P|^2, |Q - P|^2, A.w and what |A'|^2 - R^2 stands for, see above, with the upper halves of accumulators. */
+static inline num_wide light_reach(const struct light_line *line, num t, num_wide square)
+{
+    num reach = num_signed((num_u)num_down(num_mul(t, num_top(square)), line->reach_down));
+    return num_mul(t, reach);
+}
+
+static inline num_wide light_square(const struct light_line *line, num t, num_wide q, num_wide reach)
+{
+    return line->distance - 2 * num_mul(t, num_top(q)) + num_down(reach, line->distance_down);
+}
+
+static inline num_wide shadow_toward(const struct shadow_line *line, num_wide product, num_wide reach)
+{
+    return line->toward - product + num_down(reach, line->a_down);
+}
+
+static inline num_wide shadow_bias(const struct shadow_line *line, num_u facing, int half)
+{
+    return num_bias_product(facing, line->inverse, line->bias_shift + half);
+}
+
+static inline num_wide shadow_power(const struct shadow_line *line, num_wide turn, num_wide reach)
+{
+    return line->power - 2 * turn + num_down(reach, line->power_down);
+}
+
 extern const struct span_kernels span_kernels_plain;
 
 #endif

@@ -1,9 +1,19 @@
-/* rows.c - from hits to pixels: a row is taken in chunks, and a chunk in spans of one object. */
+/* rows.c - from hits to pixels: a row is taken in pieces, and a piece in spans of one object. */
+#include "coherence.h"
 #include "render/dither.h"
 #include "shade.h"
 #include "span.h"
 
-/* Up to CHUNK pixels of a row on their way to the display. */
+/* So that arrays are off the stack when something else needs it. */
+#if defined(__GNUC__)
+#define NOINLINE __attribute__((noinline))
+#else
+#define NOINLINE
+#endif
+
+#define PIECE 1024 /* the most pixels of a row that are taken at once, CHUNK where lights are seen or pixels copied */
+
+/* Pixels of a row on their way to the display. */
 struct chunk {
     const struct tia_view *view;
     const struct span_view *spans;
@@ -11,6 +21,7 @@ struct chunk {
     const num_u *t;
     const uint32_t *object;
     uint32_t *path_hash; /* NULL, or the row's */
+    bool lights;         /* the row may see lights */
     tia_rgb565 *pixels;  /* side by side */
 };
 
@@ -28,8 +39,8 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
         rgb[2][i] = num_clamp(num_colour(colour->b));
     }
     chunk->spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, period, pixels);
-    for (int i = 0; !dithered && i < count; i++)
-        chunk->pixels[first + i] = pixels[0];
+    if (!dithered)
+        span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
 }
@@ -50,30 +61,66 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
                      object + (span.first - chunk->x));
 }
 
+static bool row_sees(const struct chunk *chunk, uint32_t sphere)
+{
+    struct span rows = chunk->spans->spheres[sphere].rows;
+
+    return chunk->y >= rows.first && chunk->y < rows.end;
+}
+
+static bool row_sees_lights(const struct chunk *chunk)
+{
+    const struct tia_view *view = chunk->view;
+
+    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++)
+        if (row_sees(chunk, n))
+            return true;
+    return false;
+}
+
+static int span_end(const uint32_t *object, int first, int count)
+{
+    uint32_t seen = object[first];
+    int end = first + 1;
+
+    while (end + 4 <= count && object[end] == seen && object[end + 1] == seen && object[end + 2] == seen &&
+           object[end + 3] == seen)
+        end += 4;
+    while (end < count && object[end] == seen)
+        end++;
+    return end;
+}
+
+/* The distances of pixels first..end-1, which see one object. */
+static void distances_of(const struct chunk *chunk, int first, int end, num_u *t)
+{
+    uint32_t object = chunk->object[first];
+
+    if (object != TIA_NO_OBJECT && chunk->spans->spheres[object].wide)
+        span_distances(chunk->spans, object, chunk->y, chunk->x + first, end - first, t);
+    else
+        for (int i = first; i < end; i++)
+            t[i - first] = chunk->t[i];
+}
+
 /* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
  * copy of the objects, with the lights among them. */
-#if defined(__GNUC__)
-__attribute__((noinline)) /* so that its arrays are off the stack when the chunk is shaded */
-#endif
-static void
-see_lights(struct chunk *chunk, uint32_t object[CHUNK])
+static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
     num_u nearest[CHUNK];
-    bool copied = false;
+    int end;
 
-    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++) {
-        if (chunk->y < chunk->spans->spheres[n].rows.first || chunk->y >= chunk->spans->spheres[n].rows.end)
-            continue;
-        for (int i = 0; !copied && i < chunk->count; i++) {
-            object[i] = chunk->object[i];
-            nearest[i] = chunk->t[i];
-        }
-        copied = true;
-        see_light(chunk, n, nearest, object);
+    for (int first = 0; first < chunk->count; first = end) {
+        end = span_end(chunk->object, first, chunk->count);
+        distances_of(chunk, first, end, nearest + first);
+        for (int i = first; i < end; i++)
+            object[i] = chunk->object[first];
     }
-    if (copied)
-        chunk->object = object;
+    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++)
+        if (row_sees(chunk, n))
+            see_light(chunk, n, nearest, object);
+    chunk->object = object;
 }
 
 /* A span that sees light number n itself. */
@@ -84,36 +131,59 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-static void shade_sphere(const struct chunk *chunk, int first, int count, const num_u threshold[8])
+/* Pixel by pixel; those of a wide sphere with distances of their own. */
+static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
+                                  const num_u threshold[8])
 {
-    struct shaded_span span = {chunk->object[first],
-                               chunk->x + first,
-                               chunk->y,
-                               count,
-                               chunk->t + first,
-                               chunk->path_hash ? chunk->path_hash + first : NULL};
+    num_u t[CHUNK];
 
-    shade_span(chunk->view, &span, threshold, chunk->pixels + first);
+    for (int count; first < end; first += count) {
+        struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL};
+        count = end - first < CHUNK ? end - first : CHUNK;
+        span.count = count;
+        if (chunk->spans->spheres[object].wide) {
+            span_distances(chunk->spans, object, chunk->y, span.x, count, t);
+            span.t = t;
+        }
+        span.path_hash = chunk->path_hash ? chunk->path_hash + first : NULL;
+        shade_span(chunk->view, &span, threshold, chunk->pixels + first);
+    }
+}
+
+static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
+{
+    uint32_t object = chunk->object[first];
+    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL};
+
+    if (chunk->path_hash || chunk->lights || !chunk->spans->spheres[object].wide ||
+        !coherence_shade(chunk->view, &span, threshold, chunk->pixels + first))
+        shade_pixels(chunk, object, first, end, threshold);
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 {
     const struct tia_view *view = chunk->view;
-    uint32_t copy[CHUNK];
     int end;
 
-    see_lights(chunk, copy);
     for (int first = 0; first < chunk->count; first = end) {
         uint32_t object = chunk->object[first];
-        for (end = first + 1; end < chunk->count && chunk->object[end] == object; end++)
-            ;
+        end = span_end(chunk->object, first, chunk->count);
         if (object == TIA_NO_OBJECT)
             flat_span(chunk, first, end - first, &view->scene->background, threshold);
         else if (object >= view->scene->sphere_count)
             light_span(chunk, first, end - first, object - view->scene->sphere_count, threshold);
         else
-            shade_sphere(chunk, first, end - first, threshold);
+            shade_sphere(chunk, first, end, threshold);
     }
+}
+
+/* The same where the row may see lights. */
+static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[8])
+{
+    uint32_t object[CHUNK];
+
+    see_lights(chunk, object);
+    light_chunk(chunk, threshold);
 }
 
 static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_t step)
@@ -122,23 +192,28 @@ static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_
         *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
 }
 
-/* Draws the chunk at column x of the tile: into the surface itself if pixels are side by side there. */
-static void light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
-                          const struct tia_surface *surface, const num_u threshold[8])
+/* Draws the chunk at column x of the tile, into the surface itself if pixels are side by side there: how many. */
+static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
+                         const struct tia_surface *surface, const num_u threshold[8])
 {
     size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
     char *out = (char *)surface->pixels + (chunk->y - (int)tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
     bool direct = surface->step == sizeof(tia_rgb565);
+    unsigned most = direct && !chunk->lights ? PIECE : CHUNK;
     tia_rgb565 pixels[CHUNK];
 
     chunk->x = (int)(tile.x + x);
-    chunk->count = tile.width - x < CHUNK ? (int)(tile.width - x) : CHUNK;
+    chunk->count = (int)(tile.width - x < most ? tile.width - x : most);
     chunk->t = span_distances_of(hits) + at;
     chunk->object = hits->object + at;
     chunk->pixels = direct ? (tia_rgb565 *)(void *)out : pixels;
-    light_chunk(chunk, threshold);
+    if (chunk->lights)
+        light_chunk_with_lights(chunk, threshold);
+    else
+        light_chunk(chunk, threshold);
     if (!direct)
         copy_pixels(pixels, chunk->count, out, surface->step);
+    return chunk->count;
 }
 
 static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile,
@@ -151,9 +226,9 @@ static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct t
     dither_thresholds(options->dither, chunk->y, threshold);
     for (unsigned x = 0; path_hash && x < tile.width; x++)
         path_hash[x] = 0;
-    for (unsigned x = 0; x < tile.width; x += CHUNK) {
+    for (unsigned x = 0; x < tile.width;) {
         chunk->path_hash = path_hash ? path_hash + x : NULL;
-        light_columns(chunk, hits, tile, x, surface, threshold);
+        x += (unsigned)light_columns(chunk, hits, tile, x, surface, threshold);
     }
 }
 
@@ -166,6 +241,7 @@ void span_light(const struct tia_view *view, const struct tia_hits *hits, struct
     chunk.spans = view->prepared;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         chunk.y = y;
+        chunk.lights = row_sees_lights(&chunk);
         light_row(&chunk, hits, tile, surface, options);
     }
 }

@@ -64,6 +64,8 @@ static int prepare(struct tia_view *view)
         spans->tinted = spans->tinted || !colour_is_black(through);
         spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
+    for (uint32_t i = 0; spans->tinted && i < scene->sphere_count; i++)
+        spans->spheres[i].wide = false;
     return TIA_OK;
 }
 

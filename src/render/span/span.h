@@ -22,10 +22,20 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
 }
 
 /* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined where
- * a pixel sees no object. */
+ * a pixel sees no object or a wide sphere. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;
+}
+
+static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
+{
+    int i = 0;
+
+    for (; i + 4 <= count; i += 4)
+        pixels[i] = pixels[i + 1] = pixels[i + 2] = pixels[i + 3] = pixel;
+    for (; i < count; i++)
+        pixels[i] = pixel;
 }
 
 /* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see sphere `n`. */

@@ -28,6 +28,7 @@ struct span_sphere {
     int t_shift;         /* what num_quotient is given */
     int t_exponent;      /* the exponent of t */
     struct span rows;    /* the rows that may see it; empty: no pixel does */
+    bool wide;           /* hits do not keep its distances, see coherence.h */
 };
 
 /* Prepares a sphere; one of radius 0 is seen by no pixel. */

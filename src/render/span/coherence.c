@@ -1,0 +1,344 @@
+#include "coherence.h"
+
+#include "coherence_run.h"
+#include "scene/colour.h"
+#include "shadow.h"
+
+#define SHORT 12 /* pixels are not worth samples */
+#define LEAF 8   /* pixels between samples are computed one by one rather than divided where a shadow's edge may be */
+#define DEPTH 12 /* of samples that wait */
+
+#define WIDE 1024 /* pixels */
+
+/* Whether it is seen from outside, D = (L.v)^2 - c v.v is concave along rows, and its radius, in front of the eye, is
+ * wider than that: r depth > WIDE sqrt(c). */
+bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere)
+{
+    num_wide depth = num_shift(primary->depth * primary->depth, -2 * primary->exponent); /* exponent 0 */
+
+    return sphere->c > sphere->centre.x * sphere->centre.x && sphere->c > 0 &&
+           num_product_above(sphere->radius * sphere->radius, depth, sphere->c, (num_wide)4 * WIDE * WIDE);
+}
+
+/* Whether |Q - P|^2 grows somewhere between two samples, 1, or falls, -1. */
+static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
+{
+    num_wide more = to - from;
+
+    return more > run->bounds.square_slack ? 1 : more < -run->bounds.square_slack ? -1 : 0;
+}
+
+/* ---- shadows between two samples ---- */
+
+/* As P moves by up to `path` from the nearer sample, w/|w| turns by up to path/d; so does the shadow ray around Q, and
+ * its distance h from C changes by up to m = |C - Q| path/d + 2 bias, since it starts off P by the bias. With errors of
+ * h^2 up to e in both pixels, h stays above R when at the samples h^2 - R^2 > 2 m (R + m) + 3 e, as
+ *
+ *     (sqrt(R^2 + e) + m)^2 <= R^2 + e + 2 R m + m^2 + 2 m sqrt(e) <= R^2 + 2 e + 2 R m + 2 m^2,
+ *
+ * and below R when it is below R^2 by as much. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by m, |w| by path. */
+static int shadow_between(const struct coherence_run *run, const struct coherence_caster *cast, int j,
+                          const struct coherence_sample *a, const struct coherence_sample *b, num_wide path)
+{
+    num_wide square = a->square < b->square ? a->square : b->square, d = (num_wide)(a->far < b->far ? a->far : b->far);
+
+    if (2 * path >= d)
+        return COHERENCE_OPEN;
+    num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits; d and it are known to 1/32 */
+    turn += turn / 16 + (num_u)coherence_power(0);
+    struct coherence_slack slack = coherence_shadow_slack(run, cast, square, (num_wide)b->slack);
+    if (slack.length > coherence_power(24) || slack.power > coherence_power(58))
+        return COHERENCE_OPEN;
+    num_wide m = num_down(cast->away * (num_wide)turn, 24) + run->bias + coherence_power(0);
+    num_wide foot = num_max(num_abs((num_wide)a->foot[j]), num_abs((num_wide)b->foot[j])) + m + path + slack.length;
+    num_wide margin = 2 * m * (cast->radius + m) + 3 * (2 * foot * slack.length + slack.power);
+    if (a->clear[j] > margin && b->clear[j] > margin)
+        return COHERENCE_LIT;
+    num_wide behind = m + 4 * slack.length, before = behind + path;
+    if (a->clear[j] < -margin && b->clear[j] < -margin && (num_wide)a->foot[j] > before &&
+        (num_wide)b->foot[j] > before && (num_wide)(a->far - a->foot[j]) > behind &&
+        (num_wide)(b->far - b->foot[j]) > behind)
+        return COHERENCE_DARK;
+    return COHERENCE_OPEN;
+}
+
+static int shadows_between(const struct coherence_run *run, const struct coherence_sample *a,
+                           const struct coherence_sample *b)
+{
+    int all = COHERENCE_LIT;
+
+    if (run->caster_count == 0 || (!a->faces && !b->faces))
+        return COHERENCE_LIT;
+    if (!a->faces || !b->faces)
+        return COHERENCE_OPEN;
+    num_wide path = coherence_path(run, a, b);
+    for (int j = 0; j < run->caster_count; j++) {
+        int shadow = shadow_between(run, &run->caster[j], j, a, b, path);
+        if (shadow == COHERENCE_DARK)
+            return COHERENCE_DARK;
+        all = shadow == COHERENCE_OPEN ? COHERENCE_OPEN : all;
+    }
+    return all;
+}
+
+/* ---- colours ---- */
+
+struct colouring {
+    num_u emission[3], product[3];
+    bool grey;
+    num_u threshold;
+};
+
+static void colouring_prepare(const struct tia_view *view, const struct tia_material *material, num_u threshold,
+                              struct colouring *c)
+{
+    const struct span_view *spans = span_view_of(view);
+    const struct tia_rgb *colour = &material->colour, *light = &view->lights[0].emission;
+
+    c->grey = spans->grey && colour_is_grey(colour) && colour_is_grey(&material->emission);
+    c->emission[0] = num_colour(material->emission.r);
+    c->emission[1] = num_colour(material->emission.g);
+    c->emission[2] = num_colour(material->emission.b);
+    c->product[0] = num_colour_product(num_colour(colour->r), num_colour(light->r));
+    c->product[1] = num_colour_product(num_colour(colour->g), num_colour(light->g));
+    c->product[2] = num_colour_product(num_colour(colour->b), num_colour(light->b));
+    c->threshold = threshold;
+}
+
+static inline num_u channel_of(const struct colouring *c, int i, num_u lambert)
+{
+    return num_clamp(c->emission[i] + num_colour_product(lambert, c->product[i]));
+}
+
+/* The pixel that lambert makes. */
+static tia_rgb565 colour_of(const struct colouring *c, num_u lambert)
+{
+    num_u half = c->threshold, red = channel_of(c, 0, lambert);
+    num_u green = c->grey ? red : channel_of(c, 1, lambert);
+    unsigned r = num_quantise(red, 31, half), g = num_quantise(green, 63, half);
+    unsigned b = c->grey ? r : num_quantise(channel_of(c, 2, lambert), 31, half);
+
+    return (tia_rgb565)(r << 11 | g << 5 | b);
+}
+
+/* ---- a run ---- */
+
+/* A run on its way to the pixels first.. */
+struct drawing {
+    struct coherence_run *run;
+    struct colouring colouring;
+    int first;
+    tia_rgb565 *pixels;
+};
+
+/* Pixels first..last. */
+static void fill(const struct drawing *d, int first, int last, tia_rgb565 pixel)
+{
+    span_fill(d->pixels + (first - d->first), last + 1 - first, pixel);
+}
+
+static num_u smaller(num_u a, num_u b)
+{
+    return a < b ? a : b;
+}
+
+static bool same_between(const struct drawing *d, const struct coherence_sample *a, const struct coherence_sample *b)
+{
+    num_u low = smaller(a->lambert, b->lambert), high = a->lambert + b->lambert - low;
+
+    return colour_of(&d->colouring, (num_u)num_max((num_wide)low - (num_wide)b->slack, 0)) ==
+           colour_of(&d->colouring, num_clamp((num_u)((num_wide)high + (num_wide)b->slack)));
+}
+
+static bool monotone(const struct coherence_sample *a, const struct coherence_sample *b)
+{
+    return b->x - a->x <= 1 || (a->before != 0 && a->before == b->behind);
+}
+
+static num_u slack_between(const struct coherence_run *run, const struct coherence_sample *a,
+                           const struct coherence_sample *b)
+{
+    num_wide slack = coherence_lambert_slack(run, a->square < b->square ? a->square : b->square);
+
+    return slack < (num_wide)NUM_ONE ? (num_u)slack : NUM_ONE;
+}
+
+/* Draws a..b, both included; false when they must be divided. */
+static bool draw_between(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b)
+{
+    if (b->shadow == COHERENCE_OPEN && monotone(a, b)) {
+        if (b->slack == 0)
+            b->slack = slack_between(d->run, a, b);
+        if (b->slack < NUM_ONE / 64)
+            b->shadow = (uint8_t)shadows_between(d->run, a, b);
+    }
+    if (b->shadow == COHERENCE_DARK) {
+        fill(d, a->x, b->x, colour_of(&d->colouring, 0));
+    } else if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
+        fill(d, a->x, a->x, a->pixel);
+        fill(d, b->x, b->x, b->pixel);
+    } else if (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b)) {
+        fill(d, a->x, b->x, a->pixel);
+    } else if (b->shadow == COHERENCE_OPEN && b->x - a->x <= LEAF) {
+        for (int x = a->x; x <= b->x; x++)
+            fill(d, x, x, colour_of(&d->colouring, coherence_lambert_at(d->run, x)));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/* Where the colour of `a` ends, were lambert a line from a to b: the last pixel before, or else the first behind. */
+static int guess(const struct colouring *c, const struct coherence_sample *a, const struct coherence_sample *b)
+{
+    num start = num_signed(a->lambert), step = (num_signed(b->lambert) - start) / (num)(b->x - a->x);
+    int low = a->x, high = b->x;
+
+    while (high - low > 1) {
+        int x = low + (high - low) / 2;
+        if (colour_of(c, (num_u)(start + (num)(x - a->x) * step)) == a->pixel)
+            low = x;
+        else
+            high = x;
+    }
+    return low > a->x ? low : low + 1;
+}
+
+/* A sample between two, and what is known of all in between. With `room` for that many more it lies where the colour
+ * may change, as long as halving what it leaves would still end in time. */
+static void divide(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b, int room,
+                   struct coherence_sample *s)
+{
+    if (d->run->caster_count > 0 && !a->faces)
+        b->shadow = COHERENCE_OPEN; /* it was not asked about */
+    bool guessed = b->shadow == COHERENCE_LIT && (b->x - a->x) >> room == 0;
+    int x = guessed ? guess(&d->colouring, a, b) : a->x + (b->x - a->x) / 2;
+
+    coherence_sample_at(d->run, x, b->shadow == COHERENCE_OPEN && d->run->caster_count > 0, s);
+    s->pixel = colour_of(&d->colouring, s->lambert);
+    s->shadow = b->shadow;
+    s->slack = b->slack; /* |Q - P| is no less here than at the less of a and b */
+    s->behind = rise(d->run, s->square, b->square);
+    if (s->behind == 0 || monotone(a, b))
+        s->behind = b->behind;
+}
+
+static void end_sample(const struct drawing *d, int x, struct coherence_sample *s)
+{
+    coherence_sample_at(d->run, x, d->run->caster_count > 0, s);
+    s->pixel = colour_of(&d->colouring, s->lambert);
+    s->before = s->behind = 0;
+    s->slack = 0;
+    s->shadow = COHERENCE_OPEN;
+}
+
+/* Samples are taken at both ends, and then where what is between two of them cannot be drawn. */
+static void draw_run(const struct drawing *d, int first, int last)
+{
+    struct coherence_run *run = d->run;
+    struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH]; /* the nearest last, then free ones */
+    int depth = 1;
+
+    for (int i = 0; i < DEPTH; i++)
+        right[i] = &sample[i + 1];
+    end_sample(d, first, left);
+    end_sample(d, last, right[0]);
+    coherence_measure(run, left, right[0]);
+    left->before = rise(run, coherence_square_at(run, first - 1), left->square);
+    right[0]->behind = rise(run, right[0]->square, coherence_square_at(run, last + 1));
+    while (depth > 0) {
+        struct coherence_sample *b = right[depth - 1];
+        if (draw_between(d, left, b)) {
+            int8_t grown = rise(run, left->square, b->square);
+            b->before = grown ? grown : left->before;
+            right[--depth] = left;
+            left = b;
+        } else {
+            divide(d, left, b, DEPTH - depth - 1, right[depth]);
+            depth++;
+        }
+    }
+}
+
+/* ---- preparing ---- */
+
+static int length_exponent(const struct coherence_run *run, const struct span_view *spans, const uint32_t *casters)
+{
+    num_wide most = 0;
+
+    for (int j = 0; j < run->caster_count; j++) {
+        const struct span_sphere *s = &spans->spheres[casters[j]];
+        num_wide size = num_abs(s->centre.x) + num_abs(s->centre.y) + num_abs(s->centre.z) + s->radius;
+        most = num_max(most, size);
+    }
+    most += num_abs(run->source.light.x) + num_abs(run->source.light.y) + num_abs(run->source.light.z);
+    int exponent = 46 - coherence_bits(most + coherence_power(16 + run->bounds.point));
+    return exponent < 40 ? exponent : 40; /* so that the bias is below 2^29 */
+}
+
+/* False when there are too many casters, or the light is in one. */
+static bool prepare_casters(struct coherence_run *run, const struct tia_view *view, uint32_t object)
+{
+    const struct span_view *spans = span_view_of(view);
+    uint32_t casters[COHERENCE_CASTERS];
+
+    run->caster_count = 0;
+    for (uint32_t j = 0; j < view->scene->sphere_count; j++) {
+        struct shadow_line line;
+        if (j == object ||
+            !shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &line))
+            continue;
+        if (line.enclosed || run->caster_count == COHERENCE_CASTERS)
+            return false;
+        casters[run->caster_count] = j;
+        struct coherence_caster *cast = &run->caster[run->caster_count++];
+        line.count = 1;
+        cast->line = line;
+        cast->a = line.a;
+        cast->c = line.c;
+    }
+    run->exponent = length_exponent(run, spans, casters);
+    run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(0);
+    for (int j = 0; j < run->caster_count; j++)
+        coherence_bound_caster(run, &spans->spheres[casters[j]], &run->caster[j]);
+    return true;
+}
+
+static bool prepare_run(struct coherence_run *run, const struct tia_view *view, const struct shaded_span *span,
+                        int first, int last)
+{
+    const struct span_view *spans = span_view_of(view);
+
+    run->primary = &spans->primary;
+    run->kernels = spans->kernels;
+    run->sphere = &spans->spheres[span->object];
+    run->source.sphere = run->sphere;
+    run->source.light = num_vec_between(view->scene->camera.eye, view->lights[0].centre);
+    run->y = span->y;
+    run->middle = run->primary->width / 2;
+    span_sphere_line(run->primary, run->sphere, run->y, run->middle, &run->body);
+    light_line_prepare(run->primary, &run->source, run->middle, run->y, &run->light);
+    run->body.count = run->light.count = 1;
+    run->b = run->body.b;
+    run->g = run->light.g;
+    run->q = run->light.q;
+    num_wide row = primary_y(run->primary, run->y);
+    run->row_square = row * row + run->primary->depth * run->primary->depth;
+    return coherence_bound(run, first, last) && prepare_casters(run, view, span->object);
+}
+
+bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                     tia_rgb565 *pixels)
+{
+    const struct tia_scene *scene = view->scene;
+    struct coherence_run run;
+    struct drawing d = {.run = &run, .first = span->x, .pixels = pixels};
+    int last = span->x + span->count - 1;
+
+    if (span->count < SHORT || view->light_count != 1 || threshold[0] != threshold[1] ||
+        !prepare_run(&run, view, span, span->x - 1, last + 1))
+        return false;
+    colouring_prepare(view, &scene->materials[scene->spheres[span->object].material], threshold[0], &d.colouring);
+    draw_run(&d, span->x, last);
+    return true;
+}

@@ -1,0 +1,24 @@
+/* coherence.h - many pixels of a row decided by two of them.
+ *
+ * Where one light shines on a sphere, with G = Q - L, r N.(Q - P) and |Q - P|^2 depend on the point P only through G.P,
+ * and so does N.(Q - P)/|Q - P|, which grows with it. A row's pixels see P on a circle, and less than half of it:
+ * there G.P has at most one extremum. So |Q - P|^2 has at most one, and where it grows or falls both before and
+ * after some pixels it does so along them. Then the light on each of them is between what it is on the first and the
+ * last, and if both round to one colour, all have it. Shadows of other spheres change slowly, see coherence.c.
+ *
+ * What integers may err by is bounded, see coherence_bounds.c: so every pixel has the bits that it has when computed
+ * alone, and what cannot be decided is. */
+#ifndef TIA_RENDER_SPAN_COHERENCE_H
+#define TIA_RENDER_SPAN_COHERENCE_H
+
+#include "shade.h"
+
+/* Whether a sphere is wide: seen from outside, and so large that many pixels have one colour. */
+bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);
+
+/* Draws a span that sees a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK.
+ * False, with nothing drawn, where that does not pay or nothing can be said. */
+bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                     tia_rgb565 *pixels);
+
+#endif
