@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <tia/levels.h>
 
 #define Q(x) ((tia_q16)lrint((x)*65536))
 
@@ -90,6 +91,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
                 !tia_raster_init(&p->target, p->memory[1], size, &p->flat.lattice, all, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
+    p->target.runs = tia_level_raster(tia_level_best());
 }
 
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)

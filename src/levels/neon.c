@@ -22,4 +22,4 @@ static inline unsigned m_bits(M m)
 
 #include "neon.h"
 
-LEVEL(neon);
+LEVEL(neon, NULL);

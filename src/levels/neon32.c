@@ -28,4 +28,4 @@ static inline unsigned m_bits(M m)
 
 #include "neon.h"
 
-LEVEL(neon);
+LEVEL(neon, NULL);

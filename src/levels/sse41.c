@@ -55,4 +55,4 @@ static inline void i_pack(F r, F g, F b, uint16_t *out)
 
 #include "kernel.h"
 
-LEVEL(sse41);
+LEVEL(sse41, NULL);

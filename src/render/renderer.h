@@ -53,6 +53,8 @@ struct tia_level {
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options);
     const struct level_kernels *kernels;
+
+    const struct tia_raster_runs *raster; /* NULL: plain C */
 };
 
 /* A scene prepared for one image size. */
@@ -61,6 +63,7 @@ struct tia_view {
     const struct renderer *renderer;
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
+    const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;           /* the renderer's */
     struct tia_light *lights; /* our copy */
     uint32_t light_count, light_capacity;

@@ -172,7 +172,7 @@ static struct buffers buffers_of(const struct tia_scene *scene, const struct tia
 
 /* Those of a tile. */
 static void open_tile(const struct tia_shadow_view *shadow, const struct tia_hits *hits, struct tia_tile tile,
-                      const struct buffers *b, struct tia_shadow_tile *open)
+                      const struct buffers *b, const struct tia_raster_runs *runs, struct tia_shadow_tile *open)
 {
     size_t first = hits_index(hits, tile.x, tile.y);
     struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
@@ -180,6 +180,7 @@ static void open_tile(const struct tia_shadow_view *shadow, const struct tia_hit
                                     .pitch = hits->area.width,
                                     .planes = shadow->flat.planes,
                                     .planes_known = true,
+                                    .runs = runs,
                                     .face_count = shadow->flat.face_count,
                                     .face = b->face,
                                     .count = b->count,
@@ -259,7 +260,7 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
     struct asker asker = view_asker(view);
     struct tia_shadow_tile open;
 
-    open_tile(&raster->shadow[sample], hits, tile, &b, &open);
+    open_tile(&raster->shadow[sample], hits, tile, &b, view->raster_runs, &open);
     tia_clear_depth(&open.target);
     tia_clear_count(&open.target, 0);
     (void)tia_shadow_faces(&open.target, flat, &asker);
@@ -341,7 +342,7 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
     struct buffers b = buffers_of(view->scene, hits, sample);
     struct tia_shadow_tile open;
 
-    open_tile(shadow, hits, tile, &b, &open);
+    open_tile(shadow, hits, tile, &b, view->raster_runs, &open);
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
