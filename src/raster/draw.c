@@ -211,7 +211,7 @@ static void share(struct job *job)
     bool nearer = s->zfail == TIA_KEEP;
     uint32_t one = (nearer ? s->zpass : s->zfail) == TIA_DECR_WRAP ? UINT32_MAX : 1;
 
-    job->runs = t->runs ? t->runs : &raster_runs_plain;
+    job->runs = t->runs ? t->runs : &tia_raster_runs_plain;
     job->shared = (struct raster_polygon){
         t->nearness, t->face, t->count, (uint64_t)job->polygon->depth.step, job->face, nearer, one, is_nearer, job};
 }

@@ -28,6 +28,6 @@ struct tia_raster_runs {
 };
 
 /* Plain C. */
-extern const struct tia_raster_runs raster_runs_plain;
+extern const struct tia_raster_runs tia_raster_runs_plain;
 
 #endif
