@@ -70,6 +70,12 @@ static uint32_t make_lights(double size)
             lights[i].kind = TIA_DIRECTIONAL_LIGHT;
             lights[i].direction = (struct tia_dir3){between(-.5, .5, 1 << 30), -(1 << 29) - (1 << 28), 1 << 28};
         }
+        if (i == 4) {
+            lights[i].kind = TIA_SPOT_LIGHT;
+            lights[i].direction = (struct tia_dir3){between(-.5, .5, 1 << 30), -(1 << 29) - (1 << 28), 1 << 28};
+            lights[i].outer = between(20, 90, 65536);
+            lights[i].inner = between(1, 20, 65536);
+        }
     }
     return count;
 }
@@ -134,7 +140,7 @@ static size_t differing(const struct tia_scene *scene, bool dither)
 
 TEST(matte_faces_have_the_colours_of_rays)
 {
-    for (int round = 0; round < 60; round++) {
+    for (int round = 0; round < 150; round++) {
         struct tia_scene scene = make_scene();
         size_t wrong = differing(&scene, round % 2);
         CHECK_MSG(wrong == 0, "scene %d: %zu pixels differ", round, wrong);

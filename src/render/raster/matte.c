@@ -1,5 +1,6 @@
 #include "matte.h"
 
+#include "math/rotation.h"
 #include "math/wide.h"
 #include "scene/colour.h"
 
@@ -8,7 +9,8 @@
 #define MOST_BITS 38
 #define DOUBT_SHIFT 14 /* the bound of N.w/|w| is 2^-14 */
 #define NEAREST (INT64_C(1) << 20)
-#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by 2^15 */
+#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by 2^15, and is clamped to 2^62 */
+#define NEARNESS_MOST ((UINT64_C(1) << 62) - 65536)
 
 static int64_t size_of(int64_t a)
 {
@@ -50,6 +52,20 @@ static void direct_light(const struct tia_light *light, int64_t to[3])
         to[i] = tia_round_shift(to[i], 32);
 }
 
+static void aim_spot(const struct tia_light *light, struct matte_light *l)
+{
+    const int64_t doubt = INT64_C(1) << (30 - DOUBT_SHIFT);
+    int64_t sine, cosine;
+
+    direct_light(light, l->back);
+    for (int i = 0; i < 3; i++)
+        l->back[i] = tia_round_shift(l->back[i], 30 - NORMAL_BITS);
+    tia_sincos(light->inner, &sine, &cosine);
+    l->inner = (cosine >> 32) + doubt;
+    tia_sincos(light->outer, &sine, &cosine);
+    l->outer = (cosine >> 32) - doubt;
+}
+
 /* Lights that are seen, fade or have an area are for rays. */
 static bool add_light(struct matte *m, const struct tia_light *light, unsigned bit)
 {
@@ -64,7 +80,9 @@ static bool add_light(struct matte *m, const struct tia_light *light, unsigned b
         direct_light(light, l->at);
         return true;
     }
-    return light->kind == TIA_POINT_LIGHT && !light->radius && !light->constant && !light->linear &&
+    if (light->kind == TIA_SPOT_LIGHT)
+        aim_spot(light, l);
+    return light->kind < TIA_RECTANGLE_LIGHT && !light->radius && !light->constant && !light->linear &&
            !light->quadratic && place_light(m, light, l->at);
 }
 
@@ -172,7 +190,7 @@ static int64_t distance_of(const struct matte *m, uint64_t nearness)
 
 static bool find_place(const struct matte *m, const struct matte_pixel *p, int64_t *distance, int64_t at[3])
 {
-    if (p->nearness < NEARNESS_LEAST)
+    if (p->nearness < NEARNESS_LEAST || p->nearness > NEARNESS_MOST)
         return false;
     *distance = distance_of(m, p->nearness);
     if (!*distance || *distance >= m->most / 4)
@@ -186,17 +204,15 @@ static bool find_place(const struct matte *m, const struct matte_pixel *p, int64
     return largest(at) < m->most;
 }
 
-static int64_t along_normal(const struct matte *m, const int64_t v[3])
+static int64_t dot(const int64_t n[3], const int64_t v[3])
 {
-    const int64_t *n = m->face.normal;
-
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
 /* Turns the normal; false when the eye may be in the plane. */
 static bool turn(struct matte *m, const int64_t at[3])
 {
-    int64_t side = along_normal(m, at);
+    int64_t side = dot(m->face.normal, at);
 
     if (size_of(side) >> 8 <= largest(at))
         return false;
@@ -208,9 +224,9 @@ static bool turn(struct matte *m, const int64_t at[3])
 /* ---- colours ---- */
 
 /* max(0, N.w/|w|), Q.30; below 0: there is doubt. */
-static int64_t lambert_of(const struct matte *m, const int64_t w[3], int64_t distance)
+static int64_t cosine_of(const int64_t normal[3], const int64_t w[3], int64_t distance)
 {
-    int64_t most = largest(w), facing = along_normal(m, w);
+    int64_t most = largest(w), facing = dot(normal, w);
 
     if (most < NEAREST || most < distance >> 6)
         return -1;
@@ -232,11 +248,16 @@ static int64_t lambert_of(const struct matte *m, const int64_t w[3], int64_t dis
 static int64_t lambert(const struct matte *m, const struct matte_light *l, const int64_t at[3], int64_t distance)
 {
     if (l->kind == TIA_DIRECTIONAL_LIGHT) {
-        int64_t facing = along_normal(m, l->at);
+        int64_t facing = dot(m->face.normal, l->at);
         return facing > 0 ? facing >> NORMAL_BITS : 0;
     }
     const int64_t w[3] = {l->at[0] - at[0], l->at[1] - at[1], l->at[2] - at[2]};
-    return lambert_of(m, w, distance);
+    if (l->kind == TIA_SPOT_LIGHT) {
+        int64_t c = cosine_of(l->back, w, distance);
+        if (c < l->inner)
+            return c >= 0 && c <= l->outer ? 0 : -1;
+    }
+    return cosine_of(m->face.normal, w, distance);
 }
 
 /* A colour, Q.30, and by how much it may be off. */

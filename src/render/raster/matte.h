@@ -16,10 +16,12 @@
 #define MATTE_LIGHTS 8
 
 struct matte_light {
-    enum tia_light_kind kind; /* point, directional or ambient */
+    enum tia_light_kind kind; /* point, spot, directional or ambient */
     unsigned bit;             /* its number in the pixels' bits and shares */
     int64_t at[3];            /* from the eye; of a directional light the direction to it, Q.30 */
     int32_t emission[3];      /* Q2.30 */
+    int64_t back[3];          /* of a spot light against its direction, Q.20, */
+    int64_t inner, outer;     /* and the cosines, Q.30, from which on and to which there is no doubt */
 };
 
 /* A face, whose normal is turned to the eye. */
