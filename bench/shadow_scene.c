@@ -30,10 +30,11 @@ void shadow_scene_free(struct shadow_scene *s)
     free(s->faces);
 }
 
-static const struct tia_material white = {.colour = {65536, 65536, 65536}};
+#define WHITE (INT32_C(1) << 30)
+static const struct tia_material white = {.colour = {WHITE, WHITE, WHITE}};
 #define LAMP(x, y, z)                                                                                                  \
     {                                                                                                                  \
-        .centre = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)}, .emission = { 65536, 65536, 65536 }                            \
+        .centre = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)}, .emission = { WHITE, WHITE, WHITE }                            \
     }
 static const struct tia_light lamps[SHADOW_LAMPS] = {LAMP(3, 7, 4), LAMP(-5, 6, 3), LAMP(1, 8, -4), LAMP(-3, 5, 7)};
 

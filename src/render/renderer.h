@@ -64,8 +64,8 @@ struct tia_view {
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
-    void *prepared;           /* the renderer's */
-    struct tia_light *lights; /* our copy */
+    void *prepared;                            /* the renderer's */
+    struct tia_light *lights;                  /* our copy */
     uint32_t light_count, light_capacity;
     int width, height;
     bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_init_until */

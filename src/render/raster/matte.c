@@ -99,7 +99,7 @@ static void choose_unit(struct matte *m)
 /* Numbers of 24 bits have errors of their own that are larger. */
 static bool is_fine(void)
 {
-    return num_length_of_q45(1 << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
+    return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
 }
 
 bool matte_init(struct matte *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
@@ -126,7 +126,7 @@ bool matte_init(struct matte *m, const struct tia_view *view, const struct tia_s
 /* floor(2^20 a) */
 static int64_t digits(num_unit a)
 {
-    num_length scaled = num_times(num_integer(1 << 17), a);
+    num_length scaled = num_times(num_integer(INT32_C(1) << 17), a);
     int32_t whole = num_floor(scaled);
 
     return (int64_t)whole * 8 + num_floor((scaled - num_integer(whole)) * 8);
