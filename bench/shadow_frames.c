@@ -59,6 +59,7 @@ static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t 
     f->surface = (struct tia_surface){malloc((size_t)width * height * 2), 2, 2 * width};
     shadow_must(f->surface.pixels &&
                 !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height));
+    shadow_must(!tia_view_set_level(f->view, tia_level_best(), NULL, 0));
     shadow_must(!tia_hits_init(&f->hits, f->memory[1], sizes[1], f->view, f->area));
 }
 

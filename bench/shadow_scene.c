@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <tia/levels.h>
 
 #define Q(x) ((tia_q16)lrint((x)*65536))
 
@@ -29,10 +30,11 @@ void shadow_scene_free(struct shadow_scene *s)
     free(s->faces);
 }
 
-static const struct tia_material white = {.colour = {65536, 65536, 65536}};
+#define WHITE (INT32_C(1) << 30)
+static const struct tia_material white = {.colour = {WHITE, WHITE, WHITE}};
 #define LAMP(x, y, z)                                                                                                  \
     {                                                                                                                  \
-        .centre = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)}, .emission = { 65536, 65536, 65536 }                            \
+        .centre = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)}, .emission = { WHITE, WHITE, WHITE }                            \
     }
 static const struct tia_light lamps[SHADOW_LAMPS] = {LAMP(3, 7, 4), LAMP(-5, 6, 3), LAMP(1, 8, -4), LAMP(-3, 5, 7)};
 
@@ -90,6 +92,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
                 !tia_raster_init(&p->target, p->memory[1], size, &p->flat.lattice, all, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
+    p->target.runs = tia_level_raster(tia_level_best());
 }
 
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)

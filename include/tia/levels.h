@@ -35,6 +35,10 @@ size_t tia_level_size(const struct tia_level *level, const struct tia_scene *sce
  * traced before are of no use. TIA_ERR_MEMORY when `size` is too small. */
 int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size);
 
+/* What the level does for the rasteriser, see struct tia_raster_target; NULL: nothing. A view's own is set with its
+ * level, and needs no memory. */
+const struct tia_raster_runs *tia_level_raster(const struct tia_level *level);
+
 /* The name of the level that draws the view, or "plain". */
 const char *tia_view_level(const struct tia_view *view);
 

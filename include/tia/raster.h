@@ -104,6 +104,9 @@ struct tia_raster_plane {
     uint64_t x[2], y[2], c[2], det[2];
 };
 
+/* A vector unit's part in drawing, which changes no bit. */
+struct tia_raster_runs;
+
 /* A rectangle of the image, row by row. A buffer that is not there is NULL. */
 struct tia_raster_target {
     const struct tia_lattice *lattice;
@@ -116,9 +119,10 @@ struct tia_raster_target {
     uint16_t *colour; /* three a pixel: red, green, blue */
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
-    uint32_t face_count, pitch; /* pitch: pixels from one row to the next */
-    bool planes_known;          /* the planes are the caller's, made by tia_raster_plane_init, and only read */
-    uint32_t exact;             /* how often the filter was unsure which of two is nearer */
+    uint32_t face_count, pitch;         /* pitch: pixels from one row to the next */
+    bool planes_known;                  /* the planes are the caller's, made by tia_raster_plane_init, and only read */
+    const struct tia_raster_runs *runs; /* NULL: plain C; see tia_level_raster */
+    uint32_t exact;                     /* how often the filter was unsure which of two is nearer */
 };
 
 /* Bytes for a target of `area` with `buffers`, a sum of enum tia_buffer, and faces 0..faces - 1; SIZE_MAX when there

@@ -3,6 +3,7 @@
 #define TIA_LEVELS_LEVEL_H
 
 #include "pair.h"
+#include "raster/runs.h"
 #include "render/renderer.h"
 
 /* See struct level_renderer: scenes of spheres, and any others. */
@@ -16,10 +17,11 @@ void tia_level_light_plain(const struct tia_view *view, struct tia_tile tile, co
 
 extern const struct level_renderer tia_level_spans, tia_level_rays;
 
-#define LEVEL(level)                                                                                                   \
+/* `runs`: the rasteriser's, or NULL. */
+#define LEVEL(level, runs)                                                                                             \
     extern const struct tia_level tia_level_##level;                                                                   \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct tia_level tia_level_##level = {                                                                       \
-        #level, &span_kernels_plain, {&tia_level_spans, &tia_level_rays}, &kernels, &tia_sure_##level}
+    const struct tia_level tia_level_##level = {#level,   &span_kernels_plain, {&tia_level_spans, &tia_level_rays},    \
+                                                &kernels, &tia_sure_##level,   runs}
 
 #endif

@@ -4,4 +4,4 @@
 #include "kernel.h"
 #include "level.h"
 
-LEVEL(neon);
+LEVEL(neon, NULL);

@@ -4,4 +4,4 @@
 #include "kernel.h"
 #include "level.h"
 
-LEVEL(sse41);
+LEVEL(sse41, NULL);

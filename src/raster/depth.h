@@ -25,6 +25,18 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane);
 /* The run of nearness at x0..x1-1 of row y, covered pixels. */
 struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1);
 
+/* The same, without a call where that is most frequent. */
+static inline struct depth_run depth_run(const struct polygon *p, int y, int x0, int x1)
+{
+    const struct depth_scale *d = &p->depth;
+
+    if (!d->steady || !p->narrow)
+        return tia_depth_run(p, y, x0, x1);
+    int64_t cut = narrow_form_at(&p->of.narrow_forms.plane, x0, y) >> d->cut;
+    return (struct depth_run){(uint64_t)wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift),
+                              (uint64_t)d->step, true};
+}
+
 /* The nearness at one covered pixel. */
 int64_t tia_depth_at(const struct polygon *p, int x, int y);
 

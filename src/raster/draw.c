@@ -1,5 +1,6 @@
 #include "depth.h"
 #include "rows.h"
+#include "runs.h"
 #include "target.h"
 
 struct job {
@@ -7,6 +8,8 @@ struct job {
     const struct tia_raster_state *state;
     const struct polygon *polygon;
     uint32_t face;
+    const struct tia_raster_runs *runs;
+    struct raster_polygon shared; /* by the runs */
 };
 
 /* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */
@@ -137,7 +140,7 @@ static void general_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
     const struct tia_stencil *s = stencil_of(job);
-    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+    struct depth_run run = depth_run(job->polygon, y, x0, x1);
 
     for (int x = x0; x < x1; x++) {
         draw_pixel(job, s, run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y), x, y);
@@ -145,99 +148,72 @@ static void general_run(void *ctx, int y, int x0, int x1)
     }
 }
 
-static inline bool is_unsure(int64_t difference)
+static bool is_nearer(const void *ctx, size_t at)
 {
-    return (uint64_t)difference + DEPTH_UNSURE <= 2 * DEPTH_UNSURE;
+    const struct job *job = ctx;
+    const struct tia_raster_target *t = job->target;
+    int x = t->area.x + (int)(at % t->pitch), y = t->area.y + (int)(at / t->pitch);
+
+    return exact_order(job, x, y, at) > 0;
 }
 
 /* Depth alone, the nearest wins. */
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
-    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
+    struct depth_run run = depth_run(job->polygon, y, x0, x1);
     size_t at = target_index(job->target, x0, y);
-    uint64_t *there = job->target->nearness, z = run.z, step = run.step;
-    uint32_t *faces = job->target->face, face = job->face;
 
-    if (!run.steady) {
-        for (int x = x0; x < x1; x++, at++) {
-            int64_t at_pixel = tia_depth_at(job->polygon, x, y);
-            if (order_at(job, at_pixel, x, y, at) > 0)
-                put_depth(job, at_pixel, at);
-        }
+    if (run.steady) {
+        job->runs->nearest(&job->shared, at, x1 - x0, run.z);
         return;
     }
-    for (int x = x0; x < x1; x++, at++, z += step) {
-        int64_t difference = (int64_t)(z - there[at]);
-        if (difference < -DEPTH_UNSURE || (difference <= DEPTH_UNSURE && exact_order(job, x, y, at) <= 0))
-            continue;
-        there[at] = (int64_t)z < 0 ? 0 : z; /* a step's error may lead below infinity */
-        faces[at] = face;
+    for (int x = x0; x < x1; x++, at++) {
+        int64_t z = tia_depth_at(job->polygon, x, y);
+        if (order_at(job, z, x, y, at) > 0)
+            put_depth(job, z, at);
     }
 }
 
-/* Pixels that are counted: where the polygon is nearer, or where it is not. */
-struct counting {
-    const struct job *job;
-    uint64_t flip;   /* all bits: where it is nearer */
-    uint32_t step;   /* 1 or -1 */
-    uint32_t *count; /* or the stencil buffer, when this is NULL */
-    uint8_t *stencil;
-};
-
-static inline void count_one(const struct counting *c, size_t at, uint32_t step)
+static inline void count_one(const struct job *job, size_t at)
 {
-    if (c->count)
-        c->count[at] += step;
+    const struct tia_raster_target *t = job->target;
+
+    if (t->count)
+        t->count[at] += job->shared.one;
     else
-        c->stencil[at] = (uint8_t)(c->stencil[at] + step);
-}
-
-/* The difference's sign bit tells, the other way round when nearer ones count. What is not written to is in no
- * structure here, since a byte that is written may be any. */
-static void count_steady(const struct counting *c, struct depth_run run, int y, int x0, int x1)
-{
-    size_t at = target_index(c->job->target, x0, y);
-    const uint64_t *there = c->job->target->nearness;
-    uint64_t flip = c->flip, z = run.z, step = run.step;
-    uint32_t one = c->step, *count = c->count;
-
-    for (int x = x0; x < x1; x++, at++, z += step) {
-        uint64_t difference = z - there[at];
-        if (is_unsure((int64_t)difference))
-            difference = exact_order(c->job, x, y, at) > 0 ? 1 : UINT64_MAX;
-        count[at] += (uint32_t)((int64_t)(difference ^ flip) >> 63) & one;
-    }
-}
-
-static void count_run(const struct counting *c, int y, int x0, int x1)
-{
-    const struct job *job = c->job;
-    struct depth_run run = tia_depth_run(job->polygon, y, x0, x1);
-    size_t at = target_index(job->target, x0, y);
-
-    if (run.steady && c->count) {
-        count_steady(c, run, y, x0, x1);
-        return;
-    }
-    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
-        int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
-        if ((order_at(job, z, x, y, at) > 0) == (c->flip != 0))
-            count_one(c, at, c->step);
-    }
+        t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
 }
 
 /* What shadow volumes do all the time. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
+    struct depth_run run = depth_run(job->polygon, y, x0, x1);
+    size_t at = target_index(job->target, x0, y);
+
+    if (run.steady && job->target->count) {
+        job->runs->add(&job->shared, at, x1 - x0, run.z);
+        return;
+    }
+    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
+        int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
+        if ((order_at(job, z, x, y, at) > 0) == job->shared.nearer)
+            count_one(job, at);
+    }
+}
+
+/* What the target's vector unit, or plain C, is told of the polygon. */
+static void share(struct job *job)
+{
+    const struct tia_raster_target *t = job->target;
     const struct tia_stencil *s = stencil_of(job);
     bool nearer = s->zfail == TIA_KEEP;
-    struct counting c = {job, nearer ? UINT64_MAX : 0, 1, job->target->count, job->target->stencil};
+    uint32_t one = (nearer ? s->zpass : s->zfail) == TIA_DECR_WRAP ? UINT32_MAX : 1;
 
-    if ((nearer ? s->zpass : s->zfail) == TIA_DECR_WRAP)
-        c.step = UINT32_MAX;
-    count_run(&c, y, x0, x1);
+    job->runs = t->runs ? t->runs : &tia_raster_runs_plain;
+    job->shared = (struct raster_polygon){
+        t->nearness, t->face, t->count, (uint64_t)job->polygon->depth.step, job->face, nearer, one, is_nearer, job};
 }
 
 static bool counts(enum tia_stencil_op op)
@@ -277,7 +253,7 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
                      const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     struct polygon p;
-    struct job job = {target, state, &p, face};
+    struct job job = {.target = target, .state = state, .polygon = &p, .face = face};
     int status;
 
     if (!is_valid(target, state, count, face))
@@ -289,6 +265,7 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
         tia_polygon_cut_ahead(&p);
     if (state->depth_write && target->face && !target->planes_known)
         tia_depth_plane(&p, &target->planes[face]);
+    share(&job);
     tia_polygon_rows(&p,
                      is_depth_alone(target, state) ? nearest_run
                      : is_counting(&job)           ? counting_run

@@ -66,6 +66,7 @@ struct tia_level {
     const struct level_renderer *parts[LEVEL_PARTS]; /* NULL: left to plain C */
     const struct level_kernels *kernels;             /* of the spans */
     const struct sure_kernels *sure;                 /* of the rays */
+    const struct tia_raster_runs *raster;            /* of the rasteriser; NULL: plain C */
 };
 
 /* A scene prepared for one image size. */
@@ -74,8 +75,9 @@ struct tia_view {
     const struct renderer *renderer;
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
-    void *prepared;           /* the renderer's */
-    struct tia_light *lights; /* our copy */
+    const struct tia_raster_runs *raster_runs; /* NULL: plain C */
+    void *prepared;                            /* the renderer's */
+    struct tia_light *lights;                  /* our copy */
     uint32_t light_count, light_capacity;
     int width, height;
     bool (*stop)(void *ctx); /* NULL, or whether to stop, see tia_view_init_until */

@@ -40,6 +40,7 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
     v->renderer = renderer_for(scene);
     v->level = NULL;
     v->level_memory = NULL;
+    v->raster_runs = NULL;
     v->lights = (struct tia_light *)(void *)((char *)memory + ALIGN(sizeof *v));
     v->light_count = 0;
     v->light_capacity = light_capacity;
@@ -103,6 +104,7 @@ int tia_view_set_level(struct tia_view *view, const struct tia_level *level, voi
     const struct level_renderer *drawn = drawn_by(level, view->renderer);
 
     view->level = NULL;
+    view->raster_runs = level ? level->raster : NULL;
     if (!drawn || !drawn->draws(view))
         return TIA_OK;
     if (size < tia_level_size(level, view->scene, view->light_capacity))

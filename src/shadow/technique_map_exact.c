@@ -69,6 +69,8 @@ static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
     uint32_t face = t->face[at_of(e, number)];
     struct tia_seen seen;
 
+    if (face == o->face || face == o->flush)
+        return false;
     if (face != e->of.face)
         tia_seen_face_init(&e->of, &e->view->flat, face);
     tia_seen_init(&seen, &e->of, x_of(t, number), y_of(t, number));
@@ -320,8 +322,22 @@ static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t fa
         tia_polygon_rows(&p, ask_run, e);
 }
 
+/* Of a silhouette's object, whatever hides a point has a face turned to the light on the way. */
+static void draw_object(struct exact *e, const struct tia_lattice *lattice, const struct tia_flat_object *object)
+{
+    const struct tia_flat_scene *flat = &e->view->flat;
+    bool closed = tia_flat_has_silhouette(flat, object, e->light);
+
+    for (uint32_t n = 0; n < object->face_count && !asker_stops(e->asker, 1); n++) {
+        uint32_t face = object->first_face + n;
+        if (!closed || tia_flat_side(flat, &flat->faces[face], e->light) > 0)
+            draw(e, lattice, face);
+    }
+}
+
 static void draw_view(struct exact *e, unsigned view)
 {
+    const struct tia_flat_scene *flat = &e->view->flat;
     struct tia_lattice lattice;
     unsigned side = 1u << (SIDE_BITS - e->cells[view].shift);
 
@@ -329,8 +345,9 @@ static void draw_view(struct exact *e, unsigned view)
     if (!e->now->count ||
         tia_lattice_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
         return;
-    for (uint32_t f = 0; f < e->view->flat.face_count && !asker_stops(e->asker, 1); f++)
-        draw(e, &lattice, f);
+    for (uint32_t i = 0; i < flat->object_count && !e->asker->stopped; i++)
+        if (!tia_flat_hides_nothing(flat, &flat->objects[i], e->light))
+            draw_object(e, &lattice, &flat->objects[i]);
 }
 
 /* ---- the technique ---- */

@@ -105,12 +105,8 @@ static bool is_seen_whole(const struct tia_flat_scene *flat, const struct tia_fl
                                                     : !is_between(object->low, here, object->high);
 }
 
-/* Of a closed surface with the light and the eye outside, the faces turned to the light are enough, and only their
- * silhouette has sides: the way from a point that is seen to the light starts and ends outside, so it crosses as many
- * of these as of the others, however the surface is oriented and even if it crosses itself. Otherwise each face casts
- * for itself, which is right for any faces. */
-static bool has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
-                           const tia_flat_light *light)
+bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
+                             const tia_flat_light *light)
 {
     int64_t at[3];
 
@@ -147,7 +143,7 @@ static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_lig
 
     for (uint32_t i = 0; i < flat->object_count; i++) {
         const struct tia_flat_object *object = &flat->objects[i];
-        bool closed = has_silhouette(flat, object, light);
+        bool closed = tia_flat_has_silhouette(flat, object, light);
         if (tia_flat_hides_nothing(flat, object, light))
             continue;
         for (uint32_t n = 0; !status && n < object->face_count; n++) {

@@ -26,6 +26,13 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light);
 
+/* Of a closed surface with the light and the eye outside, the faces turned to the light are enough, and only their
+ * silhouette has sides: the way from a point that is seen to the light starts and ends outside, so it crosses as many
+ * of these as of the others, however the surface is oriented and even if it crosses itself. Otherwise each face casts
+ * for itself, which is right for any faces. */
+bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
+                             const tia_flat_light *light);
+
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
  * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither
  * z-pass nor, in orthographic views, z-fail can tell. Once the asker is stopped, they mean nothing. */

@@ -45,3 +45,27 @@ bool curved_passes(const struct ray_view *view, const struct ray *ray, num_lengt
         }
     return true;
 }
+
+static uint32_t higher(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+static uint32_t lower(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+void curved_mark(const struct tia_curved_place *places, uint32_t place_count, const struct tia_hits *hits,
+                 struct tia_tile tile, uint32_t *count)
+{
+    for (uint32_t i = 0; i < place_count; i++) {
+        const struct tia_curved_place *place = &places[i];
+        uint32_t right = lower(place->x1, (uint32_t)tile_right(tile));
+        uint32_t bottom = lower(place->y1, (uint32_t)tile_bottom(tile));
+
+        for (uint32_t y = higher(place->y0, tile.y); y < bottom; y++)
+            for (uint32_t x = higher(place->x0, tile.x); x < right; x++)
+                count[hits_index(hits, (unsigned)x, (unsigned)y)] = 1;
+    }
+}

@@ -3,8 +3,9 @@
  * Behind the struct ray_view that the latter prepares stands a struct raster_view. */
 #include "curved.h"
 #include "math/align.h"
+#include "matte.h"
+#include "render/dither.h"
 #include "render/whitted/whitted.h"
-#include "shadow/curved.h"
 #include "shadow/technique.h"
 
 struct raster_view {
@@ -172,7 +173,7 @@ static struct buffers buffers_of(const struct tia_scene *scene, const struct tia
 
 /* Those of a tile. */
 static void open_tile(const struct tia_shadow_view *shadow, const struct tia_hits *hits, struct tia_tile tile,
-                      const struct buffers *b, struct tia_shadow_tile *open)
+                      const struct buffers *b, const struct tia_raster_runs *runs, struct tia_shadow_tile *open)
 {
     size_t first = hits_index(hits, tile.x, tile.y);
     struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
@@ -180,6 +181,7 @@ static void open_tile(const struct tia_shadow_view *shadow, const struct tia_hit
                                     .pitch = hits->area.width,
                                     .planes = shadow->flat.planes,
                                     .planes_known = true,
+                                    .runs = runs,
                                     .face_count = shadow->flat.face_count,
                                     .face = b->face,
                                     .count = b->count,
@@ -208,30 +210,6 @@ static void find_face(const struct ray_view *rays, const struct tia_flat_scene *
     hit->element = tia_flat_element_of(flat, face);
 }
 
-static uint32_t higher(uint32_t a, uint32_t b)
-{
-    return a > b ? a : b;
-}
-
-static uint32_t lower(uint32_t a, uint32_t b)
-{
-    return a < b ? a : b;
-}
-
-/* Sets the count where a curved object may be seen. */
-static void mark(const struct raster_view *raster, const struct tia_hits *hits, struct tia_tile tile, uint32_t *count)
-{
-    for (uint32_t i = 0; i < raster->place_count; i++) {
-        const struct tia_curved_place *place = &raster->places[i];
-        uint32_t right = lower(place->x1, (uint32_t)tile_right(tile));
-        uint32_t bottom = lower(place->y1, (uint32_t)tile_bottom(tile));
-
-        for (uint32_t y = higher(place->y0, tile.y); y < bottom; y++)
-            for (uint32_t x = higher(place->x0, tile.x); x < right; x++)
-                count[hits_index(hits, (unsigned)x, (unsigned)y)] = 1;
-    }
-}
-
 /* A curved object takes the place of the face that a pixel sees, if it is nearer. */
 static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat, const struct buffers *b,
                             size_t at, int x, int y, unsigned sample)
@@ -257,17 +235,22 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
     struct buffers b = buffers_of(view->scene, hits, sample);
     struct path path = {.view = view->prepared};
     struct asker asker = view_asker(view);
+    uint32_t last = TIA_NO_FACE, seen = TIA_NO_OBJECT;
     struct tia_shadow_tile open;
 
-    open_tile(&raster->shadow[sample], hits, tile, &b, &open);
+    open_tile(&raster->shadow[sample], hits, tile, &b, view->raster_runs, &open);
     tia_clear_depth(&open.target);
     tia_clear_count(&open.target, 0);
     (void)tia_shadow_faces(&open.target, flat, &asker);
-    mark(raster, hits, tile, b.count);
+    curved_mark(raster->places, raster->place_count, hits, tile, b.count);
     for (int y = (int)tile.y; y < tile_bottom(tile); y++)
         for (int x = (int)tile.x; x < tile_right(tile); x++) {
             size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
-            b.object[at] = b.face[at] == TIA_NO_FACE ? TIA_NO_OBJECT : tia_flat_object_of(flat, b.face[at])->object;
+            if (b.face[at] != last) {
+                last = b.face[at];
+                seen = last == TIA_NO_FACE ? TIA_NO_OBJECT : tia_flat_object_of(flat, last)->object;
+            }
+            b.object[at] = seen;
             if (b.count[at] && !path_stops(&path))
                 look_for_curved(path.view, flat, &b, at, x, y, sample);
         }
@@ -292,7 +275,13 @@ struct rasterised {
     const struct ray_view *rays;
     const struct tia_hits *hits;
     size_t shares; /* of a sample of a pixel, or 0 */
+    struct matte matte;
 };
+
+static const tia_share *shares_at(const struct rasterised *r, const struct buffers *b, size_t at)
+{
+    return r->shares ? (const tia_share *)(const void *)b->more + r->shares * at : NULL;
+}
 
 /* Faces that stand for a curved surface only tell what is seen and lit; the colour is that of the surface behind or
  * before them. A ray can miss it where the shape is open. */
@@ -319,7 +308,7 @@ static bool find_hit(const struct first_hits *first, int x, int y, int sample, c
         return false;
     }
     lit->bits = b.lit[at];
-    lit->shares = r->shares ? (const tia_share *)(const void *)b.more + r->shares * at : NULL;
+    lit->shares = shares_at(r, &b, at);
     find_face(r->rays, &r->raster->shadow[sample].flat, b.face[at], x, y, ray, hit);
     show_surface(r, b.face[at], ray, hit);
     return true;
@@ -341,12 +330,45 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
     struct buffers b = buffers_of(view->scene, hits, sample);
     struct tia_shadow_tile open;
 
-    open_tile(shadow, hits, tile, &b, &open);
+    open_tile(shadow, hits, tile, &b, view->raster_runs, &open);
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
     for (unsigned i = 0; i < shadow->sample_count && !asker_stops(asker, ASKER_PATIENCE); i++)
         technique->light(shadow, &open, i, asker);
+}
+
+/* Pixels x0..x1-1 of row y, ray by ray. */
+static void light_run(const struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y, int x0,
+                      int x1, const struct tia_surface *surface, const struct tia_options *options)
+{
+    struct tia_tile run = {(uint16_t)x0, (uint16_t)y, (uint16_t)(x1 - x0), 1};
+    char *first = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch + (x0 - (int)tile.x) * surface->step;
+    struct tia_surface part = {(tia_rgb565 *)(void *)first, surface->step, surface->pitch};
+
+    if (x0 < x1)
+        whitted_light_tile(view, r->hits, run, &part, options, &r->first);
+}
+
+/* What matte.h knows, and between these pixels runs of others. */
+static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    const struct buffers b = buffers_of(view->scene, r->hits, 0);
+    char *row = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
+    size_t at = hits_index(r->hits, tile.x, (unsigned)y);
+    int left = (int)tile.x, open = left;
+    num_u threshold[8];
+
+    dither_thresholds(options->dither, y, threshold);
+    for (int x = left; x < tile_right(tile); x++, at++) {
+        struct matte_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
+        if (!matte_pixel(&r->matte, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
+            continue;
+        light_run(r, view, tile, y, open, x, surface, options);
+        open = x + 1;
+    }
+    light_run(r, view, tile, y, open, tile_right(tile), surface, options);
 }
 
 static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
@@ -364,7 +386,13 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
 
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &asker);
-    whitted_light_tile(view, hits, tile, surface, options, &r.first);
+    if (raster->place_count || options->path_hash || options->lit ||
+        !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
+        whitted_light_tile(view, hits, tile, surface, options, &r.first);
+        return;
+    }
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
+        light_row(&r, view, tile, y, surface, options);
 }
 
 const struct renderer raster_renderer = {

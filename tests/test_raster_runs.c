@@ -1,0 +1,88 @@
+/* The rasteriser's runs by each level of vector units against plain C: every nearness, face and count. */
+#include <stdlib.h>
+#include <tia/levels.h>
+
+#include "raster_random.h"
+
+#define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT)
+#define POLYGONS 40
+#define KEEPS                                                                                                          \
+    {                                                                                                                  \
+        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+    }
+
+static const struct tia_raster_state seen = {
+    .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .front = KEEPS, .back = KEEPS};
+
+static struct tia_raster_state counting(void)
+{
+    struct tia_raster_state s = {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS};
+    bool behind = random_below(2);
+
+    *(behind ? &s.front.zfail : &s.front.zpass) = TIA_INCR_WRAP;
+    *(behind ? &s.back.zfail : &s.back.zpass) = TIA_DECR_WRAP;
+    return s;
+}
+
+/* Half of the faces count as those that were drawn, which meet themselves, and half as no face. */
+static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const struct random_polygon *p, uint32_t i)
+{
+    struct tia_raster_state state = i < POLYGONS ? seen : counting();
+    uint32_t face = i < POLYGONS ? i : random_below(2) ? i - POLYGONS : TIA_NO_FACE;
+
+    CHECK_EQ(tia_draw_polygon(a, &state, p->v, p->count, face), TIA_OK);
+    CHECK_EQ(tia_draw_polygon(b, &state, p->v, p->count, face), TIA_OK);
+}
+
+/* A part of a target, beside which nothing may change. */
+static void compare(const struct tia_level *level, enum tia_projection projection, uint64_t *drawn)
+{
+    struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};
+    static struct random_polygon polygons[POLYGONS];
+    struct tia_raster_target whole[2], part[2];
+    struct tia_lattice lattice;
+    unsigned range = (unsigned)random_below(21);
+    void *memory[2];
+
+    CHECK_EQ(tia_lattice_init(&lattice, projection, 90, 40, 1, 0, range), TIA_OK);
+    int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
+    for (int i = 0; i < 2; i++) {
+        whole[i] = target_of(&lattice, all, BUFFERS, POLYGONS, &memory[i]);
+        CHECK_EQ(tia_raster_part(&part[i], &whole[i], area), TIA_OK);
+    }
+    part[1].runs = tia_level_raster(level);
+    CHECK(part[1].runs != NULL);
+    for (uint32_t i = 0; i < 2 * POLYGONS; i++) {
+        if (i < POLYGONS) {
+            polygons[i] = i ? polygons[i - 1] : (struct random_polygon){.count = 0};
+            random_polygon(&polygons[i], &lattice, area, most);
+        }
+        draw(&part[0], &part[1], &polygons[i % POLYGONS], i);
+    }
+    for (size_t i = 0; i < 90 * 40; i++)
+        *drawn += whole[0].face[i] != TIA_NO_FACE && whole[0].count[i] != 0;
+    CHECK(memcmp(whole[0].nearness, whole[1].nearness, sizeof(uint64_t) * 90 * 40) == 0);
+    CHECK(memcmp(whole[0].face, whole[1].face, sizeof(uint32_t) * 90 * 40) == 0);
+    CHECK(memcmp(whole[0].count, whole[1].count, sizeof(uint32_t) * 90 * 40) == 0);
+    free(memory[0]);
+    free(memory[1]);
+}
+
+TEST(every_level_draws_what_plain_c_draws)
+{
+    const struct tia_level *level;
+
+    for (unsigned i = 0; (level = tia_level_at(i)); i++) {
+        uint64_t drawn = 0;
+        for (int round = 0; round < 600 && tia_level_raster(level); round++)
+            compare(level, round % 3 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, &drawn);
+        CHECK(!tia_level_raster(level) || drawn > 100000);
+    }
+    CHECK(tia_level_raster(NULL) == NULL);
+}
+
+int main(void)
+{
+    RUN(every_level_draws_what_plain_c_draws);
+    return check_status();
+}
