@@ -316,6 +316,29 @@ TEST(counts_do_not_wrap_as_the_stencil_does)
     }
 }
 
+/* With the edge of what is before the eye, eight corners make nine edges; those between equal corners are nothing. */
+TEST(the_most_corners_and_an_edge_ahead)
+{
+    const struct tia_tile areas[2] = {{0, 0, 65, 65}, {0, 0, 7, 7}};
+    const struct tia_raster_state state = {.depth = TIA_LESS, .depth_write = true, .ahead = true};
+    struct tia_lattice l;
+
+    CHECK_EQ(tia_lattice_init(&l, TIA_ORTHOGRAPHIC, 65, 65, 1, 0, 1), TIA_OK);
+    int64_t one = INT64_C(1) << l.fraction;
+    const struct tia_raster_vertex a = {-one / 2, -500, one, -5}, b = {one / 2, -500, one, -5}, c = {0, 1000, one, -5};
+    const struct tia_raster_vertex corners[8] = {a, b, c, c, c, c, c, c};
+    for (int i = 0; i < 2; i++) {
+        void *memory[2];
+        struct tia_raster_target few = target_of(&l, areas[i], TIA_BUFFER_DEPTH, 1, &memory[0]);
+        struct tia_raster_target many = target_of(&l, areas[i], TIA_BUFFER_DEPTH, 1, &memory[1]);
+        CHECK_EQ(tia_draw_polygon(&few, &state, corners, 3, 0), TIA_OK);
+        CHECK_EQ(tia_draw_polygon(&many, &state, corners, 8, 0), TIA_OK);
+        CHECK(!memcmp(few.face, many.face, areas[i].width * areas[i].height * sizeof *few.face));
+        free(memory[0]);
+        free(memory[1]);
+    }
+}
+
 int main(void)
 {
     RUN(both_formats_draw_the_same);
@@ -327,5 +350,6 @@ int main(void)
     RUN(sums_are_means_of_what_was_drawn);
     RUN(clearing_a_stencil_keeps_masked_bits);
     RUN(counts_do_not_wrap_as_the_stencil_does);
+    RUN(the_most_corners_and_an_edge_ahead);
     return check_status();
 }

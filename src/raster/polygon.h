@@ -16,6 +16,8 @@ struct depth_scale {
     bool steady;  /* nowhere in the polygon's box is it clamped; or, if the box is low, this was not looked at */
 };
 
+#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* with that of tia_polygon_cut_ahead */
+
 /* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel
  * 1/t is plane/det. */
 struct polygon {
@@ -24,10 +26,10 @@ struct polygon {
     int x0, x1, y0, y1; /* a box that contains all covered pixels: x0 <= x < x1, y0 <= y < y1 */
     union {
         struct {
-            struct narrow_form edge[TIA_RASTER_CORNERS + 1], plane;
+            struct narrow_form edge[POLYGON_EDGES], plane;
         } narrow_forms;
         struct {
-            struct wide_form edge[TIA_RASTER_CORNERS + 1], plane;
+            struct wide_form edge[POLYGON_EDGES], plane;
         } wide_forms;
     } of;
     wide det; /* above 0 */

@@ -18,8 +18,8 @@ struct walker {
 };
 
 struct walkers {
-    struct walker left[TIA_RASTER_CORNERS], right[TIA_RASTER_CORNERS];
-    unsigned lefts, rights, bisected, bisect[TIA_RASTER_CORNERS];
+    struct walker left[POLYGON_EDGES], right[POLYGON_EDGES];
+    unsigned lefts, rights, bisected, bisect[POLYGON_EDGES];
 };
 
 /* +- top 2^(bits - 64), top >= 2^63; or 0. */
@@ -201,7 +201,7 @@ static inline void step_edges(int64_t e[], const struct polygon *p)
 
 static void small_rows(const struct polygon *p, raster_run *run, void *ctx)
 {
-    int64_t e[TIA_RASTER_CORNERS];
+    int64_t e[POLYGON_EDGES];
 
     for (int y = p->y0; y < p->y1; y++) {
         int x0 = p->x0, x1;

@@ -47,6 +47,10 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
             world->m[i][k] = quotient(columns[k][i], det, exponents[k] + world->places);
 }
 
+/* Three of them are added: for the first pixel, and for the way from there to the last column and row. Only views of
+ * 2^16 units and more reach it, beside what coordinates can be. */
+#define VIEW_MOST (INT64_C(1) << 61)
+
 /* m d/w in Q.45, d any whole numbers below 2^31. */
 static int64_t over(const struct tia_world *world, int i, const int64_t d[3], int32_t w)
 {
@@ -55,6 +59,11 @@ static int64_t over(const struct tia_world *world, int i, const int64_t d[3], in
     int64_t above = cut ? wide_round(sum, (unsigned)cut) : (int64_t)wide_low(sum);
 
     return quotient(above, w, TIA_DISTANCE_BITS + cut - world->places);
+}
+
+static int64_t limited(int64_t a, int64_t most)
+{
+    return a > most ? most : a < -most ? -most : a;
 }
 
 void tia_world_init(struct tia_world *world, const struct tia_flat_scene *flat)
@@ -67,9 +76,9 @@ void tia_world_init(struct tia_world *world, const struct tia_flat_scene *flat)
     world->flat = flat;
     invert(world, &flat->eye);
     for (int i = 0; i < 3; i++) {
-        world->first[i] = over(world, i, first, l->w);
-        world->right[i] = over(world, i, right, l->w);
-        world->down[i] = over(world, i, down, l->w);
+        world->first[i] = limited(over(world, i, first, l->w), VIEW_MOST);
+        world->right[i] = limited(over(world, i, right, l->w), VIEW_MOST / l->width);
+        world->down[i] = limited(over(world, i, down, l->w), VIEW_MOST / l->height);
         world->along[i] = over(world, i, ahead, 1);
     }
 }

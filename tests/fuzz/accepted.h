@@ -276,6 +276,7 @@ static inline void make_scene(struct bytes *b, struct made *m)
     uint8_t depth = take_byte(b);
     m->scene.depth = depth % (TIA_DEPTH_MAX + 1);
     m->scene.shadows = (enum tia_shadows)(depth / (TIA_DEPTH_MAX + 1) % count_shadows());
+    m->scene.shadow_map.size = TIA_MAP_SIZE_MIN; /* a light may have 64 samples, with six maps each */
     make_camera(b, m);
     m->scene.background = take_colour(b, TIA_Q30_ONE);
     for (uint32_t i = 0; i < m->scene.shape_count; i++)

@@ -90,7 +90,8 @@ static void draw_sooner(const struct picture *plain, const struct tia_scene *sce
 
 static bool is_exact(enum tia_shadows shadows)
 {
-    return shadows == TIA_SHADOWS_RAYS || shadows == TIA_SHADOWS_ZPASS || shadows == TIA_SHADOWS_ZFAIL;
+    return shadows == TIA_SHADOWS_RAYS || shadows == TIA_SHADOWS_ZPASS || shadows == TIA_SHADOWS_ZFAIL ||
+           shadows == TIA_SHADOWS_MAP_EXACT;
 }
 
 /* The same by other techniques for shadows. */
@@ -99,8 +100,12 @@ static void draw_otherwise(const struct picture *plain, const struct tia_scene *
     struct tia_scene other = *scene;
     struct picture picture;
 
-    for (other.shadows = TIA_SHADOWS_RAYS; is_exact(scene->shadows) && other.shadows <= TIA_SHADOWS_ZFAIL;
-         other.shadows++) {
+    if (!is_exact(scene->shadows))
+        return;
+    for (unsigned i = 0; tia_shadows_name(i); i++) {
+        other.shadows = (enum tia_shadows)i;
+        if (!is_exact(other.shadows))
+            continue;
         open_picture(&picture, &tia_core_q16, &other, width, height, plain->tile);
         light_picture(&picture, false);
         must_be_same(plain, &picture);
