@@ -13,9 +13,6 @@
 
 #include "shade.h"
 
-/* Whether a sphere is wide: seen from outside, and so large that many pixels have one colour. */
-bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);
-
 /* Draws a span that sees a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK.
  * False, with nothing drawn, where that does not pay or nothing can be said. */
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

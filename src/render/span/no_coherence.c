@@ -1,5 +1,6 @@
-/* no_coherence.c - in place of coherence.c and coherence_bounds.c on boards without the room: no sphere is wide. */
+/* no_coherence.c - in place of the files coherence*.c on boards without the room: no sphere is wide. */
 #include "coherence.h"
+#include "coherence_pays.h"
 
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere)
 {

@@ -1,5 +1,6 @@
 #include "span.h"
 
+#include "coherence_pays.h"
 #include "math/align.h"
 #include "scene/colour.h"
 
@@ -64,8 +65,8 @@ static int prepare(struct tia_view *view)
         spans->tinted = spans->tinted || !colour_is_black(through);
         spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
-    for (uint32_t i = 0; spans->tinted && i < scene->sphere_count; i++)
-        spans->spheres[i].wide = false;
+    for (uint32_t i = 0; !spans->tinted && i < scene->sphere_count; i++)
+        spans->spheres[i].wide = coherence_pays(&spans->primary, &spans->spheres[i]);
     return TIA_OK;
 }
 

@@ -1,4 +1,4 @@
-#include "coherence.h"
+#include "sphere.h"
 
 /* The exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
  * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32.
@@ -70,7 +70,6 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
     prepare_discriminant(primary, sphere);
     prepare_distance(primary, sphere);
     sphere->rows = rows_that_see(primary, sphere);
-    sphere->wide = coherence_pays(primary, sphere);
 }
 
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
