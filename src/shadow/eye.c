@@ -8,6 +8,7 @@
  */
 #include "eye.h"
 
+#include "math/rotation.h"
 #include "math/trig.h"
 #include "math/wide.h"
 
@@ -86,6 +87,15 @@ void tia_eye_across(const int64_t n[3], int64_t across[2][3])
     tia_eye_cross(e, n, aside);
     (void)wide_normalise(aside, across[0]);
     tia_eye_cross(n, across[0], across[1]);
+}
+
+void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64_t direction[3])
+{
+    int64_t sine, cosine;
+
+    tia_sincos(angle, &sine, &cosine);
+    for (int k = 0; k < 3; k++)
+        direction[k] = wide_round(wide_sum(wide_product(a[k], cosine), wide_product(b[k], sine)), 62);
 }
 
 /* Q39.24, with the fine digits if there are any. */

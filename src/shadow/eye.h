@@ -40,4 +40,7 @@ void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3]);
 /* The axes A and B of light.h for a normal of length 1, all Q1.62. */
 void tia_eye_across(const int64_t normal[3], int64_t across[2][3]);
 
+/* The direction at an angle, in degrees, from a towards b, which are at right angles. */
+void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64_t direction[3]);
+
 #endif

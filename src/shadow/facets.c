@@ -106,15 +106,6 @@ static void sphere_direction(uint32_t i, uint32_t around, int64_t d[3])
     d[2] = wide_round(wide_product(aside[0], cosine), 62);
 }
 
-static void ring_direction(const struct tia_facet_shape *f, uint32_t corner, int64_t d[3])
-{
-    int64_t sine, cosine;
-
-    tia_sincos(turn(corner, f->around), &sine, &cosine);
-    for (int k = 0; k < 3; k++)
-        d[k] = wide_round(wide_sum(wide_product(f->across[0][k], cosine), wide_product(f->across[1][k], sine)), 62);
-}
-
 void tia_facet_point(const struct tia_facet_shape *f, uint32_t i, int64_t point[3])
 {
     const uint32_t centres = f->kind == TIA_DISC ? 1 : 2;
@@ -129,7 +120,7 @@ void tia_facet_point(const struct tia_facet_shape *f, uint32_t i, int64_t point[
         end = (unsigned)i;
     else {
         end = (unsigned)((i - centres) / f->around) + (f->radius[0] == 0);
-        ring_direction(f, (i - centres) % f->around, d);
+        tia_eye_around(f->across[0], f->across[1], turn((i - centres) % f->around, f->around), d);
     }
     for (int k = 0; k < 3; k++)
         point[k] = f->centre[end][k] + wide_round(wide_product(f->radius[end], d[k]), 62);

@@ -1,6 +1,5 @@
 #include "lights.h"
 
-#include "math/rotation.h"
 #include "math/wide.h"
 
 unsigned tia_flat_light_samples(const struct tia_light *light)
@@ -48,17 +47,15 @@ static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3
 static void on_disc(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const int64_t given[3] = {light->direction.x, light->direction.y, light->direction.z};
-    int64_t normal[3], across[2][3], sine, cosine;
+    int64_t normal[3], across[2][3], d[3];
     int64_t u = fraction(2 * (int)i + 1, 2 * tia_flat_light_samples(light));
     int64_t reach = wide_round(wide_product(light->radius, wide_sqrt(wide_up(wide_product(u, 1), 48))), 16);
 
     (void)wide_normalise(given, normal);
     tia_eye_across(normal, across);
-    tia_sincos((tia_q16)mirrored(i) * (TIA_Q16(360) / 256), &sine, &cosine);
-    for (int k = 0; k < 3; k++) {
-        int64_t d = wide_round(wide_sum(wide_product(across[0][k], cosine), wide_product(across[1][k], sine)), 62);
-        at[k] += wide_round(wide_product(d, reach), 78);
-    }
+    tia_eye_around(across[0], across[1], (tia_q16)mirrored(i) * (TIA_Q16(360) / 256), d);
+    for (int k = 0; k < 3; k++)
+        at[k] += wide_round(wide_product(d[k], reach), 78);
 }
 
 static void from_direction(const struct tia_flat_scene *flat, const int64_t given[3], tia_flat_light *out)

@@ -56,6 +56,7 @@ void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *po
 void tia_flat_source_init(struct tia_flat_source *s, const struct tia_scene *scene, uint32_t object)
 {
     const struct tia_shape *shape = shape_of(scene, object);
+    struct tia_facets facets;
     uint64_t points, faces;
 
     tia_flat_count(scene, object, &points, &faces);
@@ -64,7 +65,7 @@ void tia_flat_source_init(struct tia_flat_source *s, const struct tia_scene *sce
     s->kind = shape ? shape->kind : TIA_SPHERE;
     s->points = (uint32_t)points;
     s->faces = (uint32_t)faces;
-    s->divided = s->kind == TIA_SPHERE || s->kind == TIA_DISC || s->kind == TIA_CYLINDER || s->kind == TIA_CONE;
+    s->divided = tia_facets_of(scene, object, &facets);
     s->parts[0] = UINT32_MAX;
     s->parts[1] = 0;
     if (s->divided) {

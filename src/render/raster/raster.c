@@ -13,6 +13,7 @@ struct raster_view {
     struct tia_curved_place *places;
     uint32_t place_count;
     unsigned sample_count;           /* of a pixel */
+    unsigned shares, more_bytes;     /* of a sample of a pixel, for the technique */
     struct tia_shadow_view shadow[]; /* one for each; they share all but lattice and planes */
 };
 
@@ -50,6 +51,21 @@ static struct raster_view *raster_of(const struct tia_view *view)
     return (struct raster_view *)(void *)own;
 }
 
+/* What the technique wants of each sample of a pixel: shares of lights, or bytes to work with. */
+static unsigned shares_of(const struct tia_scene *scene)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    return technique->shares ? technique->shares(scene) : 0;
+}
+
+static unsigned more_bytes(const struct tia_scene *scene)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    return technique->shares ? shares_of(scene) * (unsigned)sizeof(tia_share) : technique->scratch;
+}
+
 static int prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
@@ -61,6 +77,8 @@ static int prepare(struct tia_view *view)
 
     raster->sample_count = tia_flat_samples(scene);
     raster->place_count = tia_curved_count(scene);
+    raster->shares = shares_of(scene);
+    raster->more_bytes = more_bytes(scene);
     raster->first_bit = (uint8_t *)own + view_size(scene);
     raster->places = (void *)(raster->first_bit + ALIGN((uint64_t)view->light_capacity));
     raster->shadow->own = (char *)raster->places + ALIGN((size_t)raster->place_count * sizeof *raster->places);
@@ -129,22 +147,14 @@ static int set_lights(struct tia_view *view)
 
 #define PIXEL_BYTES (2 * sizeof(uint64_t) + 3 * sizeof(uint32_t))
 
-/* Beside these. */
-static uint64_t more_bytes(const struct tia_scene *scene)
+static uint64_t sample_size(unsigned more, uint64_t pixels)
 {
-    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
-
-    return technique->shares ? technique->shares(scene) * sizeof(tia_share) : technique->scratch;
-}
-
-static uint64_t sample_size(const struct tia_scene *scene, uint64_t pixels)
-{
-    return ALIGN((PIXEL_BYTES + more_bytes(scene)) * pixels);
+    return ALIGN((PIXEL_BYTES + more) * pixels);
 }
 
 static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
-    return tia_flat_samples(scene) * sample_size(scene, pixels);
+    return tia_flat_samples(scene) * sample_size(more_bytes(scene), pixels);
 }
 
 /* Those of a sample, of all pixels of the hits. */
@@ -153,16 +163,15 @@ struct buffers {
     uint32_t *object; /* what is seen, or TIA_NO_OBJECT */
     uint32_t *face;   /* of what is seen, TIA_NO_FACE if that is not flat */
     uint32_t *count;
-    char *more;
-    size_t more_bytes; /* of a pixel */
+    char *more; /* more_bytes of each pixel */
 };
 
-static struct buffers buffers_of(const struct tia_scene *scene, const struct tia_hits *hits, unsigned sample)
+static struct buffers buffers_of(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample)
 {
     size_t pixels = (size_t)hits->area.width * hits->area.height;
-    struct buffers b = {.more_bytes = (size_t)more_bytes(scene)};
+    struct buffers b;
 
-    b.nearness = (void *)((char *)hits->buffer + ALIGN((PIXEL_BYTES + b.more_bytes) * pixels) * sample);
+    b.nearness = (void *)((char *)hits->buffer + (size_t)sample_size(raster->more_bytes, pixels) * sample);
     b.lit = b.nearness + pixels;
     b.object = (uint32_t *)(b.lit + pixels);
     b.face = b.object + pixels;
@@ -172,23 +181,25 @@ static struct buffers buffers_of(const struct tia_scene *scene, const struct tia
 }
 
 /* Those of a tile. */
-static void open_tile(const struct tia_shadow_view *shadow, const struct tia_hits *hits, struct tia_tile tile,
-                      const struct buffers *b, const struct tia_raster_runs *runs, struct tia_shadow_tile *open)
+static void open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
+                      const struct buffers *b, struct tia_shadow_tile *open)
 {
+    const struct raster_view *raster = raster_of(view);
+    const struct tia_shadow_view *shadow = &raster->shadow[sample];
     size_t first = hits_index(hits, tile.x, tile.y);
     struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
                                     .area = hits->area,
                                     .pitch = hits->area.width,
                                     .planes = shadow->flat.planes,
                                     .planes_known = true,
-                                    .runs = runs,
+                                    .runs = view->raster_runs,
                                     .face_count = shadow->flat.face_count,
                                     .face = b->face,
                                     .count = b->count,
                                     .nearness = b->nearness};
 
     open->lit = b->lit + first;
-    open->more = b->more + b->more_bytes * first;
+    open->more = b->more + raster->more_bytes * first;
     (void)tia_raster_part(&open->target, &all, tile);
 }
 
@@ -232,13 +243,13 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
 {
     const struct raster_view *raster = raster_of(view);
     const struct tia_flat_scene *flat = &raster->shadow[sample].flat;
-    struct buffers b = buffers_of(view->scene, hits, sample);
+    struct buffers b = buffers_of(raster, hits, sample);
     struct path path = {.view = view->prepared};
     struct asker asker = view_asker(view);
     uint32_t last = TIA_NO_FACE, seen = TIA_NO_OBJECT;
     struct tia_shadow_tile open;
 
-    open_tile(&raster->shadow[sample], hits, tile, &b, view->raster_runs, &open);
+    open_tile(view, hits, tile, sample, &b, &open);
     tia_clear_depth(&open.target);
     tia_clear_count(&open.target, 0);
     (void)tia_shadow_faces(&open.target, flat, &asker);
@@ -258,7 +269,7 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
 
 static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    struct buffers b = buffers_of(view->scene, hits, 0);
+    struct buffers b = buffers_of(raster_of(view), hits, 0);
 
     for (unsigned i = 0; i < raster_of(view)->sample_count; i++)
         trace_sample(view, hits, tile, i);
@@ -274,13 +285,12 @@ struct rasterised {
     const struct raster_view *raster;
     const struct ray_view *rays;
     const struct tia_hits *hits;
-    size_t shares; /* of a sample of a pixel, or 0 */
     struct matte matte;
 };
 
 static const tia_share *shares_at(const struct rasterised *r, const struct buffers *b, size_t at)
 {
-    return r->shares ? (const tia_share *)(const void *)b->more + r->shares * at : NULL;
+    return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
 }
 
 /* Faces that stand for a curved surface only tell what is seen and lit; the colour is that of the surface behind or
@@ -300,7 +310,7 @@ static bool find_hit(const struct first_hits *first, int x, int y, int sample, c
                      struct arrivals *lit)
 {
     const struct rasterised *r = (const struct rasterised *)(const void *)first;
-    const struct buffers b = buffers_of(r->raster->shadow->scene, r->hits, (unsigned)sample);
+    const struct buffers b = buffers_of(r->raster, r->hits, (unsigned)sample);
     size_t at = hits_index(r->hits, (unsigned)x, (unsigned)y);
 
     if (b.object[at] != TIA_NO_OBJECT && b.face[at] == TIA_NO_FACE) {
@@ -326,11 +336,12 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
                          unsigned sample, struct asker *asker)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
-    const struct tia_shadow_view *shadow = &raster_of(view)->shadow[sample];
-    struct buffers b = buffers_of(view->scene, hits, sample);
+    const struct raster_view *raster = raster_of(view);
+    const struct tia_shadow_view *shadow = &raster->shadow[sample];
+    struct buffers b = buffers_of(raster, hits, sample);
     struct tia_shadow_tile open;
 
-    open_tile(shadow, hits, tile, &b, view->raster_runs, &open);
+    open_tile(view, hits, tile, sample, &b, &open);
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
@@ -354,7 +365,7 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
 static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
-    const struct buffers b = buffers_of(view->scene, r->hits, 0);
+    const struct buffers b = buffers_of(r->raster, r->hits, 0);
     char *row = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
     size_t at = hits_index(r->hits, tile.x, (unsigned)y);
     int left = (int)tile.x, open = left;
@@ -375,14 +386,12 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
     const struct raster_view *raster = raster_of(view);
-    const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
     struct asker asker = view_asker(view);
     struct rasterised r = {
         .first = {find_hit, raster->first_bit, is_whole(view->scene), raster->place_count ? passes : NULL},
         .raster = raster,
         .rays = view->prepared,
-        .hits = hits,
-        .shares = technique->shares ? technique->shares(view->scene) : 0};
+        .hits = hits};
 
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &asker);
