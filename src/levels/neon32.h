@@ -28,6 +28,6 @@ static inline unsigned m_bits(M m)
 
 #define m_any(a) (m_bits(a) != 0)
 
-#include "neon.h"
+#include "neon_both.h"
 
 #endif

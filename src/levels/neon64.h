@@ -22,6 +22,6 @@ static inline unsigned m_bits(M m)
     return vaddvq_u32(vandq_u32(m, vld1q_u32(bit)));
 }
 
-#include "neon.h"
+#include "neon_both.h"
 
 #endif

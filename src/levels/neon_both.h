@@ -1,6 +1,6 @@
-/* neon.h - what both kinds of NEON have. */
-#ifndef TIA_LEVELS_NEON_H
-#define TIA_LEVELS_NEON_H
+/* neon_both.h - what both kinds of NEON have. */
+#ifndef TIA_LEVELS_NEON_BOTH_H
+#define TIA_LEVELS_NEON_BOTH_H
 
 #define f_set(a) vdupq_n_f32(a)
 #define f_load(p) vld1q_f32(p)
