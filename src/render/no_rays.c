@@ -28,12 +28,10 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 /* A view that could not be prepared is not drawn: the rest is never called. */
-const struct renderer whitted_renderer = {draws, prepared_size, prepare, NULL, buffer_size, NULL, NULL, false};
+const struct renderer whitted_renderer = {draws, prepared_size, prepare, NULL, buffer_size, NULL, NULL, false, NULL};
 
-static bool draws_none(const struct tia_scene *scene)
+const struct renderer *renderer_named(const struct tia_scene *scene)
 {
     (void)scene;
-    return false;
+    return NULL;
 }
-
-const struct renderer raster_renderer = {draws_none, prepared_size, prepare, NULL, buffer_size, NULL, NULL, false};

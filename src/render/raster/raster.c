@@ -360,5 +360,5 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, &r.first);
 }
 
-const struct renderer raster_renderer = {draws,       prepared_size, prepare,    set_lights,
-                                         buffer_size, trace_tile,    light_tile, false};
+const struct renderer raster_renderer = {draws,      prepared_size, prepare, set_lights, buffer_size,
+                                         trace_tile, light_tile,    false,   NULL};

@@ -87,5 +87,5 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
     return (uint64_t)pixels * sizeof(num_u);
 }
 
-const struct renderer span_renderer = {draws,       prepared_size, prepare,    set_lights,
-                                       buffer_size, span_trace,    span_light, true};
+const struct renderer span_renderer = {draws,      prepared_size, prepare, set_lights, buffer_size,
+                                       span_trace, span_light,    true,    NULL};

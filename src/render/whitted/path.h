@@ -33,6 +33,7 @@ struct path {
     const struct first_hits *first; /* NULL: they are traced */
     struct arrivals lit;            /* while `known` */
     bool known;
+    uint32_t seed;         /* of a pixel's sample, for rays of ambient lights */
     unsigned class;        /* of the pixel, see light.h */
     uint64_t reached;      /* see tia_options.lit */
     unsigned next_reached; /* the next sample's number there; PATH_REACHED: it has none */

@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include "sampling/sobol.h"
 #include "scene/colour.h"
 
 void path_hash_word(struct path *path, uint32_t word)
@@ -89,6 +90,26 @@ static void note_reached(struct path *path, bool reached)
         path->reached |= (uint64_t)reached << path->next_reached++;
 }
 
+/* The part of an ambient light that reaches the point: all, or the mean of rays up to its radius. */
+static num_length ambient_part(struct path *path, const struct shading *s, const struct ray_light *light, uint32_t n)
+{
+    const struct ray_place place = {s->outside, s->geometric, s->normal};
+    num_length sum = 0;
+
+    if (!(light->radius > 0))
+        return NUM_LENGTH_ONE;
+    for (unsigned i = 0; i < light->samples && !path_stops(path); i++) {
+        const struct sampler sampler = {path->seed, i};
+        uint32_t u[2];
+
+        sampler_pair(&sampler, n, 0, u);
+        num_length open = ray_openness(path->view, &place, u, light->radius, &path->blocker[n % PATH_BLOCKERS]);
+        path_hash_word(path, open > 0);
+        sum += open;
+    }
+    return num_ratio(sum, num_integer((int32_t)light->samples));
+}
+
 static void add_light(struct path *path, const struct shading *s, uint32_t n, num_length own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
@@ -98,8 +119,11 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     struct ray_aim aim;
 
     if (light->kind == TIA_AMBIENT_LIGHT) {
-        for (int c = 0; c < 3; c++)
-            own[c] = num_sum_within(own[c], num_product(s->colour[c], light->emission[c]));
+        num_length part = ambient_part(path, s, light, n);
+        for (int c = 0; c < 3; c++) {
+            num_length sent = part < NUM_LENGTH_ONE ? num_product(light->emission[c], part) : light->emission[c];
+            own[c] = num_sum_within(own[c], num_product(s->colour[c], sent));
+        }
         return;
     }
     ray_light_aim(&aim, light, s->point, path->class);
