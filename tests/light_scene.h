@@ -68,6 +68,29 @@ static inline struct tia_light *world_light(enum tia_light_kind kind, double x, 
     return l;
 }
 
+/* A room of matt walls with a mirror, a glass and a glossy ball below a lamp. */
+static inline void world_room(void)
+{
+    static const double walls[5][6] = {
+        {0, -1, 0, 0, 1, 0}, {0, 1, 0, 0, -1, 0}, {-1, 0, 0, 1, 0, 0}, {1, 0, 0, -1, 0, 0}, {0, 0, -1, 0, 0, 1}};
+
+    world_begin(TIA_PATHS);
+    world_materials[0].colour = (struct tia_rgb){TIA_Q30(0.75), TIA_Q30(0.6), TIA_Q30(0.5)};
+    world_materials[1].mirror = GREY(0.9);
+    world_materials[2] = (struct tia_material){.refraction = GREY(1), .index = TIA_Q16(1.5), .fresnel = true};
+    world_materials[3] = (struct tia_material){.colour = GREY(0.4), .specular = GREY(0.4), .exponent = TIA_Q16(50)};
+    for (int i = 0; i < 5; i++)
+        world_plane(walls[i][0], walls[i][1], walls[i][2], walls[i][3], walls[i][4], walls[i][5]);
+    world_spheres[0] = (struct tia_sphere){{-TIA_Q16(0.5), -TIA_Q16(0.6), -TIA_Q16(0.4)}, TIA_Q16(0.35), 1};
+    world_spheres[1] = (struct tia_sphere){{TIA_Q16(0.5), -TIA_Q16(0.6), 0}, TIA_Q16(0.35), 2};
+    world_spheres[2] = (struct tia_sphere){{0, -TIA_Q16(0.7), TIA_Q16(0.4)}, TIA_Q16(0.25), 3};
+    world.sphere_count = 3;
+    struct tia_light *lamp = world_light(TIA_RECTANGLE_LIGHT, 0, 0.99, 0);
+    lamp->side[0].x = lamp->side[1].z = TIA_Q16(0.3);
+    lamp->emission_bits = 3;
+    world.camera = (struct tia_camera){.eye = {0, 0, TIA_Q16(3)}, .fov = TIA_Q16(40)};
+}
+
 /* A view of the world, drawn by one arithmetic. */
 struct world_view {
     void *memory;
@@ -135,6 +158,17 @@ static inline struct world_estimate world_measure(unsigned seeds, uint32_t count
     }
     double mean = sum / seeds, variance = (squares / seeds - mean * mean) / (seeds - 1);
     return (struct world_estimate){mean, sqrt(variance > 0 ? variance : 0)};
+}
+
+enum { SEEDS = 32, SAMPLES = 2048 };
+#define LARGEST_ERROR 0.005
+
+static const double pi = 3.14159265358979323846;
+
+static inline void floor_below(enum tia_integrator integrator)
+{
+    world_begin(integrator);
+    world_plane(0, 0, 0, 0, 0, 1);
 }
 
 /* The mean is within three standard errors, and those are small. */

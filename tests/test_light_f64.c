@@ -2,30 +2,7 @@
 #include "light_scene.h"
 
 #ifdef TIA_HAVE_F64
-enum { SIDE = 64, SEEDS = 16 };
-
-/* A room of matt walls with a mirror, a glass and a glossy ball below a lamp. */
-static void room(void)
-{
-    static const double walls[5][6] = {
-        {0, -1, 0, 0, 1, 0}, {0, 1, 0, 0, -1, 0}, {-1, 0, 0, 1, 0, 0}, {1, 0, 0, -1, 0, 0}, {0, 0, -1, 0, 0, 1}};
-
-    world_begin(TIA_PATHS);
-    world_materials[0].colour = (struct tia_rgb){TIA_Q30(0.75), TIA_Q30(0.6), TIA_Q30(0.5)};
-    world_materials[1].mirror = GREY(0.9);
-    world_materials[2] = (struct tia_material){.refraction = GREY(1), .index = TIA_Q16(1.5), .fresnel = true};
-    world_materials[3] = (struct tia_material){.colour = GREY(0.4), .specular = GREY(0.4), .exponent = TIA_Q16(50)};
-    for (int i = 0; i < 5; i++)
-        world_plane(walls[i][0], walls[i][1], walls[i][2], walls[i][3], walls[i][4], walls[i][5]);
-    world_spheres[0] = (struct tia_sphere){{-TIA_Q16(0.5), -TIA_Q16(0.6), -TIA_Q16(0.4)}, TIA_Q16(0.35), 1};
-    world_spheres[1] = (struct tia_sphere){{TIA_Q16(0.5), -TIA_Q16(0.6), 0}, TIA_Q16(0.35), 2};
-    world_spheres[2] = (struct tia_sphere){{0, -TIA_Q16(0.7), TIA_Q16(0.4)}, TIA_Q16(0.25), 3};
-    world.sphere_count = 3;
-    struct tia_light *lamp = world_light(TIA_RECTANGLE_LIGHT, 0, 0.99, 0);
-    lamp->side[0].x = lamp->side[1].z = TIA_Q16(0.3);
-    lamp->emission_bits = 3;
-    world.camera = (struct tia_camera){.eye = {0, 0, TIA_Q16(3)}, .fov = TIA_Q16(40)};
-}
+enum { SIDE = 64, ROUNDS = 16 };
 
 /* One sample of each pixel, and its path. */
 static void draw(const struct tia_core *core, const struct tia_estimator *estimator, struct tia_sum sums[SIDE * SIDE],
@@ -45,10 +22,10 @@ static void compare(void)
 {
     static struct tia_sum sums[2][SIDE * SIDE];
     static uint32_t hashes[2][SIDE * SIDE];
-    unsigned paths = 0, samples = 0, all = SEEDS * SIDE * SIDE;
+    unsigned paths = 0, samples = 0, all = ROUNDS * SIDE * SIDE;
 
     world.integration.spp = 1;
-    for (uint32_t seed = 0; seed < SEEDS; seed++) {
+    for (uint32_t seed = 0; seed < ROUNDS; seed++) {
         world.integration.seed = seed;
         draw(&tia_core_q16, &tia_estimator_q16, sums[0], hashes[0]);
         draw(&tia_core_f64, &tia_estimator_f64, sums[1], hashes[1]);
@@ -66,7 +43,7 @@ static void compare(void)
 TEST(paths_are_those_of_double)
 {
 #ifdef TIA_HAVE_F64
-    room();
+    world_room();
     compare();
 #else
     SKIP("built without f64");
@@ -76,7 +53,7 @@ TEST(paths_are_those_of_double)
 TEST(occlusion_is_that_of_double)
 {
 #ifdef TIA_HAVE_F64
-    room();
+    world_room();
     world.integration.integrator = TIA_OCCLUSION;
     world.integration.distance = TIA_Q16(0.75);
     compare();
