@@ -163,8 +163,8 @@ LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(
 LEVELS_SRC := $(filter-out $(foreach l,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(LEVELS_SRC))
 HAVE_LEVELS := $(addprefix -DTIA_HAVE_,$(shell echo $(LEVELS_HAD) | tr a-z A-Z))
 # Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
-LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow read scene/bvh scene/shapes render/geometry render/trace render/whitted render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c shadows.c)
+LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone read scene/bvh scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
+             $(addprefix src/,math/rotation.c math/sort.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)

@@ -52,6 +52,35 @@ TEST(depth)
     check_refused("scene", 0, "depth", "must be in 1..16");
 }
 
+TEST(integration)
+{
+    struct tia_integration *how = &scene.integration;
+
+    set_up();
+    how->integrator = (enum tia_integrator)3;
+    check_refused("scene", 0, "integration.integrator", "must be an integrator");
+    how->integrator = TIA_PATHS;
+    how->spp = TIA_SPP_MAX;
+    how->bounces = TIA_BOUNCES_MAX;
+    how->without = TIA_STRATEGY_SCATTERING;
+    how->tone = TIA_TONE_SRGB;
+    check_accepted();
+    check_range(&how->distance, 0, INT32_MAX, "scene", 0, "integration.distance", "must be at least 0");
+    check_range(&how->exposure, -TIA_EXPOSURE_MAX, TIA_EXPOSURE_MAX, "scene", 0, "integration.exposure",
+                "must be in -24..24");
+    how->spp++;
+    check_refused("scene", 0, "integration.spp", "must be at most 2^24");
+    how->spp = 0;
+    how->bounces++;
+    check_refused("scene", 0, "integration.bounces", "must be at most 1024");
+    how->bounces = 0;
+    how->without++;
+    check_refused("scene", 0, "integration.without", "must be a strategy");
+    how->without = 0;
+    how->tone = (enum tia_tone)3;
+    check_refused("scene", 0, "integration.tone", "must be a tone");
+}
+
 TEST(scale_bits)
 {
     set_up();
@@ -243,6 +272,7 @@ int main(void)
 {
     RUN(arrays);
     RUN(depth);
+    RUN(integration);
     RUN(scale_bits);
     RUN(bvh);
     RUN(samples);

@@ -65,7 +65,8 @@ TEST(kinds_of_lights)
 TEST(what_each_kind_of_light_has)
 {
     for (int kind = 0; kind < 7; kind++) {
-        bool radius = kind == TIA_POINT_LIGHT || kind == TIA_DISC_LIGHT || kind == TIA_SPHERE_LIGHT;
+        bool ambient = kind == TIA_AMBIENT_LIGHT;
+        bool radius = kind == TIA_POINT_LIGHT || ambient || kind == TIA_DISC_LIGHT || kind == TIA_SPHERE_LIGHT;
         bool place = kind != TIA_DIRECTIONAL_LIGHT && kind != TIA_AMBIENT_LIGHT;
         bool direction = kind == TIA_DIRECTIONAL_LIGHT || kind == TIA_SPOT_LIGHT || kind == TIA_DISC_LIGHT;
 
@@ -85,7 +86,12 @@ TEST(what_each_kind_of_light_has)
         light.samples = 256;
         check_accepted();
         light.samples = 257;
-        kind >= TIA_RECTANGLE_LIGHT ? check_lights("samples", "must be in 1..256") : check_accepted();
+        kind >= TIA_RECTANGLE_LIGHT || ambient ? check_lights("samples", "must be in 1..256") : check_accepted();
+        set_light((enum tia_light_kind)kind);
+        light.emission_bits = TIA_EMISSION_BITS_MAX;
+        check_accepted();
+        light.emission_bits++;
+        check_lights("emission_bits", "must be in 0..13");
         set_light((enum tia_light_kind)kind);
         light.outer = 0;
         kind == TIA_SPOT_LIGHT ? check_lights("outer", "must be in 1..90 degrees") : check_accepted();

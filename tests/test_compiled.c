@@ -10,7 +10,7 @@ enum { WIDTH = 72, HEIGHT = 54 };
 
 /* Each scene of the gallery, and one of everything: the Makefile compiles them. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
-    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping;
+    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -23,6 +23,7 @@ static uint32_t picture(const struct tia_scene *given)
     struct tia_view *view;
     struct tia_hits *hits;
 
+    plain.integration.spp = 1;
     plain.camera.samples = 1; /* so many are enough to see a difference */
     CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
@@ -117,6 +118,14 @@ TEST(porch)
     compare("scenes/porch.tia", &compiled_porch);
     CHECK_EQ(compiled_porch.shadows, TIA_SHADOWS_ZPASS);
 }
+
+TEST(cornell)
+{
+    compare("scenes/cornell.tia", &compiled_cornell);
+    CHECK_EQ(compiled_cornell.integration.integrator, TIA_PATHS);
+    CHECK_EQ(compiled_cornell.integration.spp, 64);
+    CHECK_EQ(compiled_cornell.lights[0].emission_bits, 4);
+}
 TEST(shadow_volume)
 {
     compare("scenes/shadow-volume.tia", &compiled_shadow_volume);
@@ -137,6 +146,7 @@ int main(void)
     RUN(vase);
     RUN(orrery);
     RUN(porch);
+    RUN(cornell);
     RUN(shadow_volume);
     RUN(shadow_mapping);
     return check_status();

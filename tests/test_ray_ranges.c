@@ -3,6 +3,7 @@
  * program: the compiler checks them. */
 #include "arch/frames.h"
 #include "check.h"
+#include "light_scene.h"
 #include "reports.h"
 
 #define MOST INT32_MAX
@@ -190,6 +191,24 @@ TEST(many_veils)
     draw_all(&scene, 2, 2);
 }
 
+/* Samples, also of a lamp as bright as can be. */
+TEST(light_that_bounces)
+{
+    enum { SIDE = 24 };
+    static struct tia_sum sums[SIDE * SIDE];
+
+    reports = 0;
+    for (int i = 0; i < 4; i++) {
+        world_room();
+        world.integration.integrator = i & 1 ? TIA_OCCLUSION : TIA_PATHS;
+        world_lights[0].emission_bits = i & 2 ? TIA_EMISSION_BITS_MAX : 0;
+        struct world_view v = world_open(&tia_core_chk, &tia_estimator_chk, SIDE, SIDE);
+        CHECK_EQ(v.estimator->sample(v.view, (struct tia_tile){0, 0, SIDE, SIDE}, 0, 8, sums, SIDE), TIA_OK);
+        world_close(&v);
+    }
+    CHECK_MSG(!reports, "%u reports, the first: %s", reports, first_report);
+}
+
 int main(void)
 {
     RUN(random_scenes_by_their_hierarchies);
@@ -199,5 +218,6 @@ int main(void)
     RUN(grids_larger_than_their_numbers);
     RUN(placed_twice);
     RUN(many_veils);
+    RUN(light_that_bounces);
     return check_status();
 }

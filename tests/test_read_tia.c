@@ -203,6 +203,31 @@ TEST(lights)
     CHECK(l[7].radius == TIA_Q16(2) && l[7].samples == 256);
 }
 
+/* What is brighter than 1, or a light's 2, is so many powers of 2. */
+TEST(bright_emission)
+{
+    check_reads("material a emission 1\nmaterial b emission 1.5 0.5 0\nmaterial c emission 12 8 7\n"
+                "light at 0 1 0 emission 1.5\nlight at 0 1 0 emission 2\nlight at 0 1 0 emission 16383 1 0.5\n");
+    CHECK(is_rgb(scene->materials[0].emission, 1, 1, 1) && scene->materials[0].emission_bits == 0);
+    CHECK(is_rgb(scene->materials[1].emission, 0.75, 0.25, 0) && scene->materials[1].emission_bits == 1);
+    CHECK(is_rgb(scene->materials[2].emission, 0.75, 0.5, 0.4375) && scene->materials[2].emission_bits == 4);
+    CHECK(is_rgb(scene->lights[0].emission, 1.5, 1.5, 1.5) && scene->lights[0].emission_bits == 0);
+    CHECK(is_rgb(scene->lights[1].emission, 1, 1, 1) && scene->lights[1].emission_bits == 1);
+    CHECK(scene->lights[2].emission_bits == 13 && scene->lights[2].emission.g == TIA_Q30_ONE >> 13);
+}
+
+TEST(integrators)
+{
+    check_reads("integrator path\nspp 16777216\ntone linear\nexposure -1.5\n");
+    CHECK(scene->integration.integrator == TIA_PATHS && scene->integration.spp == TIA_SPP_MAX);
+    CHECK(scene->integration.tone == TIA_TONE_LINEAR && scene->integration.exposure == TIA_Q16(-1.5));
+    check_reads("integrator ao 2.5\nlight ambient occlusion 3 samples 64\n");
+    CHECK(scene->integration.integrator == TIA_OCCLUSION && scene->integration.distance == TIA_Q16(2.5));
+    CHECK(scene->lights[0].radius == TIA_Q16(3) && scene->lights[0].samples == 64);
+    check_reads("integrator ao\n");
+    CHECK(scene->integration.integrator == TIA_OCCLUSION && scene->integration.distance == 0);
+}
+
 TEST(keys)
 {
     const struct tia_binding *b;
@@ -339,6 +364,8 @@ int main(void)
     RUN(meshes);
     RUN(grids);
     RUN(lights);
+    RUN(bright_emission);
+    RUN(integrators);
     RUN(keys);
     RUN(motion);
     RUN(a_camera_that_is_told_where_to_look);

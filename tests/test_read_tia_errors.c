@@ -19,7 +19,8 @@ static void read_bytes(const char *bytes, size_t length)
 #define M "material m\n"
 #define STATEMENTS                                                                                                     \
     "sphere, plane, disc, cylinder, cone, box, triangle, instance, mesh, grid, material, texture, light, key, "        \
-    "animate, group, end, include, define, camera, background, samples, depth or shadows"
+    "animate, group, end, include, define, camera, background, samples, depth, shadows, "                              \
+    "integrator, spp, tone or exposure"
 
 TEST(statements)
 {
@@ -27,6 +28,14 @@ TEST(statements)
     check_refused("depth 5 6", "1:9: '6' is too much, expected the end of the line");
     check_refused("depth 5\ndepth 5", "2:1: 'depth' is here for a second time, expected it once");
     check_refused("depth 17", "1:7: '17' is out of range, expected a whole number from 1 to 16");
+    check_refused("integrator radiosity", "1:12: 'radiosity' is no integrator, expected whitted, ao or path");
+    check_refused("integrator ao 0", "1:15: '0' is no distance, expected more than 0");
+    check_refused("integrator path 2", "1:17: '2' is too much, expected the end of the line");
+    check_refused("spp 0", "1:5: '0' is out of range, expected a whole number from 1 to 16777216");
+    check_refused("spp 16777217", "1:5: '16777217' is out of range, expected a whole number from 1 to 16777216");
+    check_refused("tone mapped", "1:6: 'mapped' is no tone, expected linear or srgb");
+    check_refused("exposure -24.5", "1:10: '-24.5' is out of range, expected -24 to 24");
+    check_refused("exposure nan", "1:10: 'nan' is no number, expected a number from -32768 to below 32768");
     check_refused("samples 2", "1:9: '2' is no number of samples, expected 1, 4 or 16");
     check_refused("background", "1:11: the line ends here, expected a number from 0 to 1");
     check_refused("background 0.1 0.2", "1:19: the line ends here, expected a number from 0 to 1");
@@ -126,9 +135,10 @@ TEST(solids)
 TEST(lights)
 {
     check_refused("light", "1:6: the line ends here, expected at");
-    check_refused("light ambient emission 2.5", "1:24: '2.5' is out of range, expected a number from 0 to below 2");
+    check_refused("light ambient emission 16384",
+                  "1:24: '16384' is out of range, expected a number from 0 to below 16384");
     check_refused("light ambient at 0 0 0",
-                  "1:15: 'at' is nothing that an ambient light has, expected name or emission");
+                  "1:15: 'at' is nothing that an ambient light has, expected name, emission, occlusion or samples");
     check_refused("light spot at 0 0 0 direction 0 1 0", "1:36: the line ends here, expected outer");
     check_refused("light disc at 0 5 0 direction 0 1 0 radius 1 samples 257",
                   "1:54: '257' is out of range, expected a whole number from 1 to 256");

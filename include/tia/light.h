@@ -5,6 +5,9 @@
  * all three factors are 0, and for directional lights, there is no attenuation; where the sum is 2^17 or more, no light
  * arrives.
  *
+ * An ambient light with a radius is hindered by what is near: it adds its part that TIA_OCCLUSION of integrator.h would
+ * show up to that distance, the mean of `samples` rays.
+ *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which
  * lights like a point light.
@@ -30,14 +33,17 @@ enum tia_light_kind {
 
 struct tia_light {
     struct tia_vec3 centre;
-    tia_q16 radius;          /* point, disc and sphere lights: 0 (invisible), or TIA_RADIUS_MIN or more */
+    tia_q16 radius; /* point, disc and sphere lights: 0 (invisible), or TIA_RADIUS_MIN or more; ambient ones: 0, or up
+                       to where objects hinder them, see below */
     struct tia_rgb emission; /* each channel in [0, 2) */
     enum tia_light_kind kind;
     struct tia_dir3 direction;           /* of a length in 0.5..1.5; it is normalised */
     tia_q16 inner, outer;                /* degrees from the axis: 0 <= inner <= outer <= 90, outer >= 1 */
     struct tia_vec3 side[2];             /* half the sides of a rectangle: both 0, or not parallel */
     tia_q16 constant, linear, quadratic; /* attenuation, each 0..TIA_Q16(32767) */
-    uint16_t samples;                    /* area lights: 1..TIA_LIGHT_SAMPLES_MAX; 0 means TIA_LIGHT_SAMPLES */
+    uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
+                                            TIA_LIGHT_SAMPLES */
+    uint8_t emission_bits; /* of TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
 };
 
 /* The sample points of an area light with n samples are fixed, so that every machine draws the same picture.

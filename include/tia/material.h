@@ -63,6 +63,7 @@
 #define TIA_EXPONENT_MAX TIA_Q16(10000)
 #define TIA_INDEX_MIN TIA_Q16(0.25) /* of refraction */
 #define TIA_INDEX_MAX TIA_Q16(4)
+#define TIA_EMISSION_BITS_MAX 13
 #define TIA_MEDIA 8                  /* entered objects that a ray keeps track of */
 #define TIA_LAYERS 256               /* straight layers in a path */
 #define TIA_RAYS (UINT32_C(1) << 17) /* of a sample, without shadow rays */
@@ -79,6 +80,7 @@ struct tia_material {
     tia_q16 index;               /* of refraction inside the object, TIA_INDEX_MIN..TIA_INDEX_MAX (outside it
                                     is 1); ignored when refraction is black */
     bool fresnel;
+    uint8_t emission_bits; /* of TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
     struct tia_rgb facing; /* weight of the facing ratio N.V */
     uint32_t texture;      /* of the colour. 0: none; n: the scene's texture n - 1, a checker or an image */
     uint32_t opacity;      /* 0: opaque; n: the scene's texture n - 1, of the kind TIA_OPACITY */

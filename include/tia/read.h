@@ -34,7 +34,7 @@ enum tia_channel {
 struct tia_read_error {
     char file[TIA_NAME_MAX + 1]; /* the included file with the error; "" for the scene's own text */
     uint32_t line, column;       /* from 1; 0 when no single place is wrong */
-    char text[240];
+    char text[280];
 };
 
 /* What a reader of .obj and .mtl puts up with, and what it does then. */

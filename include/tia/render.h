@@ -58,7 +58,8 @@ struct tia_options {
  *   - when the material's colour is not black: of a checker 0 or 1, of an image without `bilinear` the texel,
  *     counted row by row from 0;
  *   - with an opacity texture without `bilinear`, its texel;
- *   - unless the opacity is 0, for each sample of each light, ambient ones excepted, in order: 1 when it arrives
+ *   - unless the opacity is 0, for each sample of each light, ambient ones without a radius excepted, in order: 1 when
+ *     it arrives
  *     (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */

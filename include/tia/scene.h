@@ -19,6 +19,7 @@
 #define TIA_SCENE_H
 
 #include <tia/camera.h>
+#include <tia/integrator.h>
 #include <tia/light.h>
 #include <tia/material.h>
 #include <tia/shadow.h>
@@ -74,9 +75,10 @@ struct tia_scene {
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
-    uint32_t depth;           /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
-    enum tia_shadows shadows; /* another technique than traced rays, see shadow.h */
-    struct tia_shadow_map shadow_map; /* of TIA_SHADOWS_MAP; all zero: the defaults */
+    uint32_t depth; /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
+    struct tia_integration integration; /* another integrator than Whitted's */
+    enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
+    struct tia_shadow_map shadow_map;   /* of TIA_SHADOWS_MAP; all zero: the defaults */
     tia_q16 tessellated; /* for all techniques but traced rays, 0: what is curved is left to rays; else it becomes flat
                             faces, none of which is farther than this from its surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */

@@ -4,6 +4,7 @@
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
  *   shadow.h  techniques for shadows
+ *   integrator.h    how light is summed up
  *   scene.h   the scene
  *   bvh.h     bounding volume hierarchy for scenes of many objects
  *   motion.h  keyframe animation

@@ -7,6 +7,7 @@ typedef float num_real;
 #define NUM_NAME "f32"
 #define NUM_PREFIX tia_f32_
 #define NUM_CORE tia_core_f32
+#define NUM_ESTIMATOR tia_estimator_f32
 #define num_root(x) __builtin_sqrtf(x)
 #define num_angle(y, x) __builtin_atan2f(y, x)
 

@@ -7,6 +7,7 @@ typedef double num_real;
 #define NUM_NAME "f64"
 #define NUM_PREFIX tia_f64_
 #define NUM_CORE tia_core_f64
+#define NUM_ESTIMATOR tia_estimator_f64
 #define num_root(x) __builtin_sqrt(x)
 #define num_angle(y, x) __builtin_atan2(y, x)
 

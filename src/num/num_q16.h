@@ -6,6 +6,7 @@
 #define NUM_NAME "q16"
 #define NUM_PREFIX tia_
 #define NUM_CORE tia_core_q16
+#define NUM_ESTIMATOR tia_estimator_q16
 #define NUM_CHECK(condition) ((void)0) /* num_chk.h evaluates it */
 #endif
 

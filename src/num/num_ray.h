@@ -98,6 +98,11 @@ static inline struct num_dir num_dir_negated(struct num_dir d)
     return (struct num_dir){-d.x, -d.y, -d.z};
 }
 
+static inline struct num_dir num_dir_of_q62(const int64_t d[3])
+{
+    return (struct num_dir){num_unit_of_q62(d[0]), num_unit_of_q62(d[1]), num_unit_of_q62(d[2])};
+}
+
 static inline struct num_dir num_dir_scaled(struct num_dir d, num_unit s)
 {
     return (struct num_dir){num_times(d.x, s), num_times(d.y, s), num_times(d.z, s)};

@@ -1,9 +1,11 @@
-/* choose.c - the fastest renderer that can draw a scene. */
+/* choose.c - the renderer that a scene asks for, else the fastest one that can draw it. */
 #include "renderer.h"
 
 const struct renderer *renderer_for(const struct tia_scene *scene)
 {
-    if (raster_renderer.draws(scene))
-        return &raster_renderer;
+    const struct renderer *named = renderer_named(scene);
+
+    if (named)
+        return named;
     return span_renderer.draws(scene) ? &span_renderer : &whitted_renderer;
 }

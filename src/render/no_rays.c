@@ -36,16 +36,8 @@ const struct renderer whitted_renderer = {
     .part = LEVEL_PARTS,
 };
 
-static bool draws_none(const struct tia_scene *scene)
+const struct renderer *renderer_named(const struct tia_scene *scene)
 {
     (void)scene;
-    return false;
+    return NULL;
 }
-
-const struct renderer raster_renderer = {
-    .draws = draws_none,
-    .prepared_size = prepared_size,
-    .prepare = prepare,
-    .buffer_size = buffer_size,
-    .part = LEVEL_PARTS,
-};

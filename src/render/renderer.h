@@ -1,8 +1,8 @@
 /* renderer.h - a renderer, from scene to pixels, as a table of functions.
  *
- * A view takes the fastest renderer that can draw its scene, see choose.c, and keeps it. What a renderer prepares lies
- * in the view's memory, behind view->prepared, and what it keeps of each pixel in the hit buffer, behind hits->buffer;
- * it lays out both as it likes. Nothing outside a renderer asks which one it is.
+ * A view takes the renderer that its scene asks for, else the fastest one that can draw it, see choose.c, and keeps it.
+ * What a renderer prepares lies in the view's memory, behind view->prepared, and what it keeps of each pixel in the hit
+ * buffer, behind hits->buffer; it lays out both as it likes. Nothing outside a renderer asks which one it is.
  */
 #ifndef TIA_RENDER_RENDERER_H
 #define TIA_RENDER_RENDERER_H
@@ -41,6 +41,10 @@ struct renderer {
     /* Traces and lights at once, where that saves work; NULL: one after the other. */
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
+
+    /* NULL, or adds samples first..end - 1 to the sums of a tile's pixels, see struct tia_estimator. */
+    void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                   struct tia_sum *sums, size_t pitch);
 };
 
 /* What draws in place of one renderer's plain C, on a processor with vector units: the same bits. */
@@ -132,9 +136,18 @@ extern const struct renderer span_renderer;
 /* Rays, after Whitted: any scene. no_rays.c has one that prepares nothing, for boards without the room. */
 extern const struct renderer whitted_renderer;
 
-/* Flat faces through the rasteriser, for what is seen directly and its shadows; rays for the rest. no_rays.c has one
- * that draws nothing. */
+/* Flat faces through the rasteriser, for what is seen directly and its shadows; rays for the rest. */
 extern const struct renderer raster_renderer;
+
+/* Ambient occlusion, in samples. */
+extern const struct renderer ao_renderer;
+
+/* Light along random paths, in samples. */
+extern const struct renderer path_renderer;
+
+/* The renderer that the scene asks for, by its integrator or its shadows; NULL: whoever can draw it. no_rays.c has one
+ * that names none. */
+const struct renderer *renderer_named(const struct tia_scene *scene);
 
 /* The renderer for a scene; it depends on nothing but the scene. */
 const struct renderer *renderer_for(const struct tia_scene *scene);

@@ -50,7 +50,7 @@ int tia_check_uses(struct check *check)
     return TIA_OK;
 }
 
-int tia_check_shadows(struct check *check)
+int tia_check_rendering(struct check *check)
 {
     return check->scene->shadows ? tia_check_refuse(check, "shadows", RULE) : TIA_OK;
 }

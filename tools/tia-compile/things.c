@@ -6,6 +6,7 @@ static void write_material(struct unit *unit, const struct tia_material *m)
     text_word(&unit->text, ".colour = {%d, %d, %d},", m->colour.r, m->colour.g, m->colour.b);
     field_rgb(unit, "transmission", m->transmission);
     field_rgb(unit, "emission", m->emission);
+    field_unsigned(unit, "emission_bits", m->emission_bits);
     field_rgb(unit, "specular", m->specular);
     field_number(unit, "exponent", m->exponent);
     field_rgb(unit, "mirror", m->mirror);
@@ -38,6 +39,7 @@ void unit_light(struct unit *unit, const struct tia_light *l)
     field_number(unit, "linear", l->linear);
     field_number(unit, "quadratic", l->quadratic);
     field_number(unit, "samples", l->samples);
+    field_number(unit, "emission_bits", l->emission_bits);
     text_print(&unit->text, "}");
 }
 

@@ -60,6 +60,17 @@ static void refer(struct unit *unit, const char *table, const char *count, uint3
     text_print(&unit->text, "\n");
 }
 
+static void write_integration(struct unit *unit)
+{
+    const struct tia_integration *how = &unit->scene->integration;
+
+    field_unsigned(unit, "integration.integrator", (uint32_t)how->integrator);
+    field_unsigned(unit, "integration.spp", how->spp);
+    field_number(unit, "integration.distance", how->distance);
+    field_unsigned(unit, "integration.tone", (uint32_t)how->tone);
+    field_number(unit, "integration.exposure", how->exposure);
+}
+
 static void write_shadows(struct unit *unit)
 {
     const struct tia_shadow_map *map = &unit->scene->shadow_map;
@@ -80,6 +91,7 @@ static void write_scene(struct unit *unit)
     write_camera(unit);
     field_rgb(unit, "background", s->background);
     field_unsigned(unit, "depth", s->depth);
+    write_integration(unit);
     write_shadows(unit);
     field_unsigned(unit, "scale_bits", s->scale_bits);
     if (s->fine)

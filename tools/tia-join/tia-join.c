@@ -9,17 +9,18 @@
 
 #include "common/image/series.h"
 #include "common/signals.h"
+#include "join_sums.h"
 #include "parts.h"
 #include "ports.h"
 
 static const char usage[] =
     "Usage: tia-join -o FILE PART...\n"
     "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
-    "--frame-range, in any order.\n"
+    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm or .tiapart.\n"
     "\n"
     "  -o, --output FILE    a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame\n"
     "                       with %04d in its name), a part (.tiapart), or - for standard output\n"
-    "      --format FORMAT  png, ppm, bmp, 565, y4m or tiapart, when FILE's name does not say\n"
+    "      --format FORMAT  png, ppm, bmp, 565, pfm, y4m or tiapart, when FILE's name does not say\n"
     "  -h, --help, -V, --version\n"
     "\n"
     "Exit status: 0 fine, 1 the file cannot be written, 2 wrong usage or parts that do not fit together.\n";
@@ -80,6 +81,14 @@ static int join_frames(struct join *join, const struct image_film *film)
 
 static int join_parts(struct join *join, char *const *paths, unsigned count)
 {
+    char why[SUMS_WHY];
+
+    if (is_sums(paths[0])) {
+        int result = join_sums(paths, count, join->output, join->format, why);
+        return result == FINE ? FINE : refuse(result, why, "");
+    }
+    if (!image_format_has(join->format, 0))
+        return refuse(REFUSED, join->output, "such parts have RGB565 (use .png or .ppm)");
     if (parts_open(&join->parts, paths, count) != 0)
         return refuse(REFUSED, join->parts.why, "");
     struct image_film film = join->parts.array[0].film;
@@ -101,8 +110,9 @@ static int parse_option(struct join *join, int option, char **argv)
         return FINE;
     case FORMAT:
         join->format = image_format_called(optarg);
-        return join->format != IMAGE_UNKNOWN ? FINE
-                                             : refuse(REFUSED, "--format", "not png, ppm, bmp, 565, y4m or tiapart");
+        return join->format != IMAGE_UNKNOWN
+                   ? FINE
+                   : refuse(REFUSED, "--format", "not png, ppm, bmp, 565, pfm, y4m or tiapart");
     case ':':
         return refuse(REFUSED, argv[optind - 1], "a value is missing (tia-join -h shows which)");
     default:

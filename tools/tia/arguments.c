@@ -9,6 +9,7 @@
 #include "common/keys.h"
 #include "common/thread_pool.h"
 #include "fail.h"
+#include "integration.h"
 #include "parse.h"
 #include "parse_option.h"
 
@@ -22,6 +23,13 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"samples", required_argument, NULL, OPT_SAMPLES},
                                       {"depth", required_argument, NULL, OPT_DEPTH},
                                       {"shadows", required_argument, NULL, OPT_SHADOWS},
+                                      {"integrator", required_argument, NULL, OPT_INTEGRATOR},
+                                      {"spp", required_argument, NULL, OPT_SPP},
+                                      {"samples-range", required_argument, NULL, OPT_SAMPLES_RANGE},
+                                      {"resume", required_argument, NULL, OPT_RESUME},
+                                      {"tone", required_argument, NULL, OPT_TONE},
+                                      {"exposure", required_argument, NULL, OPT_EXPOSURE},
+                                      {"colour", required_argument, NULL, OPT_COLOUR},
                                       {"map-size", required_argument, NULL, OPT_MAP_SIZE},
                                       {"bias", required_argument, NULL, OPT_BIAS},
                                       {"filter", required_argument, NULL, OPT_FILTER},
@@ -188,6 +196,7 @@ int arguments_load(struct options *options)
     if (options->depth != 0)
         options->scene.depth = options->depth;
     int status = load_shadows(options);
+    status = status ? status : integration_load(options);
     return status ? status : load_keys(options);
 }
 

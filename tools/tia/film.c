@@ -36,13 +36,20 @@ static uint32_t count_frames(const struct options *options)
 /* A CRC of everything besides the size that the pixels depend on: the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
-    char text[140];
+    const struct tia_integration *how = &options->scene.integration;
+    char text[240];
     const char *keys = options->key_text ? options->key_text : "";
     int length = snprintf(
         text, sizeof text, "%s %d %u %u %u %u %u %u %d %u %d %d %u/%u", options->core->name, options->dither,
         (unsigned)options->rotate, (unsigned)options->samples, (unsigned)options->depth, (unsigned)options->shadows,
         options->map.size, (unsigned)options->map.bias, (int)options->map.amount, (unsigned)options->map.filter,
         (int)options->scene.tessellated, (int)options->time, (unsigned)options->rate[0], (unsigned)options->rate[1]);
+    if (how->integrator != TIA_WHITTED)
+        length += snprintf(text + length, sizeof text - (size_t)length, " %u %d", (unsigned)how->integrator,
+                           (int)how->distance);
+    if (how->integrator != TIA_WHITTED && !options->samples_range && !options->resume)
+        length += snprintf(text + length, sizeof text - (size_t)length, " %u %u %d", (unsigned)how->spp,
+                           (unsigned)how->tone, (int)how->exposure);
     return checksum_bytes(checksum_bytes(options->file.crc, text, (size_t)length), keys, strlen(keys));
 }
 

@@ -19,7 +19,16 @@ struct options {
     uint32_t depth;
     uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
     struct tia_shadow_map map; /* what is not 0 overrides the scene's */
-    const char *tessellated;   /* NULL: not given */
+    uint32_t integrator;       /* 0: the scene's; n: integrator n - 1 */
+    const char *distance;      /* of it; NULL: not given */
+    uint32_t spp, tone;        /* 0: the scene's */
+    bool samples_range;
+    uint32_t first_sample, last_sample; /* for samples_range */
+    const char *resume;                 /* NULL: not given */
+    const char *exposure;               /* NULL: not given */
+    unsigned depth_bits;                /* of a picture, see struct image_film */
+    bool colour_given;
+    const char *tessellated; /* NULL: not given */
     const struct tia_core *core;
     const struct tia_level *level;        /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */

@@ -5,6 +5,7 @@
 #include "arithmetic.h"
 #include "common/thread_pool.h"
 #include "fail.h"
+#include "integration.h"
 #include "parse.h"
 
 static int set_size(struct options *options, const char *value)
@@ -18,7 +19,7 @@ static int set_format(struct options *options, const char *value)
 {
     options->format = image_format_called(value);
     return options->format != IMAGE_UNKNOWN ? EXIT_FINE
-                                            : wrong("--format", value, "not png, ppm, bmp, 565, y4m or tiapart");
+                                            : wrong("--format", value, "not png, ppm, bmp, 565, pfm, y4m or tiapart");
 }
 
 static int set_scene_format(struct options *options, const char *value)
@@ -239,6 +240,13 @@ int parse_option(struct options *options, int option, char *value)
     case OPT_FILTER:
     case OPT_TESSELLATED:
         return set_of_shadows(options, option, value);
+    case OPT_INTEGRATOR:
+    case OPT_SPP:
+    case OPT_RESUME:
+    case OPT_TONE:
+    case OPT_EXPOSURE:
+    case OPT_COLOUR:
+        return integration_parse(options, option, value);
     case 'k':
         options->key_text = value;
         return EXIT_FINE;
@@ -252,6 +260,9 @@ int parse_option(struct options *options, int option, char *value)
         return set_range("--frame-range", value, &options->frame_range, &options->first_frame, &options->last_frame);
     case OPT_TILE_ROWS:
         return set_range("--tile-rows", value, &options->tile_rows, &options->first_row, &options->last_row);
+    case OPT_SAMPLES_RANGE:
+        return set_range("--samples-range", value, &options->samples_range, &options->first_sample,
+                         &options->last_sample);
     case 'j':
         return set_number("--threads", value, THREADS_MAX, &options->threads);
     case OPT_ARITHMETIC:

@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "common/signals.h"
 #include "draw.h"
+#include "estimate.h"
 #include "fail.h"
 #include "show.h"
 
@@ -40,7 +41,7 @@ static int act(const struct options *options)
     case ACTION_MODES:
         return show_list(options->display);
     case ACTION_DRAW:
-        return draw(options);
+        return options->depth_bits ? estimate(options) : draw(options);
     default:
         return show(options);
     }

@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "light.h"
-#include "render/whitted/media.h"
+#include "render/trace/media.h"
 
 #define COLUMNS 15
 

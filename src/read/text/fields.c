@@ -3,16 +3,38 @@
 
 #include "length.h"
 
-int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright)
+int tia_colour(struct tia_text *t, struct tia_rgb *out)
 {
     struct tia_text before = *t;
-    int status = bright ? tia_text_bright(t, &out->r) : tia_text_unit(t, &out->r);
+    int status = tia_text_unit(t, &out->r);
 
     out->g = out->b = out->r;
     if (status || !tia_text_has_number(t))
         return status;
     *t = before;
-    return tia_text_rgb(t, out, bright);
+    return tia_text_rgb(t, out, false);
+}
+
+int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
+{
+    int64_t rgb[3] = {0, 0, 0}, half;
+    int status = tia_text_radiance(t, &rgb[0]);
+
+    rgb[1] = rgb[2] = rgb[0];
+    for (int c = 1; c < 3 && !status && (c == 2 || tia_text_has_number(t)); c++)
+        status = tia_text_radiance(t, &rgb[c]);
+    if (status)
+        return status;
+    out->bits = 0;
+    for (;; out->bits++) {
+        half = (INT64_C(1) << out->bits) >> 1;
+        if ((rgb[0] + half) >> out->bits <= most && (rgb[1] + half) >> out->bits <= most &&
+            (rgb[2] + half) >> out->bits <= most)
+            break;
+    }
+    out->rgb = (struct tia_rgb){(tia_q30)((rgb[0] + half) >> out->bits), (tia_q30)((rgb[1] + half) >> out->bits),
+                                (tia_q30)((rgb[2] + half) >> out->bits)};
+    return TIA_OK;
 }
 
 static int read_all(struct tia_text *t, int (*read)(struct tia_text *, tia_q16 *), tia_q16 *out, unsigned count)
@@ -59,8 +81,9 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
     case TIA_SPREAD:
         return tia_spread(t, out, field->count);
     case TIA_COLOUR:
+        return tia_colour(t, out);
     case TIA_EMISSION:
-        return tia_colour(t, out, field->kind == TIA_EMISSION);
+        return tia_emission(t, out, field->max ? TIA_Q30_ONE : INT32_MAX);
     case TIA_DIRECTION:
         return tia_text_dir3(t, out);
     case TIA_WHOLE:

@@ -13,7 +13,7 @@ enum tia_field_kind {
     TIA_VECTOR,     /* a tia_vec3 whose length does not matter */
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
-    TIA_EMISSION,   /* a light's: below 2 */
+    TIA_EMISSION,   /* a struct tia_emission: below 16384 */
     TIA_DIRECTION,  /* a tia_dir3; any vector but 0, which is normalised */
     TIA_WHOLE,      /* `count` uint16_t in 1..max */
     TIA_FLAG,       /* no value; sets a bool to true */
@@ -24,7 +24,7 @@ enum tia_field_kind {
 struct tia_field {
     const char *word;
     uint8_t kind, count;
-    uint16_t max;
+    uint16_t max;    /* of TIA_WHOLE; of TIA_EMISSION 1: at most 1 before the bits */
     uint16_t offset; /* in the struct that the fields fill */
     bool needed;     /* a line without it is an error */
 };
@@ -33,6 +33,12 @@ struct tia_field {
  * `what` is for errors: "a sphere". */
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
+
+/* rgb 2^bits, the bits so few that each channel is below 2, or with TIA_EMISSION's `max` at most 1. */
+struct tia_emission {
+    struct tia_rgb rgb;
+    uint8_t bits;
+};
 
 /* A statement that has several forms, named by the word after it: "camera frustum ...". */
 struct tia_form {
@@ -46,7 +52,8 @@ struct tia_form {
 const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
 
 /* Read the values of one field or keyframe. */
-int tia_colour(struct tia_text *t, struct tia_rgb *out, bool bright);
+int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);
+int tia_colour(struct tia_text *t, struct tia_rgb *out);
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);
 
 #define TIA_COUNT_OF(array) ((unsigned)(sizeof(array) / sizeof *(array)))

@@ -203,6 +203,11 @@ int tia_text_bright(struct tia_text *t, tia_q30 *out)
     return read_number32(t, out, 30, 0, INT32_MAX, "a number from 0 to below 2");
 }
 
+int tia_text_radiance(struct tia_text *t, int64_t *out)
+{
+    return read_number(t, out, 30, 0, (INT64_C(1) << 44) - 1, "a number from 0 to below 16384");
+}
+
 int tia_text_q32(struct tia_text *t, int64_t *out)
 {
     return read_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");

@@ -96,6 +96,8 @@ int tia_text_q32(struct tia_text *t, int64_t *out);
 /* The next word as a channel of a colour: 0 to 1; as one of a light's, 0 to below 2. */
 int tia_text_unit(struct tia_text *t, tia_q30 *out);
 int tia_text_bright(struct tia_text *t, tia_q30 *out);
+/* The next word as a channel of an emission, with 30 bits behind the point: 0 to below 16384. */
+int tia_text_radiance(struct tia_text *t, int64_t *out);
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
 
 /* Read three numbers. A direction may have any length but 0; it is normalised, within 2 ulp. */

@@ -4,6 +4,7 @@
 
 struct light_line {
     struct tia_word name;
+    struct tia_emission emission;
     struct tia_light light;
 };
 
@@ -21,7 +22,7 @@ struct light_line {
 #define NAMED 1u
 #define EMISSION                                                                                                       \
     {                                                                                                                  \
-        .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, light.emission)                \
+        .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, emission)                      \
     }
 #define PLACED NAME, EMISSION, LENGTHS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
 _Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_light, constant) + 2 * sizeof(tia_q16),
@@ -39,7 +40,7 @@ _Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_ligh
 
 static const struct tia_field point[] = {PLACED, LENGTHS("radius", 1, radius, false)};
 static const struct tia_field directional[] = {NAME, EMISSION, DIRECTION};
-static const struct tia_field ambient[] = {NAME, EMISSION};
+static const struct tia_field ambient[] = {NAME, EMISSION, LENGTHS("occlusion", 1, radius, false), SAMPLES};
 static const struct tia_field spot[] = {PLACED, DIRECTION, NUMBERS("inner", 1, inner, false),
                                         NUMBERS("outer", 1, outer, true)};
 static const struct tia_field rectangle[] = {PLACED, LENGTHS("sides", 6, side, true), SAMPLES};
@@ -61,9 +62,11 @@ static int read_light(struct tia_job *job, struct light_line *line, bool nameabl
     const struct tia_form *kind = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds));
     bool skip = !nameable;
 
-    line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind,
-                                     .emission = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}};
+    line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind};
+    line->emission = (struct tia_emission){{TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}, 0};
     int status = tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
+    line->light.emission = line->emission.rgb;
+    line->light.emission_bits = line->emission.bits;
     bool has_place = kind->kind != TIA_DIRECTIONAL_LIGHT && kind->kind != TIA_AMBIENT_LIGHT;
     if (!status && has_place && job->pass == TIA_COUNTING)
         tia_reach_light(&job->reach, &line->light);

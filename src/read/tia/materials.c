@@ -4,6 +4,7 @@
 struct material_line {
     struct tia_material material;
     struct tia_word texture, opacity;
+    struct tia_emission emission;
 };
 
 #define COLOUR(name)                                                                                                   \
@@ -27,7 +28,7 @@ static const struct tia_field material_fields[] = {
     COLOUR(mirror),
     {.word = "fresnel", .kind = TIA_FLAG, .offset = offsetof(struct material_line, material.fresnel)},
     COLOUR(transmission),
-    COLOUR(emission),
+    {.word = "emission", .kind = TIA_EMISSION, .max = 1, .offset = offsetof(struct material_line, emission)},
     COLOUR(facing),
 };
 
@@ -62,6 +63,8 @@ int tia_line_material(struct tia_job *job)
         material->exponent = TIA_Q16(32);
     if (has(given, REFRACTION_FIELD) && !has(given, INDEX_FIELD))
         material->index = TIA_Q16(1.5);
+    material->emission = line.emission.rgb;
+    material->emission_bits = line.emission.bits;
     if (!status)
         (void)tia_job_add(job, TIA_OF_MATERIALS, material);
     return status;

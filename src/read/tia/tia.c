@@ -26,6 +26,10 @@ static const struct statement {
     {"samples", tia_line_samples, true, false},
     {"depth", tia_line_depth, true, false},
     {"shadows", tia_line_shadows, true, false},
+    {"integrator", tia_line_integrator, true, false},
+    {"spp", tia_line_spp, true, false},
+    {"tone", tia_line_tone, true, false},
+    {"exposure", tia_line_exposure, true, false},
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 

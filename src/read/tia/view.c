@@ -1,4 +1,4 @@
-/* view.c - the statements camera, samples, background, depth and shadows. */
+/* view.c - the statements camera, samples, background, depth, shadows, and those of integrators. */
 #include "job.h"
 
 #define EYE                                                                                                            \
@@ -74,7 +74,7 @@ int tia_line_samples(struct tia_job *job)
 
 int tia_line_background(struct tia_job *job)
 {
-    return tia_colour(&job->text, &job->scene->background, false);
+    return tia_colour(&job->text, &job->scene->background);
 }
 
 int tia_line_depth(struct tia_job *job)
@@ -172,5 +172,51 @@ int tia_line_shadows(struct tia_job *job)
     scene->tessellated = 0;
     while (!status && technique != TIA_SHADOWS_TRACED && tia_text_word(&job->text, &word))
         status = shadow_field(&job->text, &word, scene, &seen);
+    return status;
+}
+
+/* integrator NAME, and of ao a distance */
+int tia_line_integrator(struct tia_job *job)
+{
+    struct tia_integration *how = &job->scene->integration;
+    struct tia_word word;
+    unsigned integrator;
+    int status =
+        named(&job->text, tia_integrator_name, TIA_WHITTED, "is no integrator", "whitted, ao or path", &integrator);
+
+    how->integrator = (enum tia_integrator)integrator;
+    if (status || how->integrator != TIA_OCCLUSION || !tia_text_peek(&job->text, &word))
+        return status;
+    status = tia_text_length(&job->text, &how->distance);
+    return status || how->distance > 0 ? status : tia_text_error(&job->text, &word, "is no distance", "more than 0");
+}
+
+int tia_line_spp(struct tia_job *job)
+{
+    int64_t spp = 0;
+    int status = tia_text_integer(&job->text, &spp, 1, TIA_SPP_MAX);
+
+    job->scene->integration.spp = (uint32_t)spp;
+    return status;
+}
+
+int tia_line_tone(struct tia_job *job)
+{
+    unsigned tone;
+    int status = named(&job->text, tia_tone_name, TIA_TONE_LINEAR, "is no tone", "linear or srgb", &tone);
+
+    job->scene->integration.tone = (enum tia_tone)tone;
+    return status;
+}
+
+int tia_line_exposure(struct tia_job *job)
+{
+    tia_q16 *exposure = &job->scene->integration.exposure;
+    struct tia_word word;
+
+    (void)tia_text_peek(&job->text, &word);
+    int status = tia_text_q16(&job->text, exposure);
+    if (!status && (*exposure < -TIA_EXPOSURE_MAX || *exposure > TIA_EXPOSURE_MAX))
+        status = tia_text_error(&job->text, &word, "is out of range", "-24 to 24");
     return status;
 }

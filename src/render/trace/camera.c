@@ -69,13 +69,9 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int
     c->ahead = num_point_sub((struct num_point){0, 0, 0}, num_point_along(c->n, c->depth));
 }
 
-/* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
-void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct ray *ray)
+/* Through the point at these parts of the image's width and height. */
+static void through(const struct ray_camera *c, num_unit right, num_unit down, struct ray *ray)
 {
-    int32_t n = c->side, i = sample % n, j = sample / n;
-    int32_t column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
-    num_unit right = num_fraction_by(num_integer(column) / 2, c->columns);
-    num_unit down = num_fraction_by(num_integer(row) / 2, c->rows);
     num_length h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
@@ -85,4 +81,26 @@ void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct
         ray->origin = num_point_add(c->eye, aside);
     else
         (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
+}
+
+/* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
+void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct ray *ray)
+{
+    int32_t n = c->side, i = sample % n, j = sample / n;
+    int32_t column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+
+    through(c, num_fraction_by(num_integer(column) / 2, c->columns), num_fraction_by(num_integer(row) / 2, c->rows),
+            ray);
+}
+
+/* x + (u + 1/2)/2^32 */
+static num_length within_pixel(int x, uint32_t u)
+{
+    return num_length_of_q45(((int64_t)x << 45) + ((int64_t)u << 13) + (1 << 12));
+}
+
+void ray_camera_ray_within(const struct ray_camera *c, int x, int y, const uint32_t u[2], struct ray *ray)
+{
+    through(c, num_fraction(within_pixel(x, u[0]), num_integer(c->width)),
+            num_fraction(within_pixel(y, u[1]), num_integer(c->height)), ray);
 }

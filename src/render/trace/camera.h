@@ -20,4 +20,7 @@ void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene
 /* Sample number `sample` of pixel (x, y). */
 void ray_camera_ray(const struct ray_camera *camera, int x, int y, int sample, struct ray *ray);
 
+/* Through the place (u + 1/2)/2^32 of pixel (x, y), from its upper left corner. */
+void ray_camera_ray_within(const struct ray_camera *camera, int x, int y, const uint32_t u[2], struct ray *ray);
+
 #endif

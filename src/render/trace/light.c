@@ -42,7 +42,7 @@ static void prepare_shape(struct ray_light *l, const struct tia_light *given)
 
 void ray_light_prepare(struct ray_light *l, const struct tia_light *given, uint32_t scale_bits)
 {
-    bool area = given->kind >= TIA_RECTANGLE_LIGHT;
+    bool area = given->kind >= TIA_RECTANGLE_LIGHT || given->kind == TIA_AMBIENT_LIGHT;
 
     l->kind = given->kind;
     l->samples = !area ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;

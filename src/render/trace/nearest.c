@@ -3,14 +3,14 @@
 #include "render/geometry/walk.h"
 #include "trace.h"
 
-static struct num_point centre_of(const struct tia_scene *scene, uint32_t sphere)
+struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t sphere)
 {
     struct num_point centre = num_point_of(scene->spheres[sphere].centre);
 
     return scene->fine ? num_point_add(centre, num_point_fine(scene->fine->spheres[sphere].centre)) : centre;
 }
 
-static num_length radius_of(const struct tia_scene *scene, uint32_t sphere)
+num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere)
 {
     num_length radius = num_length_of(scene->spheres[sphere].radius);
 
@@ -41,7 +41,8 @@ static bool meet(const struct ray_view *view, const struct ray *ray, uint32_t ob
     if (object >= scene->sphere_count)
         return meet_shape(&view->shapes[object - scene->sphere_count], ray, limit, intersection);
     intersection->element = 0;
-    return sphere_intersect(centre_of(scene, object), radius_of(scene, object), ray, limit, &intersection->t);
+    return sphere_intersect(ray_sphere_centre(scene, object), ray_sphere_radius(scene, object), ray, limit,
+                            &intersection->t);
 }
 
 static bool occludes_placed(const struct shape *shape, const struct ray *ray, num_length limit)
@@ -149,11 +150,16 @@ void ray_intersect_object(const struct ray_view *view, const struct ray *ray, ui
 
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
+    ray_intersect_lights_of(view, ray, ~0u, hit);
+}
+
+void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit)
+{
     struct asker asker = view_asker(view->view);
 
     for (uint32_t n = 0; view->lit && n < view->light_count && !asker_stops(&asker, 1); n++) {
         num_length t;
-        if (ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
+        if ((kinds >> view->lights[n].kind & 1) && ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
             hit->t = t;
             hit->object = TIA_NO_OBJECT;
             hit->light = n;
@@ -166,7 +172,7 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
     const struct tia_scene *scene = view->scene;
 
     if (hit->object < scene->sphere_count) {
-        sphere_surface(centre_of(scene, hit->object), point, surface);
+        sphere_surface(ray_sphere_centre(scene, hit->object), point, surface);
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
@@ -185,7 +191,7 @@ void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point
     const struct tia_scene *scene = view->scene;
 
     if (hit->object < scene->sphere_count) {
-        sphere_uv(centre_of(scene, hit->object), point, uv);
+        sphere_uv(ray_sphere_centre(scene, hit->object), point, uv);
         return;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];

@@ -26,6 +26,9 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 int ray_prepare(struct tia_view *view);
 int ray_set_lights(struct tia_view *view);
 
+/* The trace of struct renderer: what the first sample of each pixel meets. */
+void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+
 /* What a ray meets first. */
 struct hit {
     num_length t;
@@ -43,11 +46,35 @@ void ray_intersect_object(const struct ray_view *view, const struct ray *ray, ui
 /* A light with a surface that is nearer than the object takes its place. */
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
+/* The same of lights whose kind is a bit of `kinds`. */
+void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit);
+
+/* One of the scene's spheres. */
+struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t sphere);
+num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
+
 /* How much light the objects between the ray's origin and t = limit let through; false: none. *blocker is the
  * object to try first, or TIA_NO_OBJECT; it becomes the one that lets nothing through, where the next shadow
  * ray to this light often ends too. */
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
+
+/* The same where nothing is seen through objects, whatever their transmission, but past an opacity. */
+bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
+                    num_length *through);
+
+/* A direction that is given around the z axis, around another one. */
+struct num_dir ray_around(struct num_dir axis, struct num_dir local);
+
+/* Where rays from a surface start, its geometric and its shading normal. */
+struct ray_place {
+    struct num_point outside;
+    struct num_dir geometric, normal;
+};
+
+/* One ray of ambient occlusion, see tia/integrator.h: how much of it gets `distance` far, 1 or 0 but for opacities. */
+num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
+                        num_length distance, uint32_t *blocker);
 
 /* Whether the ray meets object `object` at 0 <= t <= limit; `element`, unless NULL, receives the nearest element. */
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,

@@ -23,6 +23,7 @@ struct filters {
     uint32_t blocker;     /* the object that takes all light */
     uint32_t missed;      /* an object that the ray is known not to meet, or TIA_NO_OBJECT */
     bool more;
+    bool opaque; /* objects let nothing through but where an opacity texture says so */
 };
 
 static void keep(struct filters *filters, const struct filter *filter)
@@ -54,6 +55,7 @@ struct crossing {
     num_length limit;
     uint32_t layers;
     bool counted; /* a grid's cells without opacity count once */
+    bool opaque;  /* see struct filters */
 };
 
 static void multiply(num_length through[3], const num_length factor[3])
@@ -69,7 +71,9 @@ static void cross(const struct ray_view *view, struct crossing *crossing, const 
     struct num_point point = num_point_at(crossing->ray.origin, crossing->ray.direction, hit->t);
     num_length uv[2], opacity, factor[3];
 
-    ray_rgb(&m->transmission, factor);
+    factor[0] = factor[1] = factor[2] = 0;
+    if (!crossing->opaque)
+        ray_rgb(&m->transmission, factor);
     if (m->opacity) {
         ray_uv(view, hit, point, uv);
         (void)ray_texture(&view->scene->textures[m->opacity - 1], uv, &opacity);
@@ -96,7 +100,7 @@ static bool layers_transmit(const struct ray_view *view, const struct ray *ray, 
                             struct filters *filters)
 {
     struct filter filter = {object, 1, {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
-    struct crossing crossing = {*ray, limit, 0, false};
+    struct crossing crossing = {*ray, limit, 0, false, filters->opaque};
     struct hit hit;
     uint32_t met = 0;
 
@@ -129,7 +133,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
     if (!ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
         return true;
     const struct tia_rgb *transmission = &materials[ray_material(view, object, element)].transmission;
-    if (colour_is_black(transmission)) {
+    if (filters->opaque || colour_is_black(transmission)) {
         filters->blocker = object;
         return false;
     }
@@ -159,12 +163,13 @@ static void apply(const struct filters *filters, num_length through[3])
             multiply(through, filters->kept[i].through);
 }
 
-bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
-                       num_length through[3])
+static bool passes(const struct ray_view *view, const struct ray *ray, num_length limit, bool opaque, uint32_t *blocker,
+                   num_length through[3])
 {
     struct filters filters; /* whose many words need no 0 */
 
     filters.count = filters.from = 0;
+    filters.opaque = opaque;
     filters.missed = TIA_NO_OBJECT;
     if (*blocker != TIA_NO_OBJECT) {
         if (!object_transmits(view, ray, *blocker, limit, &filters))
@@ -183,4 +188,20 @@ bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_l
         filters.from = filters.count ? filters.kept[filters.count - 1].object + 1 : 0;
     } while (filters.more && !view_stops(view->view));
     return through[0] > 0 || through[1] > 0 || through[2] > 0;
+}
+
+bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
+                       num_length through[3])
+{
+    return passes(view, ray, limit, false, blocker, through);
+}
+
+bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
+                    num_length *through)
+{
+    num_length rgb[3];
+    bool some = passes(view, ray, limit, true, blocker, rgb);
+
+    *through = some ? rgb[0] : 0;
+    return some;
 }

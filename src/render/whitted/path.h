@@ -34,6 +34,7 @@ struct path {
     bool traces;                    /* they are, and the hits with them */
     struct arrivals lit;            /* while `known` */
     bool known;
+    uint32_t seed;         /* of a pixel's sample, for rays of ambient lights */
     unsigned class;        /* of the pixel, see light.h */
     uint64_t reached;      /* see tia_options.lit */
     unsigned next_reached; /* the next sample's number there; PATH_REACHED: it has none */

@@ -1,23 +1,7 @@
 /* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
 #include "render/dither.h"
+#include "sampling/sobol.h"
 #include "whitted.h"
-
-static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
-{
-    const struct ray_view *rays = view->prepared;
-    struct path path = {.view = rays};
-
-    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
-        for (int x = (int)tile.x; x < tile_right(tile) && !path_stops(&path); x++) {
-            struct ray ray;
-            struct hit hit;
-
-            ray_camera_ray(&rays->camera, x, y, 0, &ray);
-            ray_intersect(rays, &ray, &hit);
-            hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] = hit.object;
-        }
-    }
-}
 
 /* What the ray of a pixel's sample meets. `object` is what the first one does, or receives it if path->traces. */
 static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
@@ -49,6 +33,7 @@ static void pixel(struct path *path, int x, int y, uint32_t *object, num_length 
         num_length colour[3];
 
         path->next_reached = i == 0 ? 0 : PATH_REACHED;
+        path->seed = sampler_of((uint32_t)i, x, y, 0).seed;
         ray_camera_ray(camera, x, y, i, &ray);
         find_first(path, x, y, i, object, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
@@ -157,7 +142,7 @@ const struct renderer whitted_renderer = {
     .prepare = ray_prepare,
     .set_lights = ray_set_lights,
     .buffer_size = buffer_size,
-    .trace = trace_tile,
+    .trace = ray_trace_tile,
     .light = light_tile,
     .part = LEVEL_RAYS,
     .render = render_tile,

@@ -1,6 +1,6 @@
 #include "shade.h"
 
-#include "render/trace/texture.h"
+#include "sampling/sobol.h"
 #include "scene/colour.h"
 
 void path_hash_word(struct path *path, uint32_t word)
@@ -9,53 +9,14 @@ void path_hash_word(struct path *path, uint32_t word)
         path->hash = (path->hash ^ (word >> (8 * i) & 0xff)) * UINT32_C(16777619);
 }
 
-static void look_up(struct path *path, uint32_t texture, const num_length uv[2], num_length value[])
-{
-    const struct tia_texture *t = &path->view->scene->textures[texture - 1];
-    uint32_t number = ray_texture(t, uv, value);
-
-    if (ray_texture_is_hashed(t))
-        path_hash_word(path, number);
-}
-
-static void texture(struct path *path, const struct hit *hit, struct shading *s)
-{
-    const struct tia_material *m = s->material;
-    bool is_coloured = m->texture && !colour_is_black(&m->colour);
-    num_length uv[2], texel[3];
-
-    ray_rgb(&m->colour, s->colour);
-    s->opacity = NUM_LENGTH_ONE;
-    if (!is_coloured && !m->opacity)
-        return;
-    ray_uv(path->view, hit, s->point, uv);
-    if (is_coloured) {
-        look_up(path, m->texture, uv, texel);
-        for (int c = 0; c < 3; c++)
-            s->colour[c] = num_product(s->colour[c], texel[c]);
-    }
-    if (m->opacity)
-        look_up(path, m->opacity, uv, &s->opacity);
-}
-
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s)
 {
-    const struct ray_view *view = path->view;
-    struct surface surface;
-
     path_hash_word(path, hit->object);
     path_hash_word(path, hit->element);
-    s->object = hit->object;
-    s->material = &view->scene->materials[ray_material(view, hit->object, hit->element)];
-    s->point = num_point_at(ray->origin, ray->direction, hit->t);
-    s->viewer = num_dir_negated(ray->direction);
-    ray_surface(view, hit, s->point, &surface);
-    s->back = num_dir_dot(surface.normal, s->viewer) < 0;
-    s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
-    s->outside = num_point_at(s->point, s->geometric, view->bias);
-    s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
-    s->facing = num_dir_dot(s->normal, s->viewer);
-    texture(path, hit, s);
+    shading_prepare(path->view, path->view->bias, ray, hit, s);
+    for (int i = 0; i < 2; i++)
+        if (s->textured[i])
+            path_hash_word(path, s->texels[i]);
 }
 
 /* max(0, R.L)^exponent with R = 2 (N.V) N - V. */
@@ -144,6 +105,26 @@ static void note_reached(struct path *path, bool reached)
         path->reached |= (uint64_t)reached << path->next_reached++;
 }
 
+/* The part of an ambient light that reaches the point: all, or the mean of rays up to its radius. */
+static num_length ambient_part(struct path *path, const struct shading *s, const struct ray_light *light, uint32_t n)
+{
+    const struct ray_place place = {s->outside, s->geometric, s->normal};
+    num_length sum = 0;
+
+    if (!(light->radius > 0))
+        return NUM_LENGTH_ONE;
+    for (unsigned i = 0; i < light->samples && !path_stops(path); i++) {
+        const struct sampler sampler = {path->seed, i};
+        uint32_t u[2];
+
+        sampler_pair(&sampler, n, 0, u);
+        num_length open = ray_openness(path->view, &place, u, light->radius, &path->blocker[n % PATH_BLOCKERS]);
+        path_hash_word(path, open > 0);
+        sum += open;
+    }
+    return num_ratio(sum, num_integer((int32_t)light->samples));
+}
+
 static void add_light(struct path *path, const struct shading *s, uint32_t n, num_length own[3])
 {
     const struct ray_light *light = &path->view->lights[n];
@@ -153,8 +134,11 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     struct ray_aim aim;
 
     if (light->kind == TIA_AMBIENT_LIGHT) {
-        for (int c = 0; c < 3; c++)
-            own[c] = num_sum_within(own[c], num_product(s->colour[c], light->emission[c]));
+        num_length part = ambient_part(path, s, light, n);
+        for (int c = 0; c < 3; c++) {
+            num_length sent = part < NUM_LENGTH_ONE ? num_product(light->emission[c], part) : light->emission[c];
+            own[c] = num_sum_within(own[c], num_product(s->colour[c], sent));
+        }
         return;
     }
     ray_light_aim(&aim, light, s->point, s->normal, path->class);
@@ -188,36 +172,6 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
     }
 }
 
-/* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
- *
- *     n2/n1 T = -V + (c - sqrt((n2/n1)^2 - s^2)) N,   in quarters  -V/4 + (c/4 - root) N,
- *     root = sqrt(q^2 - s^2/16)
- *
- * and nothing is refracted where there is no root, nor where an interpolated normal is turned away: there Rs = Rp = 1,
- * which in integers would be a little less. Returns F, what Fresnel's equations say is reflected:
- * with n2/n1 cos T = 4 root,
- *
- *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
- *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).
- *
- * q is at most 1: where n2 > 4 n1, which is less than 16 n1, all is in sixteenths. */
-static num_unit refract(const struct shading *s, struct boundary between, struct num_dir *refracted)
-{
-    const num_length parts = between.to <= 4 * between.from ? 4 : 16;
-    num_unit q = num_fraction(num_length_of(between.to), parts * num_length_of(between.from));
-    num_unit c = s->facing, square = num_times(q, q);
-    num_unit inside = square - (NUM_UNIT_ONE - num_times(c, c)) / (parts * parts);
-
-    if (inside <= 0 || c <= 0)
-        return NUM_UNIT_ONE;
-    num_unit root = num_unit_sqrt(inside), bend = c / parts - root, q2c = num_times(square, c);
-    struct num_dir part = {-s->viewer.x / parts, -s->viewer.y / parts, -s->viewer.z / parts};
-    num_unit rs = num_fraction(bend, c / parts + root), rp = num_fraction(q2c - root / parts, q2c + root / parts);
-
-    *refracted = num_dir_normalised(num_dir_add(part, num_dir_scaled(s->normal, bend)));
-    return num_times(rs, rs) / 2 + num_times(rp, rp) / 2;
-}
-
 static struct ray straight_on(const struct ray_view *view, const struct shading *s)
 {
     return (struct ray){num_point_at(s->point, s->viewer, -view->bias), num_dir_negated(s->viewer)};
@@ -234,7 +188,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     if (b->straight)
         return 0;
     b->refracted.origin = num_point_at(s->point, s->geometric, -view->bias);
-    num_unit fresnel = refract(s, between, &b->refracted.direction);
+    num_unit fresnel = shading_refract(s, between, &b->refracted.direction);
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
@@ -278,6 +232,5 @@ void shade_bounce(const struct ray_view *view, const struct shading *s, const st
     if (is_zero(b->reflects))
         return;
     b->reflected.origin = s->outside;
-    struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
-    b->reflected.direction = num_dir_normalised(num_dir_add(num_dir_scaled(s->normal, s->facing), half)); /* R/2 */
+    b->reflected.direction = shading_mirrored(s);
 }

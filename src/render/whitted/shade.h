@@ -2,21 +2,8 @@
 #ifndef TIA_RENDER_WHITTED_SHADE_H
 #define TIA_RENDER_WHITTED_SHADE_H
 
-#include "media.h"
 #include "path.h"
-
-struct shading {
-    const struct tia_material *material;
-    uint32_t object;
-    struct num_point point;
-    struct num_point outside;         /* P + 2^-13 G: where reflected and shadow rays start */
-    struct num_dir geometric, normal; /* G and N, turned to the viewer */
-    struct num_dir viewer;            /* V */
-    num_unit facing;                  /* N.V */
-    bool back;                        /* the ray meets the surface's back: it leaves the object */
-    num_length colour[3];             /* the diffuse one, with the texture */
-    num_length opacity;
-};
+#include "render/trace/shading.h"
 
 /* What one ray meets, prepared. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);

@@ -71,7 +71,8 @@ int tia_check_placed(const struct check *check, const struct tia_shape *shape, c
 /* How the shapes use the meshes and grids; and the scene's unit, which only the ray renderer asks for. */
 int tia_check_uses(struct check *check);
 
-/* What its technique for shadows asks of the whole scene. */
+/* How it is to be drawn; and what its technique for shadows asks of the whole scene. */
+int tia_check_rendering(struct check *check);
 int tia_check_shadows(struct check *check);
 
 #endif

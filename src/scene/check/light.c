@@ -7,9 +7,9 @@ static bool is_one_of(enum tia_light_kind kind, unsigned kinds)
 
 #define KIND(name) (1u << TIA_##name##_LIGHT)
 #define EVERYWHERE (KIND(DIRECTIONAL) | KIND(AMBIENT))
-#define WITH_RADIUS (KIND(POINT) | KIND(DISC) | KIND(SPHERE))
+#define WITH_RADIUS (KIND(POINT) | KIND(AMBIENT) | KIND(DISC) | KIND(SPHERE))
 #define WITH_DIRECTION (KIND(DIRECTIONAL) | KIND(SPOT) | KIND(DISC))
-#define WITH_SAMPLES (KIND(RECTANGLE) | KIND(DISC) | KIND(SPHERE))
+#define WITH_SAMPLES (KIND(AMBIENT) | KIND(RECTANGLE) | KIND(DISC) | KIND(SPHERE))
 
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *l)
 {

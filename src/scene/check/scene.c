@@ -129,7 +129,7 @@ int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, stru
         status = check_parts(&check);
     check.thing = "shape";
     status = status ? status : tia_check_uses(&check);
-    return status ? status : tia_check_shadows(&check);
+    return status ? status : tia_check_rendering(&check);
 }
 
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)

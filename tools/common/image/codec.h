@@ -14,6 +14,7 @@ struct image_codec {
     bool bottom_up;
     int (*begin)(struct image *image);
     int (*row)(struct image *image, const tia_rgb565 *pixels);
+    int (*bytes)(struct image *image, const unsigned char *row); /* NULL: RGB565 alone; see image_rows */
     int (*end)(struct image *image);
     void (*free)(struct image *image); /* called after begin in any case */
 };
@@ -31,10 +32,13 @@ struct image {
 };
 
 extern const struct image_codec image_codec_ppm, image_codec_bmp, image_codec_565;
-extern const struct image_codec image_codec_y4m, image_codec_part;
+extern const struct image_codec image_codec_y4m, image_codec_part, image_codec_pfm;
 #ifdef TIA_HAVE_PNG
 extern const struct image_codec image_codec_png;
 #endif
+
+/* `bytes` of files that have rows as they are. */
+int image_put_bytes(struct image *image, const unsigned char *row);
 
 /* Writes `count` pixels as little-endian bytes; returns the number of bytes. */
 size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count);

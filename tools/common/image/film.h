@@ -4,7 +4,10 @@
 
 #include <tia/fixed.h>
 
-enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART };
+enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART, IMAGE_PFM };
+
+/* What the numbers of a picture stand for: what it does not say; light, or light by the transfer function of sRGB. */
+enum image_transfer { IMAGE_UNSAID, IMAGE_LINEAR, IMAGE_SRGB };
 
 /* The frames of a film that a file has, and the rows of each. A picture is a film of one frame. */
 struct image_film {
@@ -13,7 +16,9 @@ struct image_film {
     uint32_t first_frame, frames;
     uint32_t all_frames; /* of the whole film */
     uint32_t rate[2];    /* frames per second: numerator, denominator */
-    uint32_t crc;        /* of the scene and the options: the same for all parts of a film */
+    unsigned depth;      /* bits a channel: 0 for RGB565, 8, 16, or 32 for floats */
+    enum image_transfer transfer;
+    uint32_t crc; /* of the scene and the options: the same for all parts of a film */
 };
 
 #endif

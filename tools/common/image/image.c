@@ -10,19 +10,19 @@
 #include "ports.h"
 
 static const char *const names[] = {
-    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png", [IMAGE_PPM] = "ppm",     [IMAGE_BMP] = "bmp",
-    [IMAGE_565] = "565",  [IMAGE_Y4M] = "y4m", [IMAGE_PART] = "tiapart"};
+    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png", [IMAGE_PPM] = "ppm",      [IMAGE_BMP] = "bmp",
+    [IMAGE_565] = "565",  [IMAGE_Y4M] = "y4m", [IMAGE_PART] = "tiapart", [IMAGE_PFM] = "pfm"};
 
 static const struct image_codec *const codecs[] = {
 #ifdef TIA_HAVE_PNG
     [IMAGE_PNG] = &image_codec_png,
 #endif
-    [IMAGE_PPM] = &image_codec_ppm, [IMAGE_BMP] = &image_codec_bmp,  [IMAGE_565] = &image_codec_565,
-    [IMAGE_Y4M] = &image_codec_y4m, [IMAGE_PART] = &image_codec_part};
+    [IMAGE_PPM] = &image_codec_ppm, [IMAGE_BMP] = &image_codec_bmp,   [IMAGE_565] = &image_codec_565,
+    [IMAGE_Y4M] = &image_codec_y4m, [IMAGE_PART] = &image_codec_part, [IMAGE_PFM] = &image_codec_pfm};
 
 enum image_format image_format_called(const char *name)
 {
-    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PART; format++)
+    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PFM; format++)
         if (strcasecmp(name, names[format]) == 0)
             return format;
     return IMAGE_UNKNOWN;
@@ -47,6 +47,13 @@ bool image_format_built(enum image_format format)
 bool image_format_films(enum image_format format)
 {
     return format == IMAGE_Y4M || format == IMAGE_PART;
+}
+
+bool image_format_has(enum image_format format, unsigned depth)
+{
+    if (format == IMAGE_PFM)
+        return depth == 32;
+    return depth == 0 || ((format == IMAGE_PNG || format == IMAGE_PPM) && (depth == 8 || depth == 16));
 }
 
 bool image_bottom_up(const struct image *image)
@@ -92,6 +99,10 @@ struct image *image_create_film(const char *path, enum image_format format, cons
         (void)snprintf(why, PORT_WHY, "%.150s: this build writes no %s files (use .ppm)", path, names[format]);
         return NULL;
     }
+    if (!image_format_has(format, film->depth)) {
+        (void)snprintf(why, PORT_WHY, "%.150s: .%s files have other colours (use .ppm)", path, names[format]);
+        return NULL;
+    }
     struct image *image = allocate(format, film, why);
     if (!image)
         return NULL;
@@ -111,6 +122,18 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count)
     for (unsigned i = 0; i < count && !image->status; i++) {
         unsigned row = image->codec->bottom_up ? count - 1 - i : i;
         image->status = image->codec->row(image, pixels + (size_t)row * image->width);
+        image->rows++;
+    }
+    return image->status;
+}
+
+int image_rows(struct image *image, const unsigned char *bytes, unsigned count)
+{
+    size_t length = (size_t)image->width * 3 * image->film.depth / 8;
+
+    for (unsigned i = 0; i < count && !image->status; i++) {
+        unsigned row = image->codec->bottom_up ? count - 1 - i : i;
+        image->status = image->codec->bytes(image, bytes + row * length);
         image->rows++;
     }
     return image->status;

@@ -36,6 +36,12 @@ bool image_bottom_up(const struct image *image);
  * enough. */
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 
+/* Whether a file of `format` can have `depth` bits a channel, see struct image_film. */
+bool image_format_has(enum image_format format, unsigned depth);
+
+/* The same of a picture with a depth: rows of width x 3 numbers, of 16 bits the higher byte first, of 32 the lower. */
+int image_rows(struct image *image, const unsigned char *bytes, unsigned count);
+
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 

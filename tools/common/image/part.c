@@ -52,7 +52,15 @@ size_t image_part_parse(struct image_film *film, const char *text, size_t length
     if (sscanf(line, "TIAPART2 W%u H%u R%u+%u N%u+%u/%u F%u:%u S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5], &n[6],
                &n[7], &n[8], &n[9]) != 10)
         return 0;
-    *film = (struct image_film){n[0], n[1], n[2], n[3], n[4], n[5], n[6], {n[7], n[8]}, n[9]};
+    *film = (struct image_film){.width = n[0],
+                                .height = n[1],
+                                .first_row = n[2],
+                                .rows = n[3],
+                                .first_frame = n[4],
+                                .frames = n[5],
+                                .all_frames = n[6],
+                                .rate = {n[7], n[8]},
+                                .crc = n[9]};
     return check_spelling(film, line, again, image_part_print(again, film));
 }
 
@@ -64,7 +72,14 @@ size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
     if (sscanf(line, "YUV4MPEG2 W%u H%u F%u:%u Ip A1:1 C444 XCOLORRANGE=LIMITED XTIA=N%u+%u/%u:S%8x", &n[0], &n[1],
                &n[2], &n[3], &n[4], &n[5], &n[6], &n[7]) != 8)
         return 0;
-    *film = (struct image_film){n[0], n[1], 0, n[1], n[4], n[5], n[6], {n[2], n[3]}, n[7]};
+    *film = (struct image_film){.width = n[0],
+                                .height = n[1],
+                                .rows = n[1],
+                                .first_frame = n[4],
+                                .frames = n[5],
+                                .all_frames = n[6],
+                                .rate = {n[2], n[3]},
+                                .crc = n[7]};
     return check_spelling(film, line, again, image_y4m_print(again, film));
 }
 

@@ -26,10 +26,16 @@ void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count)
 
 /* ---- PPM, binary (P6), 255 levels ---- */
 
+int image_put_bytes(struct image *image, const unsigned char *row)
+{
+    return sink_write(&image->sink, row, (size_t)image->width * 3 * image->film.depth / 8);
+}
+
 static int ppm_begin(struct image *image)
 {
     char header[40];
-    int length = snprintf(header, sizeof header, "P6\n%u %u\n255\n", image->width, image->height);
+    int length = snprintf(header, sizeof header, "P6\n%u %u\n%u\n", image->width, image->height,
+                          image->film.depth == 16 ? 65535u : 255u);
     return sink_write(&image->sink, header, (size_t)length);
 }
 
@@ -40,7 +46,19 @@ static int ppm_row(struct image *image, const tia_rgb565 *pixels)
 }
 
 const struct image_codec image_codec_ppm = {
-    .name = "ppm", .begin = ppm_begin, .row = ppm_row, .end = done, .free = nothing};
+    .name = "ppm", .begin = ppm_begin, .row = ppm_row, .bytes = image_put_bytes, .end = done, .free = nothing};
+
+/* ---- PFM: floats, little-endian, the bottom row first ---- */
+
+static int pfm_begin(struct image *image)
+{
+    char header[40];
+    int length = snprintf(header, sizeof header, "PF\n%u %u\n-1.0\n", image->width, image->height);
+    return sink_write(&image->sink, header, (size_t)length);
+}
+
+const struct image_codec image_codec_pfm = {
+    .name = "pfm", .bottom_up = true, .begin = pfm_begin, .bytes = image_put_bytes, .end = done, .free = nothing};
 
 /* ---- RGB565, little-endian, row by row ---- */
 

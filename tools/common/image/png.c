@@ -1,4 +1,5 @@
-/* png.c - PNG by libpng: 8-bit RGB, with an sBIT chunk for 5, 6 and 5 significant bits. */
+/* png.c - PNG by libpng: RGB of 8 bits, with an sBIT chunk where 5, 6 and 5 are significant, or of 16; a chunk sRGB, or
+ * gAMA of 1 for linear light, where the picture says which it is. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -47,9 +48,14 @@ static int header(struct image *image, png_structp png, png_infop info)
         return TIA_ERR_DEVICE;
     png_color_8 bits = {.red = 5, .green = 6, .blue = 5};
     png_set_write_fn(png, image, png_bytes, png_flushed);
-    png_set_IHDR(png, info, image->width, image->height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sBIT(png, info, &bits);
+    png_set_IHDR(png, info, image->width, image->height, image->film.depth == 16 ? 16 : 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (image->film.depth == 0)
+        png_set_sBIT(png, info, &bits);
+    if (image->film.transfer == IMAGE_SRGB)
+        png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+    if (image->film.transfer == IMAGE_LINEAR)
+        png_set_gAMA(png, info, 1.0);
     png_write_info(png, info);
     return TIA_OK;
 }
@@ -69,14 +75,19 @@ static int begin(struct image *image)
     return header(image, state->png, state->info);
 }
 
-static int row(struct image *image, const tia_rgb565 *pixels)
+static int bytes(struct image *image, const unsigned char *row)
 {
     struct png_state *state = image->state;
-    image_expand(image->line, pixels, image->width);
     if (setjmp(png_jmpbuf(state->png)) != 0)
         return TIA_ERR_DEVICE;
-    png_write_row(state->png, image->line);
+    png_write_row(state->png, row);
     return TIA_OK;
+}
+
+static int row(struct image *image, const tia_rgb565 *pixels)
+{
+    image_expand(image->line, pixels, image->width);
+    return bytes(image, image->line);
 }
 
 static int end(struct image *image)
@@ -97,7 +108,8 @@ static void release(struct image *image)
     image->state = NULL;
 }
 
-const struct image_codec image_codec_png = {.name = "png", .begin = begin, .row = row, .end = end, .free = release};
+const struct image_codec image_codec_png = {
+    .name = "png", .begin = begin, .row = row, .bytes = bytes, .end = end, .free = release};
 
 #else
 typedef int image_without_png; /* ISO C wants a declaration in every file */

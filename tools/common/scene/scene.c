@@ -93,8 +93,9 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
             return true;
         }
     }
-    /* A key may also place a light. */
-    if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0)
+    /* A key may also place a light; and other integrators find light elsewhere. */
+    if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0 ||
+        file->scene.integration.integrator != TIA_WHITTED)
         return false;
     (void)snprintf(line, SCENE_WHY, "%.300s: no light: only what shines by itself is seen", shown(file));
     return true;

@@ -1,8 +1,8 @@
 /* media.h - which objects a ray has entered, see tia/material.h. */
-#ifndef TIA_RENDER_WHITTED_MEDIA_H
-#define TIA_RENDER_WHITTED_MEDIA_H
+#ifndef TIA_RENDER_TRACE_MEDIA_H
+#define TIA_RENDER_TRACE_MEDIA_H
 
-#include "render/trace/trace.h"
+#include "trace.h"
 
 /* The object entered last is the last one. Each is packed into a word, as many rays wait on a small stack: the object's
  * index, below TIA_OBJECTS_MAX, and in the bits above it which of a grid's materials. */

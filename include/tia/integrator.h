@@ -1,0 +1,115 @@
+/* integrator.h - how the light that comes along a ray is summed up, and what is shown of it.
+ *
+ * TIA_WHITTED is tia/material.h's model. The others estimate a mean: each pixel is the mean of `spp` samples, and a
+ * sample is a function of the scene, the pixel and its number alone. A sample's radiance is clamped to 0..2^14 and
+ * rounded once, to 2^-24, and samples are added in 64 bits. So a picture does not depend on the order, the place or the
+ * parts in which its samples are drawn: the sums of samples a..b and of b..c are those of a..c, exactly.
+ *
+ * TIA_OCCLUSION shows how open a place is: 1 where a ray from it meets nothing up to a distance. These rays start at
+ * what a pixel sees, their directions have the density cos t/pi around its normal N; those below the surface meet it.
+ * Where a pixel sees no object it is 1.
+ *
+ * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). Of tia/material.h it takes
+ *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
+ * and Willems 1994);
+ *   - mirror, refraction, index, fresnel, opacity and media as they are; where a ray meets several, chance decides;
+ *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface. transmission counts for
+ * nothing. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces of the radiance
+ * emission 2^emission_bits to all sides, without attenuation, which absorb what meets them. Point, spot and directional
+ * lights light as in light.h; where they have a radius, only the eye sees it, directly or by mirrors and refraction.
+ * Ambient lights, which stand for paths, count for nothing.
+ *
+ * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, all with the same chance, and a
+ * point of it (of spheres within the cone that sees it, else evenly on the surface); and the path goes on by one of the
+ * material's lobes. The two are combined by the balance heuristic (Veach 1997). Other emitting shapes are met by
+ * chance. From the fourth bounce on paths end by roulette, at the latest after TIA_BOUNCES_MAX.
+ *
+ * Samples draw Owen-scrambled Sobol points, src/sampling/sobol.h: a pixel's first numbers are its place in the pixel,
+ * without a filter, and the first direction. Rays start 2^-26 off a surface.
+ */
+#ifndef TIA_INTEGRATOR_H
+#define TIA_INTEGRATOR_H
+
+#include <tia/fixed.h>
+
+enum tia_integrator { TIA_WHITTED, TIA_OCCLUSION, TIA_PATHS };
+
+/* "whitted", "ao", "path"; NULL beyond the last. */
+const char *tia_integrator_name(unsigned integrator);
+
+/* How radiance becomes a pixel's value, 0..1: as it is, or by the transfer function of sRGB, IEC 61966-2-1. */
+enum tia_tone {
+    TIA_TONE_DEFAULT, /* TIA_TONE_SRGB of TIA_PATHS, else TIA_TONE_LINEAR */
+    TIA_TONE_LINEAR,
+    TIA_TONE_SRGB
+};
+
+/* "linear" and "srgb" for TIA_TONE_LINEAR and TIA_TONE_SRGB; NULL for others. */
+const char *tia_tone_name(unsigned tone);
+
+#define TIA_SPP 16 /* the default */
+#define TIA_SPP_MAX (UINT32_C(1) << 24)
+#define TIA_BOUNCES_MAX 1024
+#define TIA_EXPOSURE_MAX TIA_Q16(24)
+
+/* How a path finds what shines: with one of them alone pictures have the same mean and more noise. */
+enum tia_strategy { TIA_STRATEGY_NONE, TIA_STRATEGY_LIGHTS, TIA_STRATEGY_SCATTERING };
+
+/* Of a scene. All zero: Whitted's. He uses nothing but the integrator. */
+struct tia_integration {
+    enum tia_integrator integrator;
+    uint32_t spp;     /* samples a pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP */
+    uint32_t seed;    /* other samples */
+    uint16_t bounces; /* of TIA_PATHS: at most so many, up to TIA_BOUNCES_MAX, which 0 means */
+    uint16_t without; /* of TIA_PATHS, to compare: enum tia_strategy that is left out */
+    tia_q16 distance; /* of TIA_OCCLUSION: up to where objects count; 0: however far they are */
+    enum tia_tone tone;
+    tia_q16 exposure; /* pixels show 2^exposure times the radiance: -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX */
+};
+
+/* A pixel's samples, added up: red, green and blue in units of 2^-24. */
+struct tia_sum {
+    int64_t rgb[3];
+};
+
+struct tia_view;
+struct tia_tile;
+
+/* In one arithmetic, as struct tia_core. */
+struct tia_estimator {
+    const char *name; /* that of the core whose views it takes */
+
+    /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
+     * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
+     * inside the image, or end is beyond TIA_SPP_MAX. TIA_STOPPED: see tia_view_init_until; the sums are not defined.
+     */
+    int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
+                  size_t pitch);
+};
+
+extern const struct tia_estimator tia_estimator_q16;
+extern const struct tia_estimator tia_estimator_f64; /* as in render.h */
+extern const struct tia_estimator tia_estimator_f32;
+extern const struct tia_estimator tia_estimator_chk;
+
+/* ---- from sums to pixels ---- */
+
+/* 2^exposure, prepared. */
+struct tia_exposure {
+    int64_t mantissa;
+    int shift;
+};
+
+/* The tone that TIA_TONE_DEFAULT stands for. */
+enum tia_tone tia_tone_of(const struct tia_integration *integration);
+
+struct tia_exposure tia_exposure_of(tia_q16 exposure);
+
+/* What a pixel shows of the sum of `count` samples of one channel: 2^exposure times their mean, in units of 2^-32, at
+ * most 2^32 - 1. Rounded down; exact for an exposure of 0. */
+uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
+
+/* The nearest of 2^bits levels to that value, ties up: exact. For srgb the bits are 5, 6 or 8. */
+unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
+
+#endif

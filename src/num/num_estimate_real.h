@@ -1,0 +1,71 @@
+/* num_estimate_real.h - num_estimate.h's operations in floating point. */
+#ifndef TIA_NUM_NUM_ESTIMATE_REAL_H
+#define TIA_NUM_NUM_ESTIMATE_REAL_H
+
+/* A float has no digits for less than the scene's. */
+static inline num_length num_ray_bias(num_length bias)
+{
+    return sizeof(num_real) == sizeof(float) ? bias : NUM_LENGTH_ONE / 67108864;
+}
+
+static inline int64_t num_q24(num_length x)
+{
+    double scaled = (double)x * 16777216 + 0.5;
+
+    return (int64_t)scaled;
+}
+
+static inline uint32_t num_chance(num_unit p)
+{
+    double scaled = (double)p * 4294967296.0;
+
+    return scaled >= 4294967295.0 ? UINT32_MAX : scaled <= 0 ? 0 : (uint32_t)scaled;
+}
+
+static inline num_unit num_of_chance(uint32_t chance)
+{
+    return chance == UINT32_MAX ? 1 : (num_unit)(chance / 4294967296.0);
+}
+
+struct num_density {
+    double value;
+};
+
+static inline struct num_density num_density_of(num_length x)
+{
+    return (struct num_density){(double)x};
+}
+
+static inline struct num_density num_density_of_unit(num_unit d)
+{
+    return (struct num_density){(double)d};
+}
+
+static inline struct num_density num_density_product(struct num_density a, struct num_density b)
+{
+    return (struct num_density){a.value * b.value};
+}
+
+static inline struct num_density num_density_quotient(struct num_density a, struct num_density b)
+{
+    return (struct num_density){b.value > 0 ? a.value / b.value : 1e300};
+}
+
+static inline struct num_density num_density_sum(struct num_density a, struct num_density b)
+{
+    return (struct num_density){a.value + b.value};
+}
+
+static inline num_length num_density_over(num_length x, struct num_density p)
+{
+    return p.value > 0 ? num_bounded((num_length)((double)x / p.value), NUM_LENGTH_MAX) : 0;
+}
+
+static inline num_unit num_density_share(struct num_density p, struct num_density q)
+{
+    double sum = p.value + q.value;
+
+    return sum > 0 ? (num_unit)(p.value / sum) : 0;
+}
+
+#endif

@@ -1,0 +1,138 @@
+#include "estimate.h"
+
+#include "render/dither.h"
+
+#define PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
+#define RADIANCE_MAX (16384 * NUM_LENGTH_ONE)
+#define LAYER_QUAD UINT32_C(0x40000000) /* the first of those for opacities */
+#define HASH UINT32_C(2166136261)
+
+bool estimate_stops(struct estimate *e)
+{
+    if (!e->stopped && ++e->rays >= PATIENCE) {
+        e->rays = 0;
+        e->stopped = view_stops(e->view->view);
+    }
+    return e->stopped;
+}
+
+/* Whether a ray goes past the surface. */
+static bool goes_past(struct estimate *e, const struct shading *s)
+{
+    uint32_t u[2];
+
+    if (s->opacity >= NUM_LENGTH_ONE || e->layers >= TIA_LAYERS)
+        return false;
+    sampler_pair(&e->sampler, LAYER_QUAD + e->layers++, 0, u);
+    return !num_happens(num_chance(num_fraction(s->opacity, NUM_LENGTH_ONE)), u[0]);
+}
+
+bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s)
+{
+    for (;;) {
+        ray_intersect(e->view, ray, hit);
+        if (lights)
+            ray_intersect_lights_of(e->view, ray, lights, hit);
+        estimate_note(e, hit->object);
+        estimate_note(e, hit->element);
+        if (hit->object == TIA_NO_OBJECT || estimate_stops(e))
+            return false;
+        shading_prepare(e->view, e->bias, ray, hit, s);
+        if (!goes_past(e, s))
+            return true;
+        ray->origin = num_point_at(s->point, ray->direction, e->bias);
+    }
+}
+
+/* Sample number `index` of the pixel, added to its sum. */
+static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
+                       struct tia_sum *sum)
+{
+    num_length rgb[3];
+    struct ray ray;
+    uint32_t u[2];
+
+    e->sampler = sampler_of(e->view->scene->integration.seed, x, y, index);
+    e->layers = 0;
+    sampler_pair(&e->sampler, ESTIMATE_FIRST_QUAD, 0, u);
+    ray_camera_ray_within(&e->view->camera, x, y, u, &ray);
+    radiance(e, &ray, rgb);
+    for (int c = 0; c < 3; c++)
+        sum->rgb[c] += num_q24(num_length_clamp(rgb[c], 0, RADIANCE_MAX));
+}
+
+static struct estimate begin(const struct tia_view *view)
+{
+    const struct ray_view *rays = view->prepared;
+
+    return (struct estimate){.view = rays, .bias = num_ray_bias(rays->bias), .blocker = TIA_NO_OBJECT};
+}
+
+void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                          struct tia_sum *sums, size_t pitch, estimate_radiance *radiance)
+{
+    struct estimate e = begin(view);
+
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++, sums += pitch)
+        for (int x = (int)tile.x; x < tile_right(tile); x++)
+            for (uint32_t i = first; i < end && !e.stopped; i++)
+                add_sample(&e, x, y, i, radiance, &sums[x - (int)tile.x]);
+}
+
+/* What a row's pixels are made with. */
+struct packing {
+    enum tia_tone tone;
+    struct tia_exposure exposure;
+    uint32_t spp;
+    bool dither;
+    num_u threshold[8];
+};
+
+/* Dithered is what eight bits would show. */
+static unsigned level(const struct packing *p, int64_t sum, unsigned bits, int x)
+{
+    uint32_t value = tia_exposed(&p->exposure, sum, p->spp);
+
+    if (!p->dither)
+        return tia_tone_level(p->tone, value, bits);
+    num_length shown = num_ratio(num_integer((int32_t)tia_tone_level(p->tone, value, 8)), num_integer(255));
+    return num_levels(num_length_clamp(shown, 0, NUM_LENGTH_ONE), (1u << bits) - 1, p->threshold[x & 7]);
+}
+
+static tia_rgb565 pack(const struct packing *p, const struct tia_sum *sum, int x)
+{
+    return (tia_rgb565)(level(p, sum->rgb[0], 5, x) << 11 | level(p, sum->rgb[1], 6, x) << 5 |
+                        level(p, sum->rgb[2], 5, x));
+}
+
+static struct packing packing_of(const struct tia_integration *how, bool dither, int y)
+{
+    struct packing p = {tia_tone_of(how), tia_exposure_of(how->exposure), how->spp ? how->spp : TIA_SPP, dither, {0}};
+
+    dither_thresholds(dither, y, p.threshold);
+    return p;
+}
+
+void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                         const struct tia_options *options, estimate_radiance *radiance)
+{
+    struct estimate e = begin(view);
+
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+        struct packing packing = packing_of(&view->scene->integration, options->dither, y);
+        char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
+
+        for (int x = (int)tile.x; x < tile_right(tile) && !e.stopped; x++, out += surface->step) {
+            size_t at = (size_t)(y - (int)tile.y) * tile.width + (size_t)(x - (int)tile.x);
+            struct tia_sum sum = {{0, 0, 0}};
+            e.hash = HASH;
+            for (uint32_t i = 0; i < packing.spp && !e.stopped; i++)
+                add_sample(&e, x, y, i, radiance, &sum);
+            *(tia_rgb565 *)(void *)out = pack(&packing, &sum, x);
+            if (options->path_hash)
+                options->path_hash[at] = e.hash;
+            if (options->lit)
+                options->lit[at] = 0;
+        }
+    }
+}

@@ -1,0 +1,48 @@
+/* estimate.h - pixels as means of samples, whatever an integrator says that a sample is; see tia/integrator.h. */
+#ifndef TIA_RENDER_ESTIMATE_ESTIMATE_H
+#define TIA_RENDER_ESTIMATE_ESTIMATE_H
+
+#include "num/num_estimate.h"
+#include "render/trace/shading.h"
+#include "sampling/sobol.h"
+
+/* A sample, and what samples share that come one after the other. */
+struct estimate {
+    const struct ray_view *view;
+    num_length bias; /* how far off a surface rays start */
+    struct sampler sampler;
+    uint32_t layers;  /* opacities that its rays went past */
+    uint32_t hash;    /* of what the rays of all samples of the pixel met */
+    uint32_t blocker; /* what stood before the last shadow ray, or TIA_NO_OBJECT */
+    unsigned rays;    /* since the caller was asked whether to stop */
+    bool stopped;
+};
+
+/* The quad whose first two numbers are the place in the pixel, and which has the first direction in the others. */
+#define ESTIMATE_FIRST_QUAD 0
+
+/* The radiance along a sample's first ray. */
+typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_length rgb[3]);
+
+/* See struct renderer. */
+void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                          struct tia_sum *sums, size_t pitch, estimate_radiance *radiance);
+void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                         const struct tia_options *options, estimate_radiance *radiance);
+
+/* Counts a ray; true once the caller wants to stop. */
+bool estimate_stops(struct estimate *e);
+
+/* The nearest surface that the ray does not go past by chance, as an opacity texture has it; false: there is none, but
+ * perhaps a light of those kinds, see ray_intersect_lights_of. A ray that goes past a surface starts behind it from
+ * then on. */
+bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
+
+/* Adds a word to the hash, as tia_options.path_hash has it. */
+static inline void estimate_note(struct estimate *e, uint32_t word)
+{
+    for (int i = 0; i < 4; i++)
+        e->hash = (e->hash ^ (word >> (8 * i) & 0xff)) * UINT32_C(16777619);
+}
+
+#endif

@@ -1,0 +1,359 @@
+/* path.c - the radiance along a ray, one path a sample; see tia/integrator.h. */
+#include "emitters.h"
+#include "math/align.h"
+#include "render/estimate/estimate.h"
+#include "scatter.h"
+
+/* Behind the struct ray_view. */
+struct path_view {
+    struct emitters emitters;
+};
+
+/* A path on its way. */
+struct walk {
+    struct estimate *e;
+    const struct path_view *view;
+    struct ray ray;
+    struct num_point from;      /* where it was scattered last */
+    struct num_density density; /* with which it was scattered along the ray */
+    bool specular;              /* in one direction alone, or from the eye: no light was looked for */
+    num_length throughput[3], sum[3];
+    struct media media;
+    uint32_t bounce, layers;
+};
+
+#define ROULETTE 3 /* the first bounce after which paths end by chance */
+
+#define SURFACES (1u << TIA_RECTANGLE_LIGHT | 1u << TIA_DISC_LIGHT | 1u << TIA_SPHERE_LIGHT)
+#define SEEN (SURFACES | 1u << TIA_POINT_LIGHT)
+
+/* A bounce has two quads: a point of a light, and a direction, which of the first bounce is in the quad before; and
+ * which lobe, which light, whether the path goes on, whether glass reflects. */
+static uint32_t quad_of(const struct walk *w, unsigned which)
+{
+    return ESTIMATE_FIRST_QUAD + 1 + 2 * w->bounce + which;
+}
+
+static void draw_direction(const struct walk *w, uint32_t u[2])
+{
+    sampler_pair(&w->e->sampler, w->bounce ? quad_of(w, 0) : ESTIMATE_FIRST_QUAD, 2, u);
+}
+
+static void add(struct walk *w, const num_length radiance[3], num_unit weight)
+{
+    for (int c = 0; c < 3; c++) {
+        num_length part = num_times(num_product_within(w->throughput[c], radiance[c]), weight);
+        w->sum[c] = num_sum_within(w->sum[c], part);
+    }
+}
+
+static void multiply(struct walk *w, const num_length factor[3])
+{
+    for (int c = 0; c < 3; c++)
+        w->throughput[c] = num_product_within(w->throughput[c], factor[c]);
+}
+
+static unsigned left_out(const struct walk *w)
+{
+    return w->e->view->scene->integration.without;
+}
+
+/* The balance heuristic's weight of an emitter that the path has come to. */
+static num_unit weight_of(const struct walk *w, const struct emitter *emitter, num_length t)
+{
+    if (w->specular || left_out(w) == TIA_STRATEGY_LIGHTS)
+        return NUM_UNIT_ONE;
+    if (left_out(w) == TIA_STRATEGY_SCATTERING)
+        return 0;
+    struct num_point way = num_point_sub(num_point_at(w->ray.origin, w->ray.direction, t), w->from);
+    struct num_density chosen = emitter_density(emitter, w->from, w->ray.direction, num_norm(way));
+    if (num_density_share(chosen, w->density) == 0)
+        return NUM_UNIT_ONE;
+    return num_density_share(w->density, num_density_product(chosen, w->view->emitters.one_of));
+}
+
+static void add_light(struct walk *w, const struct hit *hit)
+{
+    const struct ray_light *light = &w->e->view->lights[hit->light];
+    struct emitter emitter;
+
+    estimate_note(w->e, TIA_NO_OBJECT - 1 - hit->light);
+    emitter_of_light(light, &w->e->view->view->lights[hit->light], &emitter);
+    add(w, emitter.radiance, light->kind == TIA_POINT_LIGHT ? NUM_UNIT_ONE : weight_of(w, &emitter, hit->t));
+}
+
+/* Where the ray meets no surface. */
+static void add_beyond(struct walk *w, const struct hit *hit)
+{
+    num_length background[3];
+
+    if (hit->light != TIA_NO_OBJECT) {
+        add_light(w, hit);
+        return;
+    }
+    ray_rgb(&w->e->view->scene->background, background);
+    add(w, background, NUM_UNIT_ONE);
+}
+
+/* What the surface sends by itself. */
+static void add_glow(struct walk *w, const struct hit *hit, const struct shading *s)
+{
+    const struct tia_scene *scene = w->e->view->scene;
+    struct emitter emitter;
+    num_length glow[3], facing[3];
+
+    emitter_radiance(&s->material->emission, s->material->emission_bits, glow);
+    if (glow[0] > 0 || glow[1] > 0 || glow[2] > 0) {
+        bool is_sphere = hit->object < scene->sphere_count;
+        if (is_sphere)
+            emitter_of_sphere(scene, hit->object, &emitter);
+        add(w, glow, is_sphere ? weight_of(w, &emitter, hit->t) : NUM_UNIT_ONE);
+    }
+    ray_rgb(&s->material->facing, facing);
+    if (s->facing > 0 && (facing[0] > 0 || facing[1] > 0 || facing[2] > 0))
+        add(w, facing, s->facing);
+}
+
+/* Whether the light at the end of the shadow ray is seen; multiplies it by what opacities leave. */
+static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sample *sample)
+{
+    struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
+    num_length through;
+
+    ray_intersect_lights_of(w->e->view, shadow, SURFACES, &light);
+    bool seen =
+        light.light == TIA_NO_OBJECT && ray_visibility(w->e->view, shadow, sample->distance, &w->e->blocker, &through);
+    estimate_note(w->e, seen);
+    (void)estimate_stops(w->e);
+    for (int c = 0; seen && through < NUM_LENGTH_ONE && c < 3; c++)
+        sample->radiance[c] = num_product_within(sample->radiance[c], through);
+    return seen;
+}
+
+/* Adds what one of the emitters sends to the surface: reflectance times radiance over the sum of the densities with
+ * which this place of it could have been chosen. */
+static void look_for_light(struct walk *w, const struct scatter *scatter, uint32_t which)
+{
+    const struct emitters *emitters = &w->view->emitters;
+    const struct shading *s = scatter->surface;
+    struct emitter_sample sample;
+    struct num_density density, scattered;
+    num_length reflected[3], part[3];
+    uint32_t u[2];
+
+    if (!emitters->count || left_out(w) == TIA_STRATEGY_LIGHTS)
+        return;
+    sampler_pair(&w->e->sampler, quad_of(w, 0), 0, u);
+    const struct emitter *emitter = &emitters->first[(uint64_t)which * emitters->count >> 32];
+    if (!emitter_sample(emitter, s->outside, s->normal, w->e->bias, u, &sample))
+        return;
+    num_unit cosine = num_dir_dot(sample.to, s->normal);
+    const struct ray shadow = {s->outside, sample.to};
+    if (cosine <= 0 || num_dir_dot(sample.to, s->geometric) <= 0 || !is_seen(w, &shadow, &sample))
+        return;
+    scatter_evaluate(scatter, sample.to, cosine, reflected, &scattered);
+    density = emitters->one_of;
+    if (emitter->kind != EMITTER_POINT) {
+        density = num_density_product(sample.density, density);
+        if (left_out(w) != TIA_STRATEGY_SCATTERING)
+            density = num_density_sum(density, scattered);
+    }
+    for (int c = 0; c < 3; c++)
+        part[c] = num_product_within(num_density_over(reflected[c], density), sample.radiance[c]);
+    add(w, part, NUM_UNIT_ONE);
+}
+
+/* Divides the throughput by the probability that the path went this way. */
+static void divide(struct walk *w, num_unit probability)
+{
+    for (int c = 0; probability < NUM_UNIT_ONE && c < 3; c++)
+        w->throughput[c] = num_div(w->throughput[c], probability);
+}
+
+static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bool specular)
+{
+    w->ray = (struct ray){origin, to};
+    w->from = origin;
+    w->specular = specular;
+    w->bounce++;
+}
+
+/* Through glass, or reflected by it as Fresnel's equations have it. */
+static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t number)
+{
+    const struct shading *s = scatter->surface;
+    struct media media = w->media;
+    struct boundary between = media_cross(w->e->view, &media, s->object, s->material, s->back);
+    struct num_dir to;
+
+    multiply(w, scatter->refraction);
+    divide(w, scatter_chance(scatter, LOBE_GLASS));
+    if (between.from == between.to) {
+        w->media = media;
+        go_on(w, num_point_at(s->point, s->viewer, -w->e->bias), num_dir_negated(s->viewer), true);
+        w->bounce--;
+        return ++w->layers <= TIA_LAYERS;
+    }
+    num_unit fresnel = shading_refract(s, between, &to);
+    bool reflected = fresnel == NUM_UNIT_ONE || (s->material->fresnel && num_happens(num_chance(fresnel), number));
+    estimate_note(w->e, reflected);
+    if (!reflected)
+        w->media = media;
+    go_on(w, reflected ? s->outside : num_point_at(s->point, s->geometric, -w->e->bias),
+          reflected ? scatter->mirrored : to, true);
+    return true;
+}
+
+/* False: the path ends there. */
+static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t numbers[4])
+{
+    const struct shading *s = scatter->surface;
+    enum lobe lobe = scatter_choose(scatter, numbers[0]);
+    num_length factor[3];
+    struct num_dir to;
+    uint32_t u[2];
+
+    estimate_note(w->e, lobe);
+    if (lobe == LOBE_GLASS)
+        return go_through(w, scatter, numbers[3]);
+    if (lobe == LOBE_MIRROR) {
+        multiply(w, scatter->mirror);
+        divide(w, scatter_chance(scatter, LOBE_MIRROR));
+        go_on(w, s->outside, scatter->mirrored, true);
+        return true;
+    }
+    draw_direction(w, u);
+    if (lobe == LOBE_NONE || !scatter_sample(scatter, lobe, u, &to, factor, &w->density))
+        return false;
+    multiply(w, factor);
+    go_on(w, s->outside, to, false);
+    return true;
+}
+
+/* Russian roulette: false ends the path. */
+static bool survives(struct walk *w, uint32_t number)
+{
+    num_length most = w->throughput[0];
+
+    if (w->bounce < ROULETTE)
+        return true;
+    most = most > w->throughput[1] ? most : w->throughput[1];
+    most = most > w->throughput[2] ? most : w->throughput[2];
+    uint32_t chance = most < NUM_LENGTH_ONE ? num_chance(num_fraction(most, NUM_LENGTH_ONE)) : UINT32_MAX;
+    bool goes_on = num_happens(chance, number);
+    estimate_note(w->e, goes_on);
+    if (goes_on)
+        divide(w, num_of_chance(chance));
+    return goes_on;
+}
+
+/* One ray, and what its end adds; false: the path ends there. */
+static bool step(struct walk *w)
+{
+    uint32_t given = w->e->view->scene->integration.bounces, numbers[4];
+    struct hit hit;
+    struct shading s;
+    struct scatter scatter;
+
+    if (!estimate_meet(w->e, &w->ray, w->specular ? SEEN : SURFACES, &hit, &s)) {
+        add_beyond(w, &hit);
+        return false;
+    }
+    add_glow(w, &hit, &s);
+    scatter_prepare(&scatter, &s);
+    sampler_pair(&w->e->sampler, quad_of(w, 1), 0, numbers);
+    sampler_pair(&w->e->sampler, quad_of(w, 1), 2, numbers + 2);
+    if (scatter.black || w->bounce >= (given ? given : TIA_BOUNCES_MAX) || !survives(w, numbers[2]))
+        return false;
+    if (scatter.rough)
+        look_for_light(w, &scatter, numbers[1]);
+    return bounce(w, &scatter, numbers) && (w->throughput[0] > 0 || w->throughput[1] > 0 || w->throughput[2] > 0);
+}
+
+static const struct path_view *path_view_of(const struct tia_view *view)
+{
+    size_t before = ALIGN(ray_prepared_size(view->scene, view->light_capacity));
+
+    return (const struct path_view *)(const void *)((const char *)view->prepared + before);
+}
+
+static void radiance(struct estimate *e, const struct ray *first, num_length rgb[3])
+{
+    struct walk w = {.e = e,
+                     .view = path_view_of(e->view->view),
+                     .ray = *first,
+                     .from = first->origin,
+                     .specular = true,
+                     .throughput = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
+
+    while (step(&w) && !e->stopped)
+        ;
+    for (int c = 0; c < 3; c++)
+        rgb[c] = w.sum[c];
+}
+
+static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
+{
+    uint64_t rays = ray_prepared_size(scene, light_capacity);
+    uint64_t size = ALIGN(rays) + ALIGN(sizeof(struct path_view)) + emitters_size(scene, light_capacity);
+
+    return rays < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
+}
+
+static int prepare(struct tia_view *view)
+{
+    int status = ray_prepare(view);
+    struct path_view *path = (struct path_view *)(void *)(uintptr_t)path_view_of(view);
+
+    if (status)
+        return status;
+    return emitters_prepare(&path->emitters, view->prepared, (char *)path + ALIGN(sizeof *path), view->light_capacity);
+}
+
+static int set_lights(struct tia_view *view)
+{
+    struct path_view *path = (struct path_view *)(void *)(uintptr_t)path_view_of(view);
+    int status = ray_set_lights(view);
+
+    if (!status)
+        emitters_set(&path->emitters, view->prepared);
+    return status;
+}
+
+static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    (void)hits;
+    estimate_light_tile(view, tile, surface, options, radiance);
+}
+
+static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                        struct tia_sum *sums, size_t pitch)
+{
+    estimate_sample_tile(view, tile, first, end, sums, pitch, radiance);
+}
+
+static bool draws(const struct tia_scene *scene)
+{
+    (void)scene;
+    return true;
+}
+
+static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
+{
+    (void)scene;
+    (void)pixels;
+    return 0;
+}
+
+const struct renderer path_renderer = {
+    .draws = draws,
+    .prepared_size = prepared_size,
+    .prepare = prepare,
+    .set_lights = set_lights,
+    .buffer_size = buffer_size,
+    .trace = ray_trace_tile,
+    .light = light_tile,
+    .part = LEVEL_PARTS,
+    .sample = sample_tile,
+};

@@ -1,0 +1,22 @@
+#include "trace.h"
+
+#define PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
+
+void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+{
+    const struct ray_view *rays = view->prepared;
+    unsigned count = 0;
+
+    for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
+        for (int x = (int)tile.x; x < tile_right(tile); x++) {
+            struct ray ray;
+            struct hit hit;
+
+            if (++count % PATIENCE == 0 && view_stops(view))
+                return;
+            ray_camera_ray(&rays->camera, x, y, 0, &ray);
+            ray_intersect(rays, &ray, &hit);
+            hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] = hit.object;
+        }
+    }
+}

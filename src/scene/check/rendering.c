@@ -1,0 +1,52 @@
+/* rendering.c - how a scene asks to be drawn. */
+#include "check.h"
+
+#include <tia/integrator.h>
+
+static int check_integration(const struct check *check)
+{
+    const struct tia_integration *how = &check->scene->integration;
+
+    REQUIRE(tia_integrator_name((unsigned)how->integrator), "integration.integrator", "must be an integrator");
+    REQUIRE(how->spp <= TIA_SPP_MAX, "integration.spp", "must be at most 2^24");
+    REQUIRE(how->bounces <= TIA_BOUNCES_MAX, "integration.bounces", "must be at most 1024");
+    REQUIRE(how->without <= TIA_STRATEGY_SCATTERING, "integration.without", "must be a strategy");
+    REQUIRE(how->distance >= 0, "integration.distance", "must be at least 0");
+    REQUIRE(how->tone == TIA_TONE_DEFAULT || tia_tone_name((unsigned)how->tone), "integration.tone", "must be a tone");
+    REQUIRE(tia_check_is_between(how->exposure, -TIA_EXPOSURE_MAX, TIA_EXPOSURE_MAX), "integration.exposure",
+            "must be in -24..24");
+    return TIA_OK;
+}
+
+static int check_bright(const struct check *check, uint32_t bits)
+{
+    REQUIRE(bits <= TIA_EMISSION_BITS_MAX, "emission_bits", "must be in 0..13");
+    return TIA_OK;
+}
+
+/* What only integrators of samples ask of them. */
+static int check_emission(struct check *check)
+{
+    const struct tia_scene *scene = check->scene;
+    int status = TIA_OK;
+
+    check->thing = "material";
+    for (check->index = 0; !status && check->index < scene->material_count; check->index++)
+        status = check_bright(check, scene->materials[check->index].emission_bits);
+    check->thing = "light";
+    for (check->index = 0; !status && check->index < scene->light_count; check->index++)
+        status = check_bright(check, scene->lights[check->index].emission_bits);
+    check->thing = "key";
+    for (check->index = 0; !status && check->index < scene->binding_count; check->index++)
+        status = check_bright(check, scene->bindings[check->index].state.emission_bits);
+    return status;
+}
+
+int tia_check_rendering(struct check *check)
+{
+    check->index = 0;
+    check->thing = "scene";
+    int status = check_integration(check);
+    status = status ? status : check_emission(check);
+    return status ? status : tia_check_shadows(check);
+}

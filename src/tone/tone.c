@@ -1,0 +1,58 @@
+/* tone.c - from sums of samples to levels of a display. */
+#include <tia/integrator.h>
+
+#include "math/wide.h"
+#include "sampling/power.h"
+#include "thresholds.h"
+
+enum tia_tone tia_tone_of(const struct tia_integration *how)
+{
+    if (how->tone != TIA_TONE_DEFAULT)
+        return how->tone;
+    return how->integrator == TIA_PATHS ? TIA_TONE_SRGB : TIA_TONE_LINEAR;
+}
+
+/* 2^-(1 - fraction) 2^(floor + 1) */
+struct tia_exposure tia_exposure_of(tia_q16 exposure)
+{
+    int floor = exposure >> 16;
+    int64_t fraction = exposure & 0xffff;
+
+    if (!fraction)
+        return (struct tia_exposure){INT64_C(1) << 62, floor};
+    return (struct tia_exposure){tia_exp2((65536 - fraction) << 40), floor + 1};
+}
+
+/* The mean in units of 2^-32 is below 2^46: the sum is below 2^62, and what overflows when shifted is far too bright.
+ */
+uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
+{
+    int64_t whole = sum / count, rest = sum % count;
+
+    if (sum <= 0)
+        return 0;
+    int64_t mean = whole * 256 + rest * 256 / count;
+    int shift = 62 - exposure->shift;
+    wide product = wide_product(mean, exposure->mantissa);
+    if (wide_bits(product) - shift > 32)
+        return UINT32_MAX;
+    return (uint32_t)wide_down(product, (unsigned)shift);
+}
+
+/* How many thresholds the value has reached: 2^bits - 1 of them, in rising order. */
+static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t value)
+{
+    unsigned level = 0;
+
+    for (unsigned step = 1u << (bits - 1); step; step >>= 1)
+        if (value >= thresholds[level + step - 1])
+            level += step;
+    return level;
+}
+
+unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits)
+{
+    if (tone != TIA_TONE_SRGB)
+        return (unsigned)(((uint64_t)value * ((1u << bits) - 1) + (UINT64_C(1) << 31)) >> 32);
+    return reached(bits == 5 ? tia_srgb5 : bits == 6 ? tia_srgb6 : tia_srgb8, bits, value);
+}

@@ -1,0 +1,130 @@
+#include "sums.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "common/checksum.h"
+
+enum { CHANNEL = 8, CHECK = 4 };
+
+size_t sums_print(char text[SUMS_HEADER], const struct sums *s)
+{
+    return (size_t)snprintf(text, SUMS_HEADER, "TIASUMS1 W%u H%u N%u+%u T%u E%d S%08x\n", s->width, s->height,
+                            (unsigned)s->first, (unsigned)s->count, (unsigned)s->tone, (int)s->exposure,
+                            (unsigned)s->crc);
+}
+
+static bool is_sound(const struct sums *s)
+{
+    return s->width && s->height && s->width <= TIA_SIZE_MAX && s->height <= TIA_SIZE_MAX && s->count &&
+           s->first <= TIA_SPP_MAX && s->count <= TIA_SPP_MAX - s->first &&
+           (s->tone == TIA_TONE_LINEAR || s->tone == TIA_TONE_SRGB) && s->exposure >= -TIA_EXPOSURE_MAX &&
+           s->exposure <= TIA_EXPOSURE_MAX;
+}
+
+/* A line that reads alike but is spelled otherwise, with leading zeros, say, is not valid. */
+size_t sums_parse(struct sums *s, const char *text, size_t length)
+{
+    char line[SUMS_HEADER], again[SUMS_HEADER];
+    const char *end = memchr(text, '\n', length < SUMS_HEADER - 1 ? length : SUMS_HEADER - 1);
+    unsigned n[6];
+    int exposure;
+
+    if (!end)
+        return 0;
+    size_t used = (size_t)(end - text) + 1;
+    memcpy(line, text, used);
+    line[used] = '\0';
+    if (sscanf(line, "TIASUMS1 W%u H%u N%u+%u T%u E%d S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &exposure, &n[5]) != 7)
+        return 0;
+    *s = (struct sums){n[0], n[1], n[2], n[3], (enum tia_tone)n[4], exposure, n[5]};
+    return is_sound(s) && sums_print(again, s) == used && !memcmp(again, line, used) ? used : 0;
+}
+
+size_t sums_row_bytes(const struct sums *s)
+{
+    return (size_t)s->width * 3 * CHANNEL + CHECK;
+}
+
+static unsigned char *put(unsigned char *at, uint64_t value, unsigned bytes)
+{
+    for (unsigned i = 0; i < bytes; i++)
+        *at++ = (unsigned char)(value >> 8 * i & 255u);
+    return at;
+}
+
+static uint64_t get(const unsigned char *at, unsigned bytes)
+{
+    uint64_t value = 0;
+
+    for (unsigned i = 0; i < bytes; i++)
+        value |= (uint64_t)at[i] << 8 * i;
+    return value;
+}
+
+static uint32_t check_of(const struct sums *s, unsigned y, const unsigned char *bytes)
+{
+    unsigned char place[8];
+
+    (void)put(put(place, y, 4), s->crc, 4);
+    return checksum_bytes(checksum_bytes(0, place, sizeof place), bytes, sums_row_bytes(s) - CHECK);
+}
+
+void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_sum *row)
+{
+    unsigned char *at = bytes;
+
+    for (unsigned x = 0; x < s->width; x++)
+        for (unsigned c = 0; c < 3; c++)
+            at = put(at, (uint64_t)row[x].rgb[c], CHANNEL);
+    (void)put(at, check_of(s, y, bytes), CHECK);
+}
+
+bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const unsigned char *bytes)
+{
+    const unsigned char *at = bytes;
+    const uint64_t most = (uint64_t)s->count << 38; /* samples of up to 2^14 in units of 2^-24 */
+    bool sound = true;
+
+    for (unsigned x = 0; x < s->width; x++)
+        for (unsigned c = 0; c < 3; c++, at += CHANNEL) {
+            uint64_t sum = get(at, CHANNEL);
+            sound = sound && sum <= most;
+            row[x].rgb[c] += (int64_t)(sum <= most ? sum : 0);
+        }
+    return sound && get(at, CHECK) == check_of(s, y, bytes);
+}
+
+/* A float keeps 24 bits of the mean, and needs no exposure. */
+static unsigned char *put_float(unsigned char *at, int64_t sum, uint32_t count)
+{
+    float value = (float)((double)sum / (16777216.0 * count));
+    uint32_t bits;
+
+    memcpy(&bits, &value, sizeof bits);
+    return put(at, bits, sizeof bits);
+}
+
+void sums_develop(unsigned char *bytes, const struct sums *s, const struct tia_sum *row, unsigned depth)
+{
+    const struct tia_exposure exposure = tia_exposure_of(s->exposure);
+
+    for (unsigned i = 0; i < 3 * s->width; i++) {
+        int64_t sum = row[i / 3].rgb[i % 3];
+        uint32_t value = tia_exposed(&exposure, sum, s->count);
+        if (depth == 32) {
+            bytes = put_float(bytes, sum, s->count);
+        } else if (depth == 16) {
+            unsigned level = tia_tone_level(TIA_TONE_LINEAR, value, 16);
+            *bytes++ = (unsigned char)(level >> 8);
+            *bytes++ = (unsigned char)(level & 255u);
+        } else {
+            *bytes++ = (unsigned char)tia_tone_level(s->tone, value, 8);
+        }
+    }
+}
+
+enum image_transfer sums_transfer(const struct sums *s, unsigned depth)
+{
+    return depth == 8 && s->tone == TIA_TONE_SRGB ? IMAGE_SRGB : IMAGE_LINEAR;
+}

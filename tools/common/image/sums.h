@@ -1,0 +1,45 @@
+/* sums.h - files of summed samples, .tiapart: a part of all the samples of each pixel.
+ *
+ *     TIASUMS1 W640 H480 N0+16 T2 E-32768 S89abcdef
+ *
+ * means samples 0 to 15 of each pixel of a picture of 640x480; T and E are the tone and the exposure that it is to be
+ * shown with, as in tia/integrator.h; S is a crc of the scene and the options. The rows follow, from the top: for each
+ * pixel red, green and blue, 64 bits each, little-endian, in units of 2^-24; then the CRC-32 of the row's number and S,
+ * 32 bits each, and the row, little-endian. A file that ends after some row is what an interrupted run has left. */
+#ifndef TOOLS_IMAGE_SUMS_H
+#define TOOLS_IMAGE_SUMS_H
+
+#include <tia/render.h>
+
+#include "image.h"
+
+#define SUMS_HEADER 120 /* bytes, enough for the line and its end */
+
+struct sums {
+    unsigned width, height;
+    uint32_t first, count; /* samples */
+    enum tia_tone tone;
+    tia_q16 exposure;
+    uint32_t crc;
+};
+
+/* Writes the line and its end; returns the length. */
+size_t sums_print(char text[SUMS_HEADER], const struct sums *sums);
+
+/* Reads it and checks its numbers. Returns its length, 0 if it is not valid. */
+size_t sums_parse(struct sums *sums, const char *text, size_t length);
+
+/* Of a row in the file. */
+size_t sums_row_bytes(const struct sums *sums);
+void sums_put_row(unsigned char *bytes, const struct sums *sums, unsigned y, const struct tia_sum *row);
+
+/* Adds a row to `row`; false: its checksum is wrong. */
+bool sums_add_row(struct tia_sum *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
+
+/* What a picture of `depth` bits a channel shows of a row, see struct image_film and image_rows. */
+void sums_develop(unsigned char *bytes, const struct sums *sums, const struct tia_sum *row, unsigned depth);
+
+/* What its colours are. */
+enum image_transfer sums_transfer(const struct sums *sums, unsigned depth);
+
+#endif

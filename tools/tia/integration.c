@@ -1,0 +1,180 @@
+#include "integration.h"
+
+#include <string.h>
+
+#include "fail.h"
+#include "option_codes.h"
+#include "parse.h"
+
+/* "ao=2.5": the name's end at the '='. */
+static int set_integrator(struct options *options, char *value)
+{
+    char *equals = strchr(value, '=');
+    const char *name;
+
+    if (equals)
+        *equals = '\0';
+    options->distance = equals ? equals + 1 : NULL;
+    for (unsigned i = 0; (name = tia_integrator_name(i)) != NULL; i++)
+        if (!strcmp(name, value)) {
+            options->integrator = i + 1;
+            if (equals && i != TIA_OCCLUSION)
+                return wrong("--integrator", value, "has no distance (ao=2.5 has)");
+            return EXIT_FINE;
+        }
+    return wrong("--integrator", value, "not whitted, ao, ao=DISTANCE or path");
+}
+
+static int set_tone(struct options *options, const char *value)
+{
+    const char *name;
+
+    for (options->tone = TIA_TONE_LINEAR; (name = tia_tone_name(options->tone)) != NULL; options->tone++)
+        if (!strcmp(name, value))
+            return EXIT_FINE;
+    return wrong("--tone", value, "not linear or srgb");
+}
+
+static int set_colour(struct options *options, const char *value)
+{
+    options->colour_given = true;
+    options->depth_bits = !strcmp(value, "888") ? 8 : !strcmp(value, "16") ? 16 : 0;
+    return options->depth_bits || !strcmp(value, "565") ? EXIT_FINE : wrong("--colour", value, "not 565, 888 or 16");
+}
+
+int integration_parse(struct options *options, int option, char *value)
+{
+    switch (option) {
+    case OPT_INTEGRATOR:
+        return set_integrator(options, value);
+    case OPT_SPP:
+        if (!parse_number(value, NULL, 1, TIA_SPP_MAX, &options->spp))
+            return wrong("--spp", value, "not a number from 1 to 16777216");
+        return EXIT_FINE;
+    case OPT_RESUME:
+        options->resume = value;
+        return EXIT_FINE;
+    case OPT_TONE:
+        return set_tone(options, value);
+    case OPT_EXPOSURE:
+        options->exposure = value;
+        return EXIT_FINE;
+    default:
+        return set_colour(options, value);
+    }
+}
+
+static int load_exposure(const char *text, struct tia_integration *how)
+{
+    tia_q16 stops;
+
+    if (!text)
+        return EXIT_FINE;
+    bool minus = *text == '-';
+    if (!parse_seconds(text + minus, &stops) || stops > TIA_EXPOSURE_MAX)
+        return wrong("--exposure", text, "not a number of stops (-24 to 24, like 1.5)");
+    how->exposure = minus ? -stops : stops;
+    return EXIT_FINE;
+}
+
+static int load_distance(const char *text, struct tia_scene *scene)
+{
+    if (text && (!parse_scaled(text, scene->scale_bits, &scene->integration.distance) || !scene->integration.distance))
+        return fail(EXIT_USAGE, "--integrator ao=%.200s: not a distance (above 0, to %u, like 2.5)", text,
+                    32767u >> scene->scale_bits);
+    return EXIT_FINE;
+}
+
+/* --samples-range and --resume. */
+static int check_parts(const struct options *options)
+{
+    bool sampled = options->scene.integration.integrator != TIA_WHITTED;
+    const char *option = options->samples_range ? "samples-range" : "resume";
+
+    if (!options->samples_range && !options->resume)
+        return EXIT_FINE;
+    if (!sampled || !options->output)
+        return fail(EXIT_USAGE, "--%s: is for files of --integrator ao and path", option);
+    if (options->samples_range && (options->format != IMAGE_PART || options->spp))
+        return fail(EXIT_USAGE, "--samples-range: needs a part file (-o FILE.tiapart), and no --spp");
+    if (options->samples_range && options->last_sample >= TIA_SPP_MAX)
+        return fail(EXIT_USAGE, "--samples-range: a pixel has at most %u samples", (unsigned)TIA_SPP_MAX);
+    if (options->frame_range || options->tile_rows || options->frames > 1 || options->checksum || options->dither ||
+        options->rotate)
+        return fail(EXIT_USAGE, "--%s: takes no --frames, --frame-range, --tile-rows, --checksum, --dither or --rotate",
+                    option);
+    return EXIT_FINE;
+}
+
+/* Pictures of samples have 8 bits a channel where the file can; but what only RGB565 has wins. */
+static int choose_depth(struct options *options)
+{
+    bool sampled = options->scene.integration.integrator != TIA_WHITTED;
+    bool plain = options->checksum || options->dither || options->rotate;
+
+    if (options->colour_given && options->depth_bits && !sampled)
+        return fail(EXIT_USAGE, "--colour: whitted draws in 565 (--integrator ao or path)");
+    if (options->colour_given && options->depth_bits && plain)
+        return fail(EXIT_USAGE, "--colour: --checksum, --dither and --rotate take 565");
+    if (options->format == IMAGE_PFM) {
+        if (!sampled || plain || options->colour_given)
+            return fail(EXIT_USAGE,
+                        "%.200s: floats are what --integrator ao and path draw, without --colour, --checksum, "
+                        "--dither and --rotate",
+                        options->output);
+        options->depth_bits = 32;
+        return EXIT_FINE;
+    }
+    if (options->samples_range)
+        options->depth_bits = 32;
+    if (options->samples_range)
+        return EXIT_FINE;
+    if (!options->colour_given && sampled && !plain && image_format_has(options->format, 8))
+        options->depth_bits = 8;
+    if (options->output && !image_format_has(options->format, options->depth_bits))
+        return fail(EXIT_USAGE, "--colour: .%s files have 565 (use .png or .ppm)", image_format_name(options->format));
+    if (options->resume && !options->depth_bits)
+        return fail(EXIT_USAGE, "--resume: is for .png, .ppm and .pfm files, not in 565");
+    return EXIT_FINE;
+}
+
+static bool shines(const struct tia_rgb *colour)
+{
+    return colour->r || colour->g || colour->b;
+}
+
+/* A picture of such a scene is black, which may surprise. */
+static void warn_of_darkness(const struct tia_scene *scene)
+{
+    bool bright = shines(&scene->background) || scene->binding_count > 0;
+
+    for (uint32_t i = 0; i < scene->material_count && !bright; i++)
+        bright = shines(&scene->materials[i].emission) || shines(&scene->materials[i].facing);
+    for (uint32_t i = 0; i < scene->light_count && !bright; i++)
+        bright = scene->lights[i].kind != TIA_AMBIENT_LIGHT && shines(&scene->lights[i].emission);
+    if (!bright)
+        note("--integrator path: nothing shines in this scene: it will be black");
+}
+
+int integration_load(struct options *options)
+{
+    struct tia_integration *how = &options->scene.integration;
+
+    if (options->integrator) {
+        how->integrator = (enum tia_integrator)(options->integrator - 1);
+        how->distance = 0;
+    }
+    how->spp = options->spp ? options->spp : how->spp;
+    how->tone = options->tone ? (enum tia_tone)options->tone : how->tone;
+    if (how->integrator == TIA_WHITTED && (options->spp || options->tone || options->exposure))
+        return fail(EXIT_USAGE, "--%s: whitted has none (--integrator ao or path)",
+                    options->spp    ? "spp"
+                    : options->tone ? "tone"
+                                    : "exposure");
+    int status = load_exposure(options->exposure, how);
+    status = status ? status : load_distance(options->distance, &options->scene);
+    if (!status && how->integrator == TIA_PATHS)
+        warn_of_darkness(&options->scene);
+    status = status ? status : check_parts(options);
+    return status ? status : choose_depth(options);
+}
