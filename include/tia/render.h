@@ -102,6 +102,10 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options);
 
+/* Whether a tile of one pixel costs little more than its share of a large one. Rays do; spans prepare a row, and the
+ * rasteriser goes through all faces. */
+bool tia_draws_by_pixel(const struct tia_scene *scene);
+
 /* As tia_view_init, for a caller that may want to stop: `stop` is asked after every few thousand objects while the view
  * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, by whoever draws, at the latest after
  * some 16 rays, or by spans after a row. Once it says true, they return TIA_STOPPED soon: a view that was being
@@ -130,6 +134,7 @@ struct tia_core {
     size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t);
     int (*set_level)(struct tia_view *, const struct tia_level *, void *, size_t);
     const char *(*level_name)(const struct tia_view *);
+    bool (*by_pixel)(const struct tia_scene *);
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the functions above */

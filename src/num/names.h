@@ -24,6 +24,7 @@
 #define tia_level_size NAMES(level_size)
 #define tia_view_set_level NAMES(view_set_level)
 #define tia_view_level NAMES(view_level)
+#define tia_draws_by_pixel NAMES(draws_by_pixel)
 #endif
 
 #define primary_prepare NAMES(primary_prepare)

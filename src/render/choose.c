@@ -7,3 +7,8 @@ const struct renderer *renderer_for(const struct tia_scene *scene)
         return &raster_renderer;
     return span_renderer.draws(scene) ? &span_renderer : &whitted_renderer;
 }
+
+bool tia_draws_by_pixel(const struct tia_scene *scene)
+{
+    return renderer_for(scene)->by_pixel;
+}

@@ -28,7 +28,8 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 /* A view that could not be prepared is not drawn: the rest is never called. */
-const struct renderer whitted_renderer = {draws, prepared_size, prepare, NULL, buffer_size, NULL, NULL, false, NULL};
+const struct renderer whitted_renderer = {draws, prepared_size, prepare, NULL,  buffer_size,
+                                          NULL,  NULL,          false,   false, NULL};
 
 static bool draws_none(const struct tia_scene *scene)
 {
@@ -36,5 +37,5 @@ static bool draws_none(const struct tia_scene *scene)
     return false;
 }
 
-const struct renderer raster_renderer = {draws_none, prepared_size, prepare, NULL, buffer_size,
-                                         NULL,       NULL,          false,   NULL};
+const struct renderer raster_renderer = {draws_none, prepared_size, prepare, NULL,  buffer_size,
+                                         NULL,       NULL,          false,   false, NULL};

@@ -31,6 +31,7 @@ struct renderer {
                   const struct tia_surface *surface, const struct tia_options *options);
 
     bool takes_levels; /* what a level draws is this renderer's */
+    bool by_pixel;     /* see tia_draws_by_pixel */
 
     /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */
     bool (*has_room)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);

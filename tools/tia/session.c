@@ -123,6 +123,11 @@ static void frame_drawn(void *ctx, const struct tia_frame *frame)
 static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
+    if (frame->block > 1) {
+        if (frame->key_us != 0)
+            stats_add(&session->stats.coarse, frame->key_us);
+        return TIA_OK;
+    }
     session->stats.frames++;
     session->stats.level = frame->level;
     stats_add(&session->stats.draw, frame->draw_us);

@@ -368,4 +368,4 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
 }
 
 const struct renderer raster_renderer = {draws,      prepared_size, prepare, set_lights, buffer_size,
-                                         trace_tile, light_tile,    false,   has_room};
+                                         trace_tile, light_tile,    false,   false,      has_room};

@@ -88,4 +88,4 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 }
 
 const struct renderer span_renderer = {draws,      prepared_size, prepare, set_lights, buffer_size,
-                                       span_trace, span_light,    true,    NULL};
+                                       span_trace, span_light,    true,    false,      NULL};

@@ -124,5 +124,5 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
     return 0;
 }
 
-const struct renderer whitted_renderer = {
-    draws, ray_prepared_size, ray_prepare, ray_set_lights, buffer_size, trace_tile, light_tile, false, NULL};
+const struct renderer whitted_renderer = {draws,      ray_prepared_size, ray_prepare, ray_set_lights, buffer_size,
+                                          trace_tile, light_tile,        false,       true,           NULL};
