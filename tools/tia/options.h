@@ -38,7 +38,7 @@ struct options {
     uint32_t first_frame, last_frame, first_row, last_row; /* for frame_range and tile_rows */
     uint32_t threads;
     uint32_t rotate; /* degrees, clockwise */
-    bool dither, checksum, stats, strict;
+    bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 
 extern const char options_help[];

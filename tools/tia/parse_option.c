@@ -125,6 +125,12 @@ static int set_flag(struct options *options, int option)
     case OPT_STATS:
         options->stats = true;
         break;
+    case OPT_STATS_OVERLAY:
+        options->stats_overlay = true;
+        break;
+    case OPT_PROGRESS:
+        options->progress = true;
+        break;
     case OPT_STRICT:
         options->strict = true;
         break;

@@ -26,6 +26,8 @@ enum {
     OPT_MODE,
     OPT_CHECKSUM,
     OPT_STATS,
+    OPT_STATS_OVERLAY,
+    OPT_PROGRESS,
     OPT_LIST,
     OPT_STRICT
 };
