@@ -29,11 +29,33 @@ struct tia_surface {
     ptrdiff_t step, pitch; /* even */
 };
 
+/* What the rays of a pixel are. */
+enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
+
+/* One that was traced. TIA_RAY_PAST goes on past an opacity; a shadow ray comes from a surface and ends at a light, at
+ * a distance of 1 if that is directional. Numbers are rounded to Q16.16 and clamped to its range. */
+struct tia_traced {
+    enum tia_ray ray;
+    struct tia_vec3 from, to; /* where it starts and ends; 1 from its start when it meets nothing */
+    tia_q16 length;           /* INT32_MAX: it meets nothing */
+    uint32_t object, light;   /* which it meets or, of a shadow ray, comes from and goes to; or TIA_NO_OBJECT */
+    struct tia_vec3 normal;   /* of what it meets: the shading normal, on the side that the ray comes from */
+    bool arrives;             /* of a shadow ray: some of the light does */
+};
+
+/* Who watches rays. It costs time, and changes no pixel. */
+struct tia_observer {
+    void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
+    void *ctx;
+    uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
+};
+
 /* All zero: neither. */
 struct tia_options {
-    bool dither;         /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
-    uint32_t *path_hash; /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;       /* NULL, or receives what light reaches each pixel, row by row of the tile */
+    bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
+    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives what light reaches each pixel, row by row of the tile */
+    struct tia_observer *observer; /* NULL, or is told of rays, in the order of the path hash; spans have none */
 };
 
 /* What light reaches a pixel does not depend on what colour it has there. The lights' samples are numbered through, in

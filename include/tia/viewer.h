@@ -52,7 +52,7 @@ struct tia_viewer {
     uint32_t light_capacity;
     bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
-    struct tia_options options; /* `path_hash` and `lit` must be NULL */
+    struct tia_options options; /* dithering alone: all else must be NULL */
     uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
     const uint16_t *keys;       /* keys to press before the first frame; NULL: none */
     size_t key_count;

@@ -114,6 +114,8 @@
 #define shade_light NAMES(shade_light)
 #define shade_bounce NAMES(shade_bounce)
 #define path_hash_word NAMES(path_hash_word)
+#define observe_ray NAMES(observe_ray)
+#define observe_shadow NAMES(observe_shadow)
 #define path_colour NAMES(path_colour)
 #define raster_renderer NAMES(raster_renderer)
 #define curved_intersect NAMES(curved_intersect)

@@ -133,7 +133,7 @@ static int step(struct loop *loop)
 static bool is_acceptable(const struct tia_viewer *v)
 {
     return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
-           !v->options.lit && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
+           !v->options.lit && !v->options.observer && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
 }
 
 int tia_viewer_run(struct tia_viewer *viewer)

@@ -15,7 +15,15 @@
 struct ray {
     struct num_point origin;
     struct num_dir direction; /* of length 1 */
+    uint32_t *tests;          /* NULL, or counts what the ray is tested against, see struct tia_observer */
 };
+
+/* Counts so many tests. */
+static inline void ray_tested(const struct ray *ray, uint32_t count)
+{
+    if (ray->tests)
+        *ray->tests += count;
+}
 
 /* Where a ray meets a shape. `element` says which part: a face, a cap, a cell; see each shape. */
 struct intersection {

@@ -21,6 +21,7 @@ static void push(struct walk *w, uint32_t node, num_length near)
 void walk_start(struct walk *w, const struct tia_bvh_tree *tree, const struct ray *ray)
 {
     w->tree = tree;
+    w->ray = ray;
     w->slabs[0] = slab_of(ray->origin.x, ray->direction.x);
     w->slabs[1] = slab_of(ray->origin.y, ray->direction.y);
     w->slabs[2] = slab_of(ray->origin.z, ray->direction.z);
@@ -37,6 +38,7 @@ static void push_children(struct walk *w, uint32_t node, num_length limit)
     bool a = enters(w, &nodes[first].bounds, limit, &near_first);
     bool b = enters(w, &nodes[second].bounds, limit, &near_second);
 
+    ray_tested(w->ray, 2);
     if (a && b && near_second < near_first) {
         push(w, first, near_first);
         push(w, second, near_second);
@@ -95,5 +97,6 @@ uint32_t candidates_next(struct candidates *c, num_length limit)
     if (c->next == c->end && (!c->scene->bvh || !take_leaf(c, limit)))
         return TIA_NO_OBJECT;
     uint32_t place = c->next++;
+    ray_tested(c->ray, 1);
     return c->items ? c->items[place] : place;
 }

@@ -77,6 +77,7 @@ void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
     ray->origin = c->eye;
+    ray->tests = NULL;
     ray->direction = num_dir_negated(c->n);
     if (c->projection == TIA_ORTHOGRAPHIC)
         ray->origin = num_point_add(c->eye, aside);

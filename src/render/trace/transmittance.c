@@ -163,6 +163,7 @@ bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_l
 {
     struct filters filters = {.from = 0};
 
+    ray_tested(ray, *blocker != TIA_NO_OBJECT);
     if (*blocker != TIA_NO_OBJECT && !object_transmits(view, ray, *blocker, limit, &filters))
         return false;
     through[0] = through[1] = through[2] = NUM_LENGTH_ONE;

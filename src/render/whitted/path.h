@@ -33,9 +33,11 @@ struct path {
     const struct first_hits *first; /* NULL: they are traced */
     struct arrivals lit;            /* while `known` */
     bool known;
-    unsigned class;        /* of the pixel, see light.h */
-    uint64_t reached;      /* see tia_options.lit */
-    unsigned next_reached; /* the next sample's number there; PATH_REACHED: it has none */
+    unsigned class;                /* of the pixel, see light.h */
+    uint64_t reached;              /* see tia_options.lit */
+    unsigned next_reached;         /* the next sample's number there; PATH_REACHED: it has none */
+    struct tia_observer *observer; /* NULL: none */
+    uint32_t *tests;               /* its counter */
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */
     uint32_t blocker[PATH_BLOCKERS]; /* what last stood before each of the first lights */

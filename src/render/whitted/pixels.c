@@ -26,7 +26,7 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t obj
     path->known = false;
     if (path->first)
         path->known = path->first->find(path->first, x, y, sample, ray, hit, &path->lit);
-    else if (sample == 0)
+    else if (sample == 0 && !path->observer) /* who counts tests wants those of the search */
         ray_intersect_object(path->view, ray, object, hit);
     else
         ray_intersect(path->view, ray, hit);
@@ -46,6 +46,7 @@ static void pixel(struct path *path, int x, int y, uint32_t object, num_length m
 
         path->next_reached = i == 0 ? 0 : PATH_REACHED;
         ray_camera_ray(camera, x, y, i, &ray);
+        ray.tests = path->tests;
         find_first(path, x, y, i, object, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
@@ -70,9 +71,10 @@ static bool row(const struct tia_view *view, const struct tia_hits *hits, struct
     size_t before = (size_t)(y - (int)tile.y) * tile.width;
     uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
     const uint32_t *objects = hits->object + hits_index(hits, tile.x, (unsigned)y);
-    struct path path = {.view = view->prepared, .first = first, .hashed = path_hash};
+    struct path path = {.view = view->prepared, .first = first, .hashed = path_hash, .observer = options->observer};
     num_u threshold[8];
 
+    path.tests = options->observer ? &options->observer->tests : NULL;
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     dither_thresholds(options->dither, y, threshold);

@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include "observe.h"
 #include "render/trace/texture.h"
 #include "scene/colour.h"
 
@@ -98,6 +99,7 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
     through[0] = through[1] = through[2] = part;
     if ((path->known && !path->first->passes) || !ray_light_shadow(light, sample, s->outside, &shadow, &distance))
         return true;
+    shadow.tests = path->tests;
     return path->known ? path->first->passes(path->first, &shadow, distance, blocker)
                        : ray_transmittance(path->view, &shadow, distance, blocker, through);
 }
@@ -115,7 +117,10 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     num_unit lambert = num_dir_dot(s->normal, sample.to);
     if (lambert <= 0 || num_dir_dot(s->geometric, sample.to) <= 0)
         return false;
-    if (!arrives(path, s, aim->light, &sample, bit, blocker, through))
+    bool reached = arrives(path, s, aim->light, &sample, bit, blocker, through);
+    if (path->observer)
+        observe_shadow(path, s, aim->light, &sample, reached);
+    if (!reached)
         return false;
     reflectance(s, sample.to, lambert, rgb);
     for (int c = 0; c < 3; c++)
@@ -203,7 +208,7 @@ static num_unit refract(const struct shading *s, struct boundary between, struct
 
 static struct ray straight_on(const struct ray_view *view, const struct shading *s)
 {
-    return (struct ray){num_point_at(s->point, s->viewer, -view->bias), num_dir_negated(s->viewer)};
+    return (struct ray){num_point_at(s->point, s->viewer, -view->bias), num_dir_negated(s->viewer), NULL};
 }
 
 /* The refracted ray. Returns how much of it is reflected instead. */
@@ -261,6 +266,7 @@ void shade_bounce(const struct ray_view *view, const struct shading *s, const st
     if (is_zero(b->reflects))
         return;
     b->reflected.origin = s->outside;
+    b->reflected.tests = NULL;
     struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
     b->reflected.direction = num_dir_normalised(num_dir_add(num_dir_scaled(s->normal, s->facing), half)); /* R/2 */
 }
