@@ -50,7 +50,8 @@ static bool at(struct tia_vec3 v, double x, double y, double z)
     return dx * dx + dy * dy + dz * dz < 1e-6;
 }
 
-/* From (0, 3, 4) down to the origin: up again to (0, 3, -4), where there is a wall, z = -4; a light above, and one below the ground. */
+/* From (0, 3, 4) down to the origin: up again to (0, 3, -4), where there is a wall. A light is above, one below the
+ * ground. */
 TEST(mirror_and_shadows)
 {
     uint32_t tests =

@@ -156,7 +156,7 @@ struct tia_core {
     size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t);
     int (*set_level)(struct tia_view *, const struct tia_level *, void *, size_t);
     const char *(*level_name)(const struct tia_view *);
-    bool (*by_pixel)(const struct tia_scene *);
+    bool (*draws_by_pixel)(const struct tia_scene *);
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the functions above */

@@ -17,5 +17,5 @@ const struct tia_core NUM_CORE = {
     .level_size = tia_level_size,
     .set_level = tia_view_set_level,
     .level_name = tia_view_level,
-    .by_pixel = tia_draws_by_pixel,
+    .draws_by_pixel = tia_draws_by_pixel,
 };

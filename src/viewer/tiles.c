@@ -4,6 +4,12 @@
 #include "loop.h"
 #include "math/align.h"
 
+bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
+{
+    return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
+           a->tile_height == b->tile_height && a->concurrent == b->concurrent;
+}
+
 static void set_tiles(struct loop *loop, unsigned height)
 {
     const struct tia_mode *m = &loop->mode;
@@ -55,7 +61,8 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 static uint64_t canvas_size(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    bool refines = v->clock && v->input && !v->frame_limit && loop->core->by_pixel && loop->core->by_pixel(loop->base);
+    bool refines =
+        v->clock && v->input && !v->frame_limit && loop->core->draws_by_pixel && loop->core->draws_by_pixel(loop->base);
 
     return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
 }

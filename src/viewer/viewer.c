@@ -50,12 +50,6 @@ static int draw_frame(struct loop *loop)
     return v->frame_done ? v->frame_done(v->frame_ctx, &frame) : TIA_OK;
 }
 
-bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
-{
-    return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
-           a->tile_height == b->tile_height && a->concurrent == b->concurrent;
-}
-
 /* A technique that cannot draw what the check lets pass, such as a point that is too far away, or that there is no
  * memory for, is left out. The one before the key can. */
 static int prepare(struct loop *loop)

@@ -43,6 +43,8 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"stats", no_argument, NULL, OPT_STATS},
                                       {"stats-overlay", no_argument, NULL, OPT_STATS_OVERLAY},
                                       {"progress", no_argument, NULL, OPT_PROGRESS},
+                                      {"view", required_argument, NULL, OPT_VIEW},
+                                      {"draw-rays", required_argument, NULL, OPT_DRAW_RAYS},
                                       {"list-displays", no_argument, NULL, OPT_LIST},
                                       {"help", no_argument, NULL, 'h'},
                                       {"version", no_argument, NULL, 'V'},
@@ -190,6 +192,10 @@ int arguments_load(struct options *options)
     if (options->depth != 0)
         options->scene.depth = options->depth;
     int status = load_shadows(options);
+    if (options->views.view != VIEW_COLOUR || options->views.draws_rays)
+        views_need_rays(&options->scene);
+    options->views.core = options->core;
+    options->core = views_core(&options->views);
     return status ? status : load_keys(options);
 }
 

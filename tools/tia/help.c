@@ -38,6 +38,8 @@ const char options_help[] =
     "      --stats-overlay          and on the picture: times, frames a second, latency\n"
     "      --progress               percent and time left: on a coarse picture, or of a file, a line\n"
     "                               each second where standard error is no terminal\n"
+    "      --view NAME              false colours: colour, depth, normal, object, cost, light or path\n"
+    "      --draw-rays X,Y          the rays of this pixel, drawn into the picture\n"
     "      --list-displays          what was found, and why it can or cannot be opened\n"
     "      --scene-format FORMAT    tia, nff or obj, when SCENE's name does not say\n"
     "      --strict                 refuse a model with mistakes that are only warned of otherwise\n"

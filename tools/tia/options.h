@@ -6,6 +6,7 @@
 
 #include "common/image/image.h"
 #include "common/scene/scene.h"
+#include "views.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 
@@ -21,6 +22,7 @@ struct options {
     struct tia_shadow_map map; /* what is not 0 overrides the scene's */
     const char *tessellated;   /* NULL: not given */
     const struct tia_core *core;
+    struct views views;                   /* without its core */
     const struct tia_level *level;        /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;

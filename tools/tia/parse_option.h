@@ -28,6 +28,8 @@ enum {
     OPT_STATS,
     OPT_STATS_OVERLAY,
     OPT_PROGRESS,
+    OPT_VIEW,
+    OPT_DRAW_RAYS,
     OPT_LIST,
     OPT_STRICT
 };

@@ -25,7 +25,7 @@ static void tell(const struct path *path, const struct tia_traced *traced)
 }
 
 void observe_ray(const struct path *path, enum tia_ray kind, const struct ray *ray, const struct hit *hit,
-                 const struct shading *s)
+                 const struct num_dir *normal)
 {
     bool meets = hit->object != TIA_NO_OBJECT || hit->light != TIA_NO_OBJECT;
     num_length length = meets ? hit->t : NUM_LENGTH_ONE;
@@ -36,28 +36,28 @@ void observe_ray(const struct path *path, enum tia_ray kind, const struct ray *r
                                 .object = hit->object,
                                 .light = hit->light};
 
-    if (s)
-        traced.normal = normal_of(s->normal);
+    if (normal)
+        traced.normal = normal_of(*normal);
     tell(path, &traced);
 }
 
-void observe_shadow(const struct path *path, const struct shading *s, const struct ray_light *light,
-                    const struct ray_sample *sample, bool arrives)
+void observe_shadow(const struct path *path, const struct observed_shadow *shadow)
 {
-    struct ray shadow;
+    const struct ray_light *light = shadow->light;
+    struct ray ray;
     num_length distance;
 
-    if (!ray_light_shadow(light, sample, s->outside, &shadow, &distance))
+    if (!ray_light_shadow(light, shadow->sample, shadow->from, &ray, &distance))
         return;
     if (light->kind == TIA_DIRECTIONAL_LIGHT)
         distance = NUM_LENGTH_ONE;
     struct tia_traced traced = {.ray = TIA_RAY_SHADOW,
-                                .from = vec_of(shadow.origin),
-                                .to = vec_of(num_point_at(shadow.origin, shadow.direction, distance)),
+                                .from = vec_of(ray.origin),
+                                .to = vec_of(num_point_at(ray.origin, ray.direction, distance)),
                                 .length = q16_of(distance),
-                                .object = s->object,
+                                .object = shadow->object,
                                 .light = (uint32_t)(light - path->view->lights),
-                                .normal = normal_of(s->normal),
-                                .arrives = arrives};
+                                .normal = normal_of(shadow->normal),
+                                .arrives = shadow->arrives};
     tell(path, &traced);
 }

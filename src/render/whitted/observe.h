@@ -2,14 +2,22 @@
 #ifndef TIA_RENDER_WHITTED_OBSERVE_H
 #define TIA_RENDER_WHITTED_OBSERVE_H
 
-#include "shade.h"
+#include "path.h"
 
-/* A ray that meets a light, nothing, or the surface `s`, otherwise NULL. */
+/* `normal` is that of the surface that the ray meets; NULL: it meets a light or nothing. */
 void observe_ray(const struct path *path, enum tia_ray kind, const struct ray *ray, const struct hit *hit,
-                 const struct shading *s);
+                 const struct num_dir *normal);
 
-/* The shadow ray to a sample of a light. */
-void observe_shadow(const struct path *path, const struct shading *s, const struct ray_light *light,
-                    const struct ray_sample *sample, bool arrives);
+/* A shadow ray from a point of an object to a sample of a light. */
+struct observed_shadow {
+    uint32_t object;
+    struct num_point from;
+    struct num_dir normal;
+    const struct ray_light *light;
+    const struct ray_sample *sample;
+    bool arrives;
+};
+
+void observe_shadow(const struct path *path, const struct observed_shadow *shadow);
 
 #endif

@@ -119,7 +119,7 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
         return false;
     bool reached = arrives(path, s, aim->light, &sample, bit, blocker, through);
     if (path->observer)
-        observe_shadow(path, s, aim->light, &sample, reached);
+        observe_shadow(path, &(struct observed_shadow){s->object, s->outside, s->normal, aim->light, &sample, reached});
     if (!reached)
         return false;
     reflectance(s, sample.to, lambert, rgb);

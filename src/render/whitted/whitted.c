@@ -1,6 +1,7 @@
 #include "whitted.h"
 
 #include "observe.h"
+#include "shade.h"
 
 /* A ray yet to be traced: its throughput, how many bounces and how many straight layers are behind it, and the media
  * that it is in. */
@@ -91,7 +92,7 @@ static void follow(struct path *path, const struct bounce *b, const struct hit *
     }
     shade_prepare(path, &b->ray, hit, &s);
     if (path->observer)
-        observe_ray(path, b->kind, &b->ray, hit, &s);
+        observe_ray(path, b->kind, &b->ray, hit, &s.normal);
     shade_light(path, &s, b->throughput, colour);
     bounce(view, &s, b, stack);
 }
