@@ -178,6 +178,7 @@ obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBLEVELS := $(BUILD)/libtia-levels.a
+LIBWATCHED := $(BUILD)/libtia-watched.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
 # TinyGL, where a tester has put it: measured beside the rasteriser, by a program of its own. Its own Makefile builds
@@ -211,6 +212,8 @@ $(BUILD)/q16/%.o: %.c
 	$(call compile,$(if $(filter $(NUM_SRC),$<),CC q16,CC),$(CORE))
 $(BUILD)/f64/%.o: %.c
 	$(call compile,CC f64,$(CORE) -DTIA_NUM_F64 -fno-math-errno)
+$(BUILD)/watched/%.o: %.c
+	$(call compile,CC obs,$(CORE) -DTIA_WATCHED)
 $(BUILD)/f32/%.o: %.c
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
 $(BUILD)/levels/src/levels/%.o: src/levels/%.c
@@ -236,6 +239,7 @@ $(BUILD)/chk/%.o: %.c $(BUILD)/chk/flags
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
+$(LIBWATCHED): $(call obj,watched,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 # What is common to all levels is there even where there is none: tests ask it.
 $(LIBLEVELS): $(call obj,levels,$(LEVELS_SRC) port/levels/best.c)
@@ -259,6 +263,8 @@ $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call 
 $(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
+$(BUILD)/tia $(BUILD)/tests/test_observe: $(LIBWATCHED)
+$(BUILD)/tia $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
 	$(link)

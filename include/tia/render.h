@@ -29,11 +29,33 @@ struct tia_surface {
     ptrdiff_t step, pitch; /* even */
 };
 
+/* What the rays of a pixel are. */
+enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
+
+/* One that was traced. TIA_RAY_PAST goes on past an opacity; a shadow ray comes from a surface and ends at a light, at
+ * a distance of 1 if that is directional. Numbers are rounded to Q16.16 and clamped to its range. */
+struct tia_traced {
+    enum tia_ray ray;
+    struct tia_vec3 from, to; /* where it starts and ends; 1 from its start when it meets nothing */
+    tia_q16 length;           /* INT32_MAX: it meets nothing */
+    uint32_t object, light;   /* which it meets or, of a shadow ray, comes from and goes to; or TIA_NO_OBJECT */
+    struct tia_vec3 normal;   /* of what it meets: the shading normal, on the side that the ray comes from */
+    bool arrives;             /* of a shadow ray: some of the light does */
+};
+
+/* Who watches rays, of tia_core_watched alone: other builds have nothing that could tell. It changes no pixel. */
+struct tia_observer {
+    void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
+    void *ctx;
+    uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
+};
+
 /* All zero: neither. */
 struct tia_options {
-    bool dither;         /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
-    uint32_t *path_hash; /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;       /* NULL, or receives what light reaches each pixel, row by row of the tile */
+    bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
+    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives what light reaches each pixel, row by row of the tile */
+    struct tia_observer *observer; /* NULL, or is told of rays, in the order of the path hash, see above; spans have none */
 };
 
 /* What light reaches a pixel does not depend on what colour it has there. The lights' samples are numbered through, in
@@ -103,6 +125,10 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options);
 
+/* Whether a tile of one pixel costs little more than its share of a large one. Rays do; spans prepare a row, and the
+ * rasteriser goes through all faces. */
+bool tia_draws_by_pixel(const struct tia_scene *scene);
+
 /* As tia_view_init, for a caller that may want to stop: `stop` is asked after every few thousand objects while the view
  * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, by whoever draws, at the latest after
  * some 16 rays, or by spans after a row. Once it says true, they return TIA_STOPPED soon: a view that was being
@@ -133,10 +159,12 @@ struct tia_core {
     const char *(*level_name)(const struct tia_view *);
     int (*render)(const struct tia_view *, struct tia_hits *, struct tia_tile, const struct tia_surface *,
                   const struct tia_options *);
+    bool (*draws_by_pixel)(const struct tia_scene *);
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the functions above */
 extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
+extern const struct tia_core tia_core_watched; /* integers that tell an observer of rays: libtia-watched.a */
 extern const struct tia_core tia_core_f32; /* float: for comparison, libtia-f32.a */
 extern const struct tia_core tia_core_chk; /* q16 that reports values out of range, libtia-chk.a */
 

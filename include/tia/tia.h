@@ -13,6 +13,7 @@
  *   levels.h  vector units
  *   raster.h  polygons: depth, stencil and colour buffers
  *   port.h    display, input and clock, as a board or an OS provides them
+ *   text.h    small text on pictures
  *   viewer.h  the interactive loop
  */
 #ifndef TIA_TIA_H
@@ -25,6 +26,7 @@
 #include <tia/motion.h>
 #include <tia/raster.h>
 #include <tia/read.h>
+#include <tia/text.h>
 #include <tia/viewer.h>
 
 #endif

@@ -9,6 +9,12 @@
  * other key quits. Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a
  * light ends it at the next tile if it has taken 250 ms, though not two frames in a row.
  *
+ * Where rays draw a frame and that takes longer than a display's period, it is shown coarse to fine: every 16th pixel
+ * of every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then
+ * ends it at once. A line at the picture's lower edge tells how much of a frame of more than a second is done. This
+ * needs a `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of frames that take 250
+ * ms.
+ *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
  */
@@ -22,14 +28,19 @@
 #define TIA_PLAY_STEP_US 16666u
 #define TIA_KEY_SHADOWS 't'
 
-/* Reported when a frame is drawn, and after it is shown. */
+/* Reported when a picture is drawn, and after it is shown. A frame that takes long is shown coarse before, with the
+ * same number and `block` above 1. */
 struct tia_frame {
     uint32_t number;          /* from 0 */
+    uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels */
+    uint16_t done;            /* of a coarse picture: the share of its pixels that are drawn, 2^-16 */
+    uint64_t left_us;         /* and how long the rest will take, by what it has taken so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
     enum tia_shadows shadows; /* the technique that drew it */
     uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
-                                 0 when there was none, its time is unknown, or the frame is not shown yet */
+                                 0 when there was none, its time is unknown, or the frame is not shown yet; of
+                                 coarse pictures only the first tells it */
     const char *level;        /* what drew it: see tia_view_level */
 };
 
@@ -41,7 +52,7 @@ struct tia_viewer {
     uint32_t light_capacity;
     bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
-    struct tia_options options; /* `path_hash` and `lit` must be NULL */
+    struct tia_options options; /* dithering alone: all else must be NULL */
     uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
     const uint16_t *keys;       /* keys to press before the first frame; NULL: none */
     size_t key_count;
@@ -63,10 +74,10 @@ struct tia_viewer {
     void *(*memory)(void *ctx, size_t size);
     void *memory_ctx;
 
-    /* NULL, or called when a frame is drawn, before it is shown: what it draws on the display is shown with it. */
+    /* NULL, or called when a picture is drawn, before it is shown: what it draws on the display is shown with it. */
     void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
 
-    /* NULL, or called after each frame. A result other than 0 ends the loop with that status. */
+    /* NULL, or called after each picture. A result other than 0 ends the loop with that status. */
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
     void *frame_ctx;
 

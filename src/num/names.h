@@ -24,6 +24,7 @@
 #define tia_level_size NAMES(level_size)
 #define tia_view_set_level NAMES(view_set_level)
 #define tia_view_level NAMES(view_level)
+#define tia_draws_by_pixel NAMES(draws_by_pixel)
 #endif
 
 #define primary_prepare NAMES(primary_prepare)
@@ -160,6 +161,8 @@
 #define shade_light NAMES(shade_light)
 #define shade_bounce NAMES(shade_bounce)
 #define path_hash_word NAMES(path_hash_word)
+#define observe_ray NAMES(observe_ray)
+#define observe_shadow NAMES(observe_shadow)
 #define path_colour NAMES(path_colour)
 #define raster_renderer NAMES(raster_renderer)
 #define curved_intersect NAMES(curved_intersect)

@@ -35,6 +35,8 @@
 #include "num_f32.h"
 #elif defined TIA_NUM_CHK
 #include "num_chk.h"
+#elif defined TIA_WATCHED
+#include "num_watched.h"
 #else
 #include "num_q16.h"
 #endif

@@ -9,3 +9,8 @@ const struct renderer *renderer_for(const struct tia_scene *scene)
         return named;
     return span_renderer.draws(scene) ? &span_renderer : &whitted_renderer;
 }
+
+bool tia_draws_by_pixel(const struct tia_scene *scene)
+{
+    return renderer_for(scene)->by_pixel;
+}

@@ -18,4 +18,5 @@ const struct tia_core NUM_CORE = {
     .set_level = tia_view_set_level,
     .level_name = tia_view_level,
     .render = tia_render,
+    .draws_by_pixel = tia_draws_by_pixel,
 };

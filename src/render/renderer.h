@@ -33,6 +33,7 @@ struct renderer {
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
+    bool by_pixel;        /* see tia_draws_by_pixel */
     enum level_part part; /* of a level, which may draw in its place */
 
     /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */

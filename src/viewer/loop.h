@@ -7,7 +7,8 @@
 #define VIEWER_STRIP 16 /* rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS (TIA_KEY_PAGE_DOWN - TIA_KEY_LEFT + 1)
 
-#define VIEWER_QUEUE 8 /* events while a frame is drawn; a full queue ends it */
+#define VIEWER_PASSES 5 /* coarse to fine: blocks of 16, 8, 4, 2, 1 */
+#define VIEWER_QUEUE 8  /* events while a frame is drawn; a full queue ends it */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
 #define VIEWER_QUIT 10
@@ -26,12 +27,14 @@ struct loop {
     struct tia_hits *hits;
     size_t view_size, hits_size, level_size;
     void *hits_memory, *level_memory;
-    int8_t *status; /* of each tile */
+    int8_t *status;     /* of each tile */
+    uint8_t *passes;    /* of each tile, how many are done */
+    tia_rgb565 *canvas; /* the picture so far, see refine.c; NULL: frames are drawn at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
     bool whole;      /* there is memory for the whole frame's hits */
-    bool traced;     /* those hits are valid: relight instead of tracing */
+    unsigned traced; /* the passes whose hits are valid; VIEWER_PASSES: all are, relight instead of tracing */
 
     /* Animation. */
     struct tia_scene *current; /* the scene at `time`, followed by the arrays that it points to */
@@ -47,9 +50,19 @@ struct loop {
     unsigned queued;
     uint64_t begun_us, look_us; /* when the frame was begun; when to look again */
     bool outdated;              /* a key was pressed since the frame was begun */
+    bool answered;              /* a picture of this frame has been shown */
     bool gives_up, gave_up;     /* this frame; the one before */
     bool ends;                  /* a key, `stop` or a failed input ends the loop */
     int failure;                /* of the input */
+
+    /* Coarse to fine. */
+    bool refining;
+    unsigned pass;       /* the one being drawn */
+    uint32_t line;       /* what is done of the frame, 2^-16, for the line at the edge; 0: there is none */
+    uint64_t show_us;    /* when the pass being drawn is to be shown unfinished */
+    uint64_t shown_us;   /* when this frame was last shown or, before that, begun */
+    uint64_t showing_us; /* that it has taken to show it so far */
+    uint64_t last_us;    /* that it took to draw the last frame; 0: unknown */
 
     uint64_t key_us;                      /* time of the oldest key press that the next frame will show */
     uint64_t repeat_us[VIEWER_HELD_KEYS]; /* when a held key next moves the light; 0: not held */
@@ -93,5 +106,14 @@ bool tia_viewer_stops(void *loop);
 int tia_viewer_prepare(struct loop *loop);
 int tia_viewer_prepare_view(struct loop *loop);
 int tia_viewer_draw_tiles(struct loop *loop);
+struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
+
+/* Runs a job that leaves its status in loop->status for each tile, on the workers if the display lets them. */
+int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index));
+bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
+
+/* refine.c: whether to draw the next frame coarse to fine; draws it, and sets frame->draw_us. */
+bool tia_viewer_refines(const struct loop *loop);
+int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
 #endif

@@ -4,6 +4,12 @@
 #include "loop.h"
 #include "math/align.h"
 
+bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
+{
+    return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
+           a->tile_height == b->tile_height && a->concurrent == b->concurrent;
+}
+
 static void set_tiles(struct loop *loop, unsigned height)
 {
     const struct tia_mode *m = &loop->mode;
@@ -14,24 +20,26 @@ static void set_tiles(struct loop *loop, unsigned height)
     loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
-/* Gets memory from the caller for the current scene, its hierarchy, the view, a status for each tile, hits, and the
- * level's constants. */
-static bool get_memory(struct loop *loop, struct tia_tile hits)
+enum { PARTS = 8 };
+
+/* Gets memory from the caller for the current scene, its hierarchy, the view, two bytes for each tile, hits, the
+ * level's constants and a canvas of so many bytes. */
+static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;
-    uint64_t sizes[] = {
+    uint64_t sizes[PARTS] = {
         loop->current_size, loop->bvh_size, loop->view_size, loop->tiles, loop->core->hits_size(loop->base, hits),
-        loop->level_size};
+        loop->level_size,   loop->tiles,    canvas};
     size_t sum = 0;
-    char *parts[6] = {NULL}, *memory;
+    char *parts[PARTS] = {NULL}, *memory;
 
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < PARTS; i++) {
         if (sizes[i] >= SIZE_MAX / 8)
             return false;
         sum += ALIGN((size_t)sizes[i]);
     }
     memory = v->memory(v->memory_ctx, sum);
-    for (int i = 0; memory && i < 6; i++) {
+    for (int i = 0; memory && i < PARTS; i++) {
         parts[i] = memory;
         memory += ALIGN((size_t)sizes[i]);
     }
@@ -44,22 +52,36 @@ static bool get_memory(struct loop *loop, struct tia_tile hits)
     loop->hits_memory = parts[4];
     loop->hits_size = (size_t)sizes[4];
     loop->level_memory = parts[5];
+    loop->passes = (uint8_t *)parts[6];
+    loop->canvas = canvas ? (tia_rgb565 *)(void *)parts[7] : NULL;
     return true;
 }
 
-/* Gets memory for the whole frame's hits or, failing that, for the hits of one tile of as many rows as fit. */
+/* Bytes of the canvas for frames that someone waits for and that can be drawn coarse to fine. */
+static uint64_t canvas_size(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    bool refines =
+        v->clock && v->input && !v->frame_limit && loop->core->draws_by_pixel && loop->core->draws_by_pixel(loop->base);
+
+    return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
+}
+
+/* Gets memory for the whole frame's hits and a canvas, for the hits alone or, failing that, for the hits of one tile of
+ * as many rows as fit. */
 static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
 
     set_tiles(loop, VIEWER_STRIP);
-    loop->whole = get_memory(loop, frame);
+    loop->last_us = 0;
+    loop->whole = get_memory(loop, frame, canvas_size(loop)) || get_memory(loop, frame, 0);
     if (loop->whole)
         return true;
     for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
         set_tiles(loop, rows);
         struct tia_tile tile = {0, 0, (uint16_t)loop->tile_width, (uint16_t)loop->tile_height};
-        if (get_memory(loop, tile))
+        if (get_memory(loop, tile, 0))
             return true;
     }
     return false;
@@ -87,12 +109,12 @@ int tia_viewer_prepare_view(struct loop *loop)
     if (!status && loop->whole)
         status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
     loop->view_ready = !status;
-    loop->traced = false;
+    loop->traced = 0;
     loop->changed = true;
     return status;
 }
 
-static struct tia_tile tile_at(const struct loop *loop, unsigned index)
+struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index)
 {
     unsigned x = index % loop->columns * loop->tile_width, y = index / loop->columns * loop->tile_height;
     unsigned width = loop->mode.width - x, height = loop->mode.height - y;
@@ -114,7 +136,7 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     if (!status)
         status = v->display->acquire(v->display_ctx, tile, &surface);
     if (!status)
-        status = loop->traced ? loop->core->light(loop->view, hits, tile, &surface, &v->options)
+        status = loop->traced == VIEWER_PASSES ? loop->core->light(loop->view, hits, tile, &surface, &v->options)
                               : loop->core->render(loop->view, hits, tile, &surface, &v->options);
     return status ? status : v->display->submit(v->display_ctx, tile);
 }
@@ -122,21 +144,28 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
 static void tile_job(void *arg, unsigned index)
 {
     struct loop *loop = arg;
-    loop->status[index] = (int8_t)draw_tile(loop, tile_at(loop, index));
+    loop->status[index] = (int8_t)draw_tile(loop, tia_viewer_tile(loop, index));
 }
 
-int tia_viewer_draw_tiles(struct loop *loop)
+int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index))
 {
     const struct tia_viewer *v = loop->viewer;
     int status = TIA_OK;
 
     if (v->workers && loop->mode.concurrent && loop->whole) {
-        v->workers->run(v->workers_ctx, tile_job, loop, (unsigned)loop->tiles);
+        v->workers->run(v->workers_ctx, job, loop, (unsigned)loop->tiles);
         for (unsigned i = 0; status >= 0 && i < loop->tiles; i++)
             status = loop->status[i] ? loop->status[i] : status;
     } else {
-        for (unsigned i = 0; !status && i < loop->tiles; i++)
-            status = draw_tile(loop, tile_at(loop, i));
+        for (unsigned i = 0; !status && i < loop->tiles; i++) {
+            job(loop, i);
+            status = loop->status[i];
+        }
     }
     return status;
+}
+
+int tia_viewer_draw_tiles(struct loop *loop)
+{
+    return tia_viewer_run_tiles(loop, tile_job);
 }

@@ -17,37 +17,37 @@ static int idle_ms(const struct loop *loop)
 static int draw_frame(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    struct tia_frame frame = {.number = loop->frame, .relit = loop->traced, .shadows = loop->base->shadows};
+    struct tia_frame frame = {
+        .number = loop->frame, .relit = loop->traced == VIEWER_PASSES, .shadows = loop->base->shadows, .block = 1};
     uint64_t start = viewer_now(loop), key_us = loop->key_us;
+    bool refines = tia_viewer_refines(loop);
     int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
 
     frame.level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain";
     tia_viewer_watch_begin(loop);
     if (!status)
-        status = tia_viewer_draw_tiles(loop);
+        status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
     loop->gave_up = status == VIEWER_OUTDATED;
+    if (loop->gave_up && loop->answered)
+        loop->key_us = 0;
     if (loop->gave_up)
         return TIA_OK;
-    frame.draw_us = viewer_now(loop) - start;
+    if (!refines)
+        frame.draw_us = viewer_now(loop) - start;
+    loop->last_us = frame.draw_us;
     if (!status && v->frame_drawn)
         v->frame_drawn(v->frame_ctx, &frame);
     if (!status)
         status = v->display->present(v->display_ctx);
     if (status)
         return status;
-    loop->traced = loop->whole;
+    loop->traced = loop->whole ? VIEWER_PASSES : 0;
     loop->switched = false;
     loop->changed = false;
     loop->key_us = 0;
     loop->frame++;
     frame.key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
     return v->frame_done ? v->frame_done(v->frame_ctx, &frame) : TIA_OK;
-}
-
-static bool same_mode(const struct tia_mode *a, const struct tia_mode *b)
-{
-    return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
-           a->tile_height == b->tile_height && a->concurrent == b->concurrent;
 }
 
 /* A technique that cannot draw what the check lets pass, such as a point that is too far away, or that there is no
@@ -77,7 +77,7 @@ static int show(struct loop *loop)
 
     if (status == TIA_HIDDEN)
         loop->changed = true;
-    if (!status && !same_mode(&mode, &loop->mode)) {
+    if (!status && !tia_viewer_same_mode(&mode, &loop->mode)) {
         loop->mode = mode;
         loop->view = NULL;
     }
@@ -127,7 +127,7 @@ static int step(struct loop *loop)
 static bool is_acceptable(const struct tia_viewer *v)
 {
     return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
-           !v->options.lit && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
+           !v->options.lit && !v->options.observer && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
 }
 
 int tia_viewer_run(struct tia_viewer *viewer)

@@ -1,6 +1,7 @@
 /* watch.c - what can end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
- * middle of a ray's tree. A key that moves a light makes it out of date: if it has taken long already, it ends at the
- * next tile. A full queue ends it at the next tile, too, since more keys are waiting. */
+ * middle of a ray's tree. A key that moves a light, pressed or held, makes it out of date: once a coarse picture of it
+ * is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue ends it at the next
+ * tile, too, since more keys are waiting. */
 #include "loop.h"
 
 #define STEP_US 20000      /* between two looks */
@@ -35,6 +36,12 @@ static void poll_input(struct loop *loop)
     }
 }
 
+static bool is_held_due(const struct loop *loop, uint64_t now)
+{
+    uint64_t next = tia_viewer_repeat_us(loop);
+    return next && now >= next;
+}
+
 /* Never gives up two frames in a row: while keys keep coming, some frames are still shown. */
 static void look(struct loop *loop)
 {
@@ -46,14 +53,17 @@ static void look(struct loop *loop)
     loop->look_us = now + STEP_US;
     loop->ends = v->stop && v->stop(v->stop_ctx);
     poll_input(loop);
-    loop->gives_up = v->clock && loop->outdated && !loop->gave_up && now >= loop->begun_us + PATIENCE_US;
+    loop->outdated = loop->outdated || (loop->answered && is_held_due(loop, now));
+    loop->gives_up =
+        v->clock && loop->outdated && (loop->answered || (!loop->gave_up && now >= loop->begun_us + PATIENCE_US));
 }
 
 void tia_viewer_watch_begin(struct loop *loop)
 {
     loop->begun_us = viewer_now(loop);
     loop->look_us = loop->begun_us + STEP_US;
-    loop->outdated = loop->gives_up = false;
+    loop->outdated = loop->gives_up = loop->answered = false;
+    loop->showing_us = 0;
 }
 
 /* Whatever in struct loop changes while tiles are drawn is only used between enter and leave. */
@@ -84,5 +94,7 @@ int tia_viewer_watch(struct loop *loop)
 
 bool tia_viewer_stops(void *ctx)
 {
-    return tia_viewer_watch(ctx) == TIA_STOPPED;
+    const struct loop *loop = ctx;
+    int status = tia_viewer_watch(ctx);
+    return status == TIA_STOPPED || (status && loop->refining);
 }

@@ -22,6 +22,8 @@ static void *take_arena(void *ctx, size_t size)
 static int tell_frame(void *ctx, const struct tia_frame *frame)
 {
     (void)ctx;
+    if (frame->block > 1)
+        return TIA_OK;
     frames = frame->number + 1;
     board_print("frame ");
     board_print_number(frame->number);

@@ -49,6 +49,10 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"mode", required_argument, NULL, OPT_MODE},
                                       {"checksum", no_argument, NULL, OPT_CHECKSUM},
                                       {"stats", no_argument, NULL, OPT_STATS},
+                                      {"stats-overlay", no_argument, NULL, OPT_STATS_OVERLAY},
+                                      {"progress", no_argument, NULL, OPT_PROGRESS},
+                                      {"view", required_argument, NULL, OPT_VIEW},
+                                      {"draw-rays", required_argument, NULL, OPT_DRAW_RAYS},
                                       {"list-displays", no_argument, NULL, OPT_LIST},
                                       {"help", no_argument, NULL, 'h'},
                                       {"version", no_argument, NULL, 'V'},
@@ -182,6 +186,23 @@ static int load_shadows(struct options *options)
                 (unsigned)fault.index, fault.field, fault.rule);
 }
 
+/* False colours and drawn rays, of integers and of Whitted's rays. */
+static int load_views(struct options *options)
+{
+    const struct views *views = &options->views;
+    const char *option = views->draws_rays ? "draw-rays" : "view";
+
+    if (views->view == VIEW_COLOUR && !views->draws_rays)
+        return EXIT_FINE;
+    if (options->core != &tia_core_q16)
+        return fail(EXIT_USAGE, "--%s: not with --arithmetic: it shows the rays of integers", option);
+    if (options->scene.integration.integrator)
+        return fail(EXIT_USAGE, "--%s: not with --integrator: it shows Whitted's rays", option);
+    views_need_rays(&options->scene);
+    options->core = views_core(views);
+    return EXIT_FINE;
+}
+
 int arguments_load(struct options *options)
 {
     if (options->scene_path) {
@@ -197,6 +218,7 @@ int arguments_load(struct options *options)
         options->scene.depth = options->depth;
     int status = load_shadows(options);
     status = status ? status : integration_load(options);
+    status = status ? status : load_views(options);
     return status ? status : load_keys(options);
 }
 

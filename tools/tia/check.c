@@ -70,6 +70,13 @@ static int check_parts(const struct options *options)
         return fail(EXIT_USAGE, "--frame-range: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
     if (options->tile_rows && (!output || options->format != IMAGE_PART))
         return fail(EXIT_USAGE, "--tile-rows: needs a part file (-o FILE.tiapart)");
+    unsigned width = options->width ? options->width : 640, height = options->height ? options->height : 480;
+    if (options->views.draws_rays && (output || options->width) &&
+        (options->views.x >= width || options->views.y >= height))
+        return fail(EXIT_USAGE, "--draw-rays %u,%u: outside the picture, %ux%u", options->views.x, options->views.y,
+                    width, height);
+    if (options->stats_overlay && output)
+        return fail(EXIT_USAGE, "--stats-overlay: needs a display (a file has --stats)");
     if (options->rate_given && output && !films)
         return fail(EXIT_USAGE, "--fps: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
     if (options->rate_given && !output && options->frames == 0)

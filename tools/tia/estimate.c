@@ -197,7 +197,7 @@ int estimate(const struct options *options)
     if (status != EXIT_FINE)
         return status;
     prepare(&e, options);
-    progress_begin(&e.progress, (uint64_t)e.film.width * e.film.height, 1);
+    progress_begin(&e.progress, (uint64_t)e.film.width * e.film.height, 1, options->progress);
     status = begin(&e);
     status = finish(&e, !status ? draw_bands(&e) : status);
     progress_end(&e.progress);

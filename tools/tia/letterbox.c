@@ -209,20 +209,16 @@ static int label_tile(struct letterbox *letterbox, struct tia_tile tile)
     if (status)
         return status;
     struct tia_surface surface = rotation_surface(&letterbox->rotation, &under, place.width, place.height);
-    for (unsigned y = 0; y < tile.height; y++) {
-        char *at = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch;
-        for (unsigned x = 0; x < tile.width; x++, at += surface.step) {
-            bool ink = label_is_ink(letterbox->label, letterbox->rotation.height, tile.x + x, tile.y + y);
-            *(tia_rgb565 *)(void *)at = ink ? 0xffff : 0;
-        }
-    }
+    struct tia_text text = label_text(letterbox->label, letterbox->rotation.height);
+    tia_text_draw(&text, tile, &surface);
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }
 
 /* A pixel's row or column at a time, in pieces that the screen takes. */
 static int draw_label(struct letterbox *letterbox)
 {
-    struct tia_tile area = label_area(letterbox->label, letterbox->rotation.width, letterbox->rotation.height);
+    struct tia_text text = label_text(letterbox->label, letterbox->rotation.height);
+    struct tia_tile area = tia_text_area(&text, letterbox->rotation.width, letterbox->rotation.height);
     struct tia_mode mode;
     int status = TIA_OK;
 

@@ -20,7 +20,7 @@ struct letterbox {
     bool checksum;
     char *why; /* [PORT_WHY]: as in port/ports.h */
 
-    char label[40]; /* see label.h; empty: none. May change from frame to frame */
+    char label[400]; /* see label.h; empty: none. May change from frame to frame */
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */

@@ -30,6 +30,10 @@ enum {
     OPT_MODE,
     OPT_CHECKSUM,
     OPT_STATS,
+    OPT_STATS_OVERLAY,
+    OPT_PROGRESS,
+    OPT_VIEW,
+    OPT_DRAW_RAYS,
     OPT_LIST,
     OPT_STRICT
 };

@@ -6,6 +6,7 @@
 
 #include "common/image/image.h"
 #include "common/scene/scene.h"
+#include "views.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 
@@ -30,6 +31,7 @@ struct options {
     bool colour_given;
     const char *tessellated; /* NULL: not given */
     const struct tia_core *core;
+    struct views views;                   /* without its core */
     const struct tia_level *level;        /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;
@@ -47,7 +49,7 @@ struct options {
     uint32_t first_frame, last_frame, first_row, last_row; /* for frame_range and tile_rows */
     uint32_t threads;
     uint32_t rotate; /* degrees, clockwise */
-    bool dither, checksum, stats, strict;
+    bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 
 extern const char options_help[];

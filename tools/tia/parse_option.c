@@ -126,6 +126,12 @@ static int set_flag(struct options *options, int option)
     case OPT_STATS:
         options->stats = true;
         break;
+    case OPT_STATS_OVERLAY:
+        options->stats_overlay = true;
+        break;
+    case OPT_PROGRESS:
+        options->progress = true;
+        break;
     case OPT_STRICT:
         options->strict = true;
         break;
@@ -212,6 +218,33 @@ static int set_of_shadows(struct options *options, int option, const char *value
     }
 }
 
+static int set_view(struct options *options, const char *value)
+{
+    const char *name;
+
+    for (unsigned i = 0; (name = view_name(i)) != NULL; i++)
+        if (!strcmp(name, value)) {
+            options->views.view = (enum view)i;
+            return EXIT_FINE;
+        }
+    return wrong("--view", value, "not colour, depth, normal, object, cost, light or path");
+}
+
+/* "X,Y" */
+static int set_draw_rays(struct options *options, const char *value)
+{
+    const char *rest;
+    uint32_t x, y;
+
+    if (!parse_number(value, &rest, 0, TIA_SIZE_MAX - 1, &x) || *rest != ',' ||
+        !parse_number(rest + 1, NULL, 0, TIA_SIZE_MAX - 1, &y))
+        return wrong("--draw-rays", value, "not a pixel (X,Y from 0,0 at the upper left)");
+    options->views.draws_rays = true;
+    options->views.x = (uint16_t)x;
+    options->views.y = (uint16_t)y;
+    return EXIT_FINE;
+}
+
 int parse_option(struct options *options, int option, char *value)
 {
     switch (option) {
@@ -267,6 +300,10 @@ int parse_option(struct options *options, int option, char *value)
         return set_number("--threads", value, THREADS_MAX, &options->threads);
     case OPT_ARITHMETIC:
         return set_arithmetic(options, value);
+    case OPT_VIEW:
+        return set_view(options, value);
+    case OPT_DRAW_RAYS:
+        return set_draw_rays(options, value);
     case OPT_ROTATE:
         return set_rotate(options, value);
     case OPT_CONNECTOR:

@@ -125,7 +125,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     for (unsigned i = 0; i < 2; i++)
         picture->band[i].pixels = malloc((size_t)picture->band_rows * film->width * sizeof(tia_rgb565));
     picture->pool = threads_create(options->threads);
-    progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames);
+    progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames, options->progress);
     if (!picture->hits_memory || !picture->pool || !picture->band[0].pixels || !picture->band[1].pixels)
         return TIA_ERR_MEMORY;
     return TIA_OK;

@@ -5,8 +5,9 @@
 
 #include "clock.h"
 
-/* Shows nothing for drawings of less than half a second; then updates ten times a second. */
-enum { FIRST_US = 500000, STEP_US = 100000 };
+/* Shows nothing for drawings of less than half a second; then updates a terminal ten times a second, and writes a line
+ * elsewhere once a second. */
+enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 static const char erase[] = "\r\033[K";
 
@@ -20,41 +21,58 @@ static void undo(void *arg)
     }
 }
 
-void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames)
+void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked)
 {
     progress->terminal = isatty(STDERR_FILENO) == 1;
     progress->frame_pixels = frame_pixels;
     progress->frames = frames;
     (void)pthread_mutex_init(&progress->lock, NULL);
     progress->done = 0;
-    progress->next_us = clock_now_us() + FIRST_US;
+    progress->asked = asked;
+    progress->begun_us = clock_now_us();
+    progress->next_us = progress->begun_us + (progress->terminal ? FIRST_US : LINE_US);
     progress->cleanup = (struct signals_cleanup){.undo = undo, .arg = progress};
     signals_add(&progress->cleanup);
 }
 
-static void print(const struct progress *progress, uint64_t done)
+/* Seconds, rounded up, by what it has taken so far. */
+static unsigned seconds_left(const struct progress *progress, uint64_t now)
 {
+    double all = (double)progress->frame_pixels * progress->frames, done = (double)progress->done;
+
+    return (unsigned)((double)(now - progress->begun_us) * (all - done) / done / 1e6) + 1;
+}
+
+static void print(const struct progress *progress, uint64_t now)
+{
+    uint64_t done = progress->done;
+
+    if (progress->terminal)
+        (void)fputc('\r', stderr);
     if (progress->frames > 1) {
-        (void)fprintf(stderr, "\rdrawing: %u of %u frames, %u %% of the next",
-                      (unsigned)(done / progress->frame_pixels), (unsigned)progress->frames,
+        (void)fprintf(stderr, "drawing: %u of %u frames, %u %% of the next", (unsigned)(done / progress->frame_pixels),
+                      (unsigned)progress->frames,
                       (unsigned)(done % progress->frame_pixels * 100 / progress->frame_pixels));
     } else {
-        (void)fprintf(stderr, "\rdrawing: %3u %%", (unsigned)(done * 100 / progress->frame_pixels));
+        (void)fprintf(stderr, "drawing: %3u %%", (unsigned)(done * 100 / progress->frame_pixels));
     }
-    (void)fputs("\033[K", stderr);
+    if (progress->asked)
+        (void)fprintf(stderr, ", %u s left", seconds_left(progress, now));
+    (void)fputs(progress->terminal ? "\033[K" : "\n", stderr);
     (void)fflush(stderr);
 }
 
 void progress_add(struct progress *progress, uint64_t pixels)
 {
-    uint64_t now = progress->terminal ? clock_now_us() : 0;
+    bool told = progress->terminal || progress->asked;
+    uint64_t now = told ? clock_now_us() : 0;
 
     (void)pthread_mutex_lock(&progress->lock);
     progress->done += pixels;
-    if (now >= progress->next_us && progress->done < progress->frame_pixels * progress->frames) {
-        print(progress, progress->done);
-        progress->shown = true;
-        progress->next_us = now + STEP_US;
+    if (told && now >= progress->next_us && progress->done < progress->frame_pixels * progress->frames) {
+        print(progress, now);
+        progress->shown = progress->terminal;
+        progress->next_us = now + (progress->terminal ? STEP_US : LINE_US);
     }
     (void)pthread_mutex_unlock(&progress->lock);
 }

@@ -1,4 +1,4 @@
-/* progress.h - the progress of a long drawing, on standard error if that is a terminal. */
+/* progress.h - the progress of a long drawing, on standard error if that is a terminal or --progress asks for it. */
 #ifndef TOOLS_TIA_PROGRESS_H
 #define TOOLS_TIA_PROGRESS_H
 
@@ -10,7 +10,8 @@
 #include "common/signals.h"
 
 struct progress {
-    bool terminal;
+    bool terminal, asked; /* asked: also where there is no terminal, in lines */
+    uint64_t begun_us;
     uint64_t frame_pixels;
     uint32_t frames;
     pthread_mutex_t lock; /* protects the following members */
@@ -21,7 +22,7 @@ struct progress {
 };
 
 /* From the main thread, as progress_end: see common/signals.h. */
-void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames);
+void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked);
 
 /* Adds completed pixels; call it from any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);

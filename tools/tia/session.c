@@ -110,19 +110,24 @@ static int print_checksum(struct session *session, uint32_t number)
     return TIA_OK;
 }
 
-/* Once a key has changed the technique for shadows, each frame says which one drew it, and how long that took. */
 static void frame_drawn(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
-    session->labelled = session->labelled || frame->shadows != session->options->scene.shadows;
-    if (session->labelled)
-        (void)snprintf(session->letterbox.label, sizeof session->letterbox.label, "%s %" PRIu64 ".%" PRIu64 " ms",
-                       tia_shadows_name(frame->shadows), frame->draw_us / 1000, frame->draw_us % 1000 / 100);
+    struct letterbox *letterbox = &session->letterbox;
+    session->overlay.width = letterbox->rotation.width;
+    session->overlay.height = letterbox->rotation.height;
+    overlay_text(&session->overlay, frame, letterbox->label, sizeof letterbox->label);
 }
 
 static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
+    if (frame->block > 1) {
+        if (frame->key_us != 0)
+            stats_add(&session->stats.coarse, frame->key_us);
+        return TIA_OK;
+    }
+    overlay_shown(&session->overlay, frame);
     session->stats.frames++;
     session->stats.level = frame->level;
     stats_add(&session->stats.draw, frame->draw_us);
@@ -193,6 +198,7 @@ int session_run(struct session *session)
     session->pool = threads_create(session->options->threads);
     if (session->pool && lights_copy(&session->lights, &session->options->scene) && !open_lines(session)) {
         struct tia_viewer viewer = viewer_of(session);
+        session->overlay = (struct overlay){.options = session->options, .threads = threads_count(session->pool)};
         status = tia_viewer_run(&viewer);
     }
     (void)snprintf(session->format, sizeof session->format, "%s", session->mode.format);

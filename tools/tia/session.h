@@ -8,6 +8,7 @@
 #include "common/thread_pool.h"
 #include "letterbox.h"
 #include "options.h"
+#include "overlay.h"
 #include "ports.h"
 #include "stats.h"
 
@@ -22,8 +23,8 @@ struct session {
     struct threads *pool;
     struct lights lights;
     struct tia_scene variant; /* the scene, with the technique for shadows that a key has chosen */
-    bool labelled;            /* the technique is told on the picture */
-    void *memory;             /* the viewer's */
+    struct overlay overlay;
+    void *memory; /* the viewer's */
     size_t memory_bytes;
     FILE *lines; /* for checksums: standard output, or memory until the display is closed */
     char *text;

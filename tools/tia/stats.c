@@ -41,6 +41,7 @@ int stats_print(struct stats *stats)
     (void)fprintf(stderr, "{\"frames\": %" PRIu64 ", ", stats->frames);
     print_samples("frame_ms", &stats->draw);
     print_samples("input_to_flip_ms", &stats->flip);
+    print_samples("input_to_coarse_ms", &stats->coarse);
     (void)fprintf(stderr,
                   "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"level\": \"%s\", \"threads\": %u, "
                   "\"scale_bits\": %u}\n",

@@ -15,6 +15,7 @@ struct samples {
 struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
+    struct samples coarse;     /* and to the first coarse picture of it, where there was one */
     const char *display, *format, *level;
     unsigned width, height, threads, scale_bits; /* the last: of the scene */
 };

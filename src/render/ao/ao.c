@@ -54,6 +54,7 @@ const struct renderer ao_renderer = {
     .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
+    .by_pixel = true,
     .part = LEVEL_PARTS,
     .sample = sample_tile,
 };

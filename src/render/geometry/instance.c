@@ -59,6 +59,7 @@ void instance_transform_ray(const struct instance *p, const struct ray *ray, str
         return;
     placed->ray.origin = instance_point(p, num_point_at(ray->origin, ray->direction, placed->start));
     placed->scale = num_divide(d, p->scale, &placed->ray.direction);
+    ray_watch_as(&placed->ray, ray);
 }
 
 num_length instance_distance(const struct instance_ray *placed, num_length t)

@@ -13,6 +13,7 @@ struct groups {
 /* A search among faces: nearest.t is the limit at first, and then the nearest intersection so far. */
 struct search {
     const struct tia_mesh *mesh;
+    const struct ray *given;
     struct triangle_ray ray;
     struct intersection nearest;
     bool any, found;       /* any: the first intersection ends the search */
@@ -51,6 +52,7 @@ static void try_face(struct search *s, uint32_t face)
     struct triangle_corners corners = corners_of(s->mesh, face);
     num_length t;
 
+    ray_tested(s->given, 1);
     if (!triangle_intersect(&s->ray, &corners, s->nearest.t, &t))
         return;
     if (s->groups) {
@@ -83,6 +85,7 @@ static void try_tree(struct search *s, const struct tia_bvh_tree *tree, const st
 static void search(struct search *s, const struct prepared_mesh *prepared, const struct ray *ray)
 {
     s->mesh = prepared->mesh;
+    s->given = ray;
     triangle_ray_prepare(&s->ray, ray);
     if (prepared->tree && prepared->tree->node_count == 1) /* a leaf, and its box is the object's */
         try_faces(s, prepared->tree->items, 0, prepared->tree->item_count);

@@ -15,7 +15,44 @@
 struct ray {
     struct num_point origin;
     struct num_dir direction; /* of length 1 */
+#ifdef TIA_WATCHED
+    uint32_t *tests; /* NULL, or counts what the ray is tested against, see struct tia_observer */
+#endif
 };
+
+/* Gives the ray a counter, or NULL. In the builds that nobody can watch this and the next are nothing. */
+static inline void ray_watch(struct ray *ray, uint32_t *tests)
+{
+#ifdef TIA_WATCHED
+    ray->tests = tests;
+#else
+    (void)ray;
+    (void)tests;
+#endif
+}
+
+/* The counter of another ray. */
+static inline void ray_watch_as(struct ray *ray, const struct ray *other)
+{
+#ifdef TIA_WATCHED
+    ray->tests = other->tests;
+#else
+    (void)ray;
+    (void)other;
+#endif
+}
+
+/* Counts so many tests. */
+static inline void ray_tested(const struct ray *ray, uint32_t count)
+{
+#ifdef TIA_WATCHED
+    if (ray->tests)
+        *ray->tests += count;
+#else
+    (void)ray;
+    (void)count;
+#endif
+}
 
 /* Where a ray meets a shape. `element` says which part: a face, a cap, a cell; see each shape. */
 struct intersection {

@@ -34,6 +34,7 @@ static inline void push(struct walk *w, uint32_t node, num_walk near)
 void walk_start(struct walk *w, const struct tia_bvh_tree *tree, const struct ray *ray)
 {
     w->tree = tree;
+    w->ray = ray;
     w->slopes[0] = num_slope(ray->origin.x, ray->direction.x);
     w->slopes[1] = num_slope(ray->origin.y, ray->direction.y);
     w->slopes[2] = num_slope(ray->origin.z, ray->direction.z);
@@ -50,6 +51,7 @@ static void push_children(struct walk *w, uint32_t node, num_walk limit)
     bool a = enters(w, &nodes[first].bounds, limit, &near_first);
     bool b = enters(w, &nodes[second].bounds, limit, &near_second);
 
+    ray_tested(w->ray, 2);
     if (a && b && near_second < near_first) {
         push(w, first, near_first);
         push(w, second, near_second);
@@ -110,5 +112,6 @@ uint32_t candidates_next(struct candidates *c, num_length limit)
     if (c->next == c->end && (!c->scene->bvh || !take_leaf(c, limit)))
         return TIA_NO_OBJECT;
     uint32_t place = c->next++;
+    ray_tested(c->ray, 1);
     return c->items ? c->items[place] : place;
 }

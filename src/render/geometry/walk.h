@@ -12,6 +12,7 @@
 
 struct walk {
     const struct tia_bvh_tree *tree;
+    const struct ray *ray;
     struct num_slope slopes[3];
     num_walk near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];

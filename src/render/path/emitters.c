@@ -160,7 +160,7 @@ static bool place_on_sphere(const struct emitter *e, struct num_point from, cons
 {
     struct num_point way = num_point_sub(e->centre, from);
     num_unit open = cone_of(e, num_norm(way));
-    struct ray ray = {from, {0, 0, 0}};
+    struct ray ray = {.origin = from};
     num_length t;
 
     if (open <= 0 || !num_normalise(way, &ray.direction))

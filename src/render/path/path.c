@@ -148,7 +148,7 @@ static void look_for_light(struct walk *w, const struct scatter *scatter, uint32
     if (!emitter_sample(emitter, s->outside, s->normal, w->e->bias, u, &sample))
         return;
     num_unit cosine = num_dir_dot(sample.to, s->normal);
-    const struct ray shadow = {s->outside, sample.to};
+    const struct ray shadow = {.origin = s->outside, .direction = sample.to};
     if (cosine <= 0 || num_dir_dot(sample.to, s->geometric) <= 0 || !is_seen(w, &shadow, &sample))
         return;
     scatter_evaluate(scatter, sample.to, cosine, reflected, &scattered);
@@ -172,7 +172,7 @@ static void divide(struct walk *w, num_unit probability)
 
 static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bool specular)
 {
-    w->ray = (struct ray){origin, to};
+    w->ray = (struct ray){.origin = origin, .direction = to};
     w->from = origin;
     w->specular = specular;
     w->bounce++;
@@ -354,6 +354,7 @@ const struct renderer path_renderer = {
     .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
+    .by_pixel = true,
     .part = LEVEL_PARTS,
     .sample = sample_tile,
 };

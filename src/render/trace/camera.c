@@ -76,6 +76,7 @@ static void through(const struct ray_camera *c, num_unit right, num_unit down, s
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
     ray->origin = c->eye;
+    ray_watch(ray, NULL);
     ray->direction = num_dir_negated(c->n);
     if (c->projection == TIA_ORTHOGRAPHIC)
         ray->origin = num_point_add(c->eye, aside);

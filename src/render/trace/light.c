@@ -189,6 +189,7 @@ bool ray_light_shadow(const struct ray_light *l, const struct ray_sample *s, str
                       num_length *distance)
 {
     shadow->origin = from;
+    ray_watch(shadow, NULL);
     shadow->direction = s->to;
     *distance = NUM_LENGTH_MAX;
     if (l->kind == TIA_DIRECTIONAL_LIGHT)

@@ -5,7 +5,7 @@
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker)
 {
-    struct ray ray = {place->outside, {0, 0, 0}};
+    struct ray ray = {.origin = place->outside};
     int64_t local[3];
     num_length through;
 

@@ -172,6 +172,7 @@ static bool passes(const struct ray_view *view, const struct ray *ray, num_lengt
     filters.opaque = opaque;
     filters.missed = TIA_NO_OBJECT;
     if (*blocker != TIA_NO_OBJECT) {
+        ray_tested(ray, 1);
         if (!object_transmits(view, ray, *blocker, limit, &filters))
             return false;
         filters.missed = filters.count ? TIA_NO_OBJECT : *blocker;

@@ -38,6 +38,9 @@ struct path {
     unsigned class;        /* of the pixel, see light.h */
     uint64_t reached;      /* see tia_options.lit */
     unsigned next_reached; /* the next sample's number there; PATH_REACHED: it has none */
+#ifdef TIA_WATCHED
+    struct tia_observer *observer; /* NULL: none */
+#endif
     bool hashed;
     uint32_t hash;                   /* of the path, see tia_options.path_hash */
     uint32_t blocker[PATH_BLOCKERS]; /* what last stood before each of the first lights */

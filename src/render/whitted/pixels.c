@@ -1,4 +1,5 @@
 /* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
+#include "observe.h"
 #include "render/dither.h"
 #include "sampling/sobol.h"
 #include "whitted.h"
@@ -12,7 +13,7 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t *ob
         path->known = path->first->find(path->first, x, y, sample, ray, hit, &path->lit);
         return;
     }
-    if (sample == 0 && !path->traces) {
+    if (sample == 0 && !path->traces && !path_is_watched(path)) { /* who counts tests wants those of the search */
         ray_intersect_object(path->view, ray, *object, hit);
         return;
     }
@@ -35,6 +36,7 @@ static void pixel(struct path *path, int x, int y, uint32_t *object, num_length 
         path->next_reached = i == 0 ? 0 : PATH_REACHED;
         path->seed = sampler_of((uint32_t)i, x, y, 0).seed;
         ray_camera_ray(camera, x, y, i, &ray);
+        observe_count(path, &ray);
         find_first(path, x, y, i, object, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
@@ -75,6 +77,7 @@ static bool row(const struct job *job, int y)
         .view = job->view->prepared, .first = job->first, .traces = job->traces, .hashed = path_hash != NULL};
     num_u threshold[8];
 
+    observe_begin(&path, options);
     for (int i = 0; i < PATH_BLOCKERS; i++)
         path.blocker[i] = TIA_NO_OBJECT;
     dither_thresholds(options->dither, y, threshold);
@@ -144,6 +147,7 @@ const struct renderer whitted_renderer = {
     .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
+    .by_pixel = true,
     .part = LEVEL_RAYS,
     .render = render_tile,
 };

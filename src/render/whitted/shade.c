@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include "observe.h"
 #include "sampling/sobol.h"
 #include "scene/colour.h"
 
@@ -59,6 +60,7 @@ static bool arrives(const struct path *path, const struct shading *s, const stru
     through[0] = through[1] = through[2] = part;
     if ((path->known && !path->first->passes) || !ray_light_shadow(light, sample, s->outside, &shadow, &distance))
         return true;
+    observe_count(path, &shadow);
     return path->known ? path->first->passes(path->first, &shadow, distance, blocker)
                        : ray_transmittance(path->view, &shadow, distance, blocker, through);
 }
@@ -88,7 +90,10 @@ static bool add_sample(struct path *path, const struct shading *s, const struct 
     num_unit lambert = num_dir_dot(s->normal, sample.to);
     if (lambert <= 0 || num_dir_dot(s->geometric, sample.to) <= 0)
         return false;
-    if (!arrives(path, s, aim->light, &sample, bit, blocker, through))
+    bool reached = arrives(path, s, aim->light, &sample, bit, blocker, through);
+    if (path_is_watched(path))
+        observe_shadow(path, &(struct observed_shadow){s->object, s->outside, s->normal, aim->light, &sample, reached});
+    if (!reached)
         return false;
     reflectance(s, sample.to, lambert, rgb);
     multiply(rgb, through);
@@ -174,7 +179,8 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
 
 static struct ray straight_on(const struct ray_view *view, const struct shading *s)
 {
-    return (struct ray){num_point_at(s->point, s->viewer, -view->bias), num_dir_negated(s->viewer)};
+    return (struct ray){.origin = num_point_at(s->point, s->viewer, -view->bias),
+                        .direction = num_dir_negated(s->viewer)};
 }
 
 /* The refracted ray. Returns how much of it is reflected instead. */

@@ -1,5 +1,6 @@
 #include "whitted.h"
 
+#include "observe.h"
 #include "shade.h"
 
 /* A ray yet to be traced: its throughput, how many bounces and how many straight layers are behind it, and the media
@@ -9,6 +10,7 @@ struct bounce {
     num_length throughput[3];
     uint32_t depth, layers;
     struct media media;
+    enum tia_ray kind;
 };
 
 /* Depth-first: the refracted ray waits while the reflected one is followed, and below both the one past an opacity.
@@ -23,7 +25,7 @@ struct stack {
 
 /* Pushes a ray that b gives rise to, unless it is too faint. */
 static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
-                 const struct media *media, bool straight)
+                 const struct media *media, enum tia_ray kind, bool straight)
 {
     struct bounce *next = &stack->bounces[stack->count];
     bool counts = false;
@@ -36,6 +38,7 @@ static void push(struct stack *stack, const struct ray *ray, const num_length fa
     next->depth = b->depth + !straight;
     next->layers = b->layers + straight;
     next->media = *media;
+    next->kind = kind;
     stack->count += counts;
 }
 
@@ -61,19 +64,22 @@ static void bounce(const struct ray_view *view, const struct shading *s, const s
 
     shade_bounce(view, s, &b->media, &next);
     if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS)
-        push(stack, &next.past, next.passes, b, &next.media, true);
+        push(stack, &next.past, next.passes, b, &next.media, TIA_RAY_PAST, true);
     if (next.straight ? b->layers < TIA_LAYERS : bends)
-        push(stack, &next.refracted, next.refracts, b, &next.media, next.straight);
+        push(stack, &next.refracted, next.refracts, b, &next.media, TIA_RAY_REFRACTED, next.straight);
     if (bends)
-        push(stack, &next.reflected, next.reflects, b, &b->media, false);
+        push(stack, &next.reflected, next.reflects, b, &b->media, TIA_RAY_REFLECTED, false);
 }
 
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,
                    num_length colour[3])
 {
     const struct ray_view *view = path->view;
+    bool meets = hit->light == TIA_NO_OBJECT && hit->object != TIA_NO_OBJECT;
     struct shading s;
 
+    if (!meets && path_is_watched(path))
+        observe_ray(path, b->kind, &b->ray, hit, NULL);
     if (hit->light != TIA_NO_OBJECT) {
         path_hash_word(path, TIA_NO_OBJECT - 1 - hit->light);
         add_seen_light(&view->lights[hit->light], b->throughput, colour);
@@ -85,6 +91,8 @@ static void follow(struct path *path, const struct bounce *b, const struct hit *
         return;
     }
     shade_prepare(path, &b->ray, hit, &s);
+    if (path_is_watched(path))
+        observe_ray(path, b->kind, &b->ray, hit, &s.normal);
     shade_light(path, &s, b->throughput, colour);
     bounce(view, &s, b, stack);
 }
@@ -103,6 +111,7 @@ void path_colour(struct path *path, const struct ray *ray, const struct hit *fir
     path->next_reached = PATH_REACHED;
     while (stack.count > 0 && rays++ < TIA_RAYS && !path_stops(path)) {
         b = stack.bounces[--stack.count];
+        observe_count(path, &b.ray);
         ray_intersect(path->view, &b.ray, &hit);
         ray_intersect_lights(path->view, &b.ray, &hit);
         follow(path, &b, &hit, &stack, colour);

@@ -1,0 +1,28 @@
+/* text.h - small text on pictures: ASCII in cells of 6x8 pixels, for programs with or without an OS.
+ *
+ * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. '\n'
+ * begins a new line; what is not ASCII is blank. Around the text is a border of one pixel at the left and above, so
+ * that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
+ */
+#ifndef TIA_TEXT_H
+#define TIA_TEXT_H
+
+#include <tia/render.h>
+
+#define TIA_TEXT_WIDTH 6
+#define TIA_TEXT_HEIGHT 8
+
+struct tia_text {
+    const char *text;
+    uint16_t x, y;         /* the image's pixel at its upper left corner */
+    uint16_t scale;        /* pixels of a letter's dot, from 1 */
+    tia_rgb565 ink, paper; /* its letters' colour, and that of the rest */
+};
+
+/* What it covers of an image of width x height pixels; empty when it is all outside. */
+struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
+
+/* Draws what is in `tile`, onto its pixels; others stay. */
+void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
+
+#endif

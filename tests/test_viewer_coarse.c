@@ -1,0 +1,300 @@
+/* tia_viewer_run: frames that take long are shown coarse to fine. Here time passes only while pixels are lit, the same
+ * for each, so that what is shown when follows from counting pixels: 12, 36, 144, 576 and 2304 in the five passes over
+ * three tiles of 64 x 16. */
+#include "viewer_world.h"
+
+enum { TILES = 3, SHOWN = 64 };
+
+/* What must be shown: when, with which blocks in each tile, and how long the line is. */
+struct picture {
+    uint64_t at_us;
+    uint8_t block[TILES];
+    uint8_t line;
+};
+
+static struct {
+    struct world *world;
+    struct tia_core core;
+    uint64_t pixel_us;
+    unsigned traced[WORLD_HEIGHT][WORLD_WIDTH], lit[WORLD_HEIGHT][WORLD_WIDTH];
+
+    const struct picture *expected; /* NULL: the times are free */
+    unsigned expected_count, shown;
+    uint64_t at_us[SHOWN];
+    struct tia_frame told[SHOWN];
+    unsigned told_count;
+} now;
+
+/* ---- a renderer that takes its time ---- */
+
+static void count(unsigned pixels[WORLD_HEIGHT][WORLD_WIDTH], struct tia_tile tile)
+{
+    for (unsigned y = tile.y; y < (unsigned)tile.y + tile.height; y++)
+        for (unsigned x = tile.x; x < (unsigned)tile.x + tile.width; x++)
+            pixels[y][x]++;
+}
+
+static int slow_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+{
+    count(now.traced, tile);
+    return tia_trace(view, hits, tile);
+}
+
+static int slow_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    now.world->now_us += now.pixel_us * tile.width * tile.height;
+    count(now.lit, tile);
+    return tia_light_tile(view, hits, tile, surface, options);
+}
+
+/* Each pixel of the frame was computed once, and traced so often. */
+static void check_counts(unsigned traced)
+{
+    for (unsigned y = 0; y < WORLD_HEIGHT; y++)
+        for (unsigned x = 0; x < WORLD_WIDTH; x++)
+            CHECK_MSG(now.lit[y][x] == 1 && now.traced[y][x] == traced, "pixel %u, %u: lit %u times, traced %u", x, y,
+                      now.lit[y][x], now.traced[y][x]);
+    memset(now.lit, 0, sizeof now.lit);
+    memset(now.traced, 0, sizeof now.traced);
+}
+
+/* ---- what is shown ---- */
+
+/* The pixel that the block around (x, y) shows. */
+static tia_rgb565 mosaic(const tia_rgb565 *full, unsigned x, unsigned y, unsigned block)
+{
+    return full[y / block * block * WORLD_WIDTH + x / block * block];
+}
+
+static void compare(struct world *w, const tia_rgb565 *full)
+{
+    const struct picture *p = now.expected ? &now.expected[now.shown] : NULL;
+
+    now.at_us[now.shown % SHOWN] = w->now_us - START;
+    CHECK(!p || now.shown < now.expected_count);
+    for (unsigned y = 0; p && now.shown < now.expected_count && y < WORLD_HEIGHT; y++)
+        for (unsigned x = 0; x < WORLD_WIDTH; x++) {
+            tia_rgb565 want = mosaic(full, x, y, p->block[y / 16]);
+            if (p->line && y == WORLD_HEIGHT - 1)
+                want = x < p->line ? 0xffff : 0;
+            CHECK_MSG(w->pixels[y * WORLD_WIDTH + x] == want, "picture %u, pixel %u, %u", now.shown, x, y);
+        }
+    CHECK(!p || now.shown >= now.expected_count || now.at_us[now.shown] == p->at_us);
+    now.shown++;
+}
+
+static int done(void *ctx, const struct tia_frame *frame)
+{
+    now.told[now.told_count++ % SHOWN] = *frame;
+    return frame->block > 1 ? TIA_OK : world_frame_done(ctx, frame);
+}
+
+/* The thesis scene with four rays a pixel, which spans do not draw. */
+static struct world *slow_world(uint64_t pixel_us, const struct picture *expected, unsigned expected_count)
+{
+    static struct tia_scene scene;
+    struct world *w = lit_world();
+
+    scene = tia_thesis_scene;
+    scene.camera.samples = 4;
+    w->viewer.scene = &scene;
+    memset(&now, 0, sizeof now);
+    now.world = w;
+    now.core = tia_core_q16;
+    now.core.trace = slow_trace;
+    now.core.light = slow_light;
+    now.pixel_us = pixel_us;
+    now.expected = expected;
+    now.expected_count = expected_count;
+    w->viewer.core = &now.core;
+    w->viewer.frame_done = done;
+    w->compare = compare;
+    return w;
+}
+
+/* 3.072 s in all. Passes end after 12, 48, 192, 768 and 3072 ms; the first is over before a display's period is, and
+ * those that take longer than 250 ms are shown after the tile at which these are over. The line is as long as pixels
+ * are done: 64 x 48 / 3072, that is one a pixel's column for 48 pixels. */
+static const struct picture slow[] = {
+    {48000, {8, 8, 8}, 1},    {192000, {4, 4, 4}, 4},   {576000, {2, 2, 4}, 12}, {768000, {2, 2, 2}, 16},
+    {1536000, {1, 2, 2}, 32}, {2304000, {1, 1, 2}, 48}, {3072000, {1, 1, 1}, 0},
+};
+
+TEST(coarse_to_fine)
+{
+    struct world *w = slow_world(1000, slow, 7);
+
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK_EQ(now.shown, 7);
+    check_counts(1);
+    for (unsigned i = 0; i < 7; i++) {
+        static const uint16_t done[] = {1024, 4096, 12288, 16384, 32768, 49152};
+        static const uint16_t blocks[] = {8, 4, 4, 2, 2, 2, 1};
+        const struct tia_frame *t = &now.told[i];
+        CHECK_EQ(t->number, 0);
+        CHECK_EQ(t->draw_us, slow[i].at_us);
+        CHECK_EQ(t->block, blocks[i]);
+        if (i < 6)
+            CHECK(t->done == done[i] && t->left_us == 3072000 - slow[i].at_us);
+    }
+}
+
+/* Relit: nothing is traced again. */
+TEST(coarse_to_fine_from_old_hits)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+
+    world_event(w, START + 4000000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    quit_at(w, START + 9000000);
+    w->done_status = 0;
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 2);
+    CHECK(w->frames[1].told.relit);
+    for (unsigned i = 0; i < WORLD_WIDTH; i++)
+        CHECK(now.lit[5][i] == 2 && now.traced[5][i] == 1);
+    CHECK_EQ(now.shown, 14);
+    CHECK_EQ(now.told[7].key_us, 48000);
+    CHECK(now.told[8].key_us == 0 && now.told[12].key_us == 0);
+    CHECK_EQ(now.told[13].key_us, 3072000);
+}
+
+/* 15.36 ms: what a display with 60 Hz shows in a period. */
+TEST(a_quick_frame_is_shown_whole)
+{
+    static const struct picture whole[] = {{15360, {1, 1, 1}, 0}, {115360, {1, 1, 1}, 0}};
+    struct world *w = slow_world(5, whole, 2);
+
+    world_event(w, START + 100000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(now.shown, 2);
+}
+
+/* Less than a second: no line. */
+TEST(no_line_for_a_short_time)
+{
+    static const struct picture short_time[] = {
+        {57600, {4, 4, 4}, 0}, {230400, {2, 2, 2}, 0}, {691200, {1, 1, 2}, 0}, {921600, {1, 1, 1}, 0}};
+    struct world *w = slow_world(300, short_time, 4);
+
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(now.shown, 4);
+}
+
+/* A key at 100 ms is seen at the next look, 20 ms apart, and the frame with it is shown 48 ms after that. One before
+ * the first picture waits for it. */
+TEST(a_key_begins_the_frame_anew)
+{
+    for (int early = 0; early < 2; early++) {
+        struct world *w = slow_world(1000, NULL, 0);
+        world_event(w, START + (early ? 5000 : 100000), TIA_EVENT_TAP, TIA_KEY_LEFT);
+        quit_at(w, START + 9000000);
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frame_count, 1);
+        CHECK_EQ(w->frames[0].light.x, -21 * ONE);
+        CHECK_EQ(now.shown, 8);
+        CHECK_EQ(now.at_us[0], 48000);
+        CHECK(now.at_us[1] >= (early ? 96000u : 148000u) && now.at_us[1] <= (early ? 96000u : 148000u) + 21000);
+        CHECK_EQ(now.told[1].key_us, now.at_us[1] - (early ? 5000 : 100000));
+        CHECK_EQ(now.at_us[7] - now.at_us[1], 3072000 - 48000);
+    }
+}
+
+/* While a key is held, pictures keep coming; the last is complete and shows where it was let go. */
+TEST(a_held_key)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+
+    world_event(w, START + 100000, TIA_EVENT_PRESS, TIA_KEY_RIGHT);
+    world_event(w, START + 1100000, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK(w->frames[0].light.x >= (-20 + 20) * ONE && w->frames[0].light.x <= (-20 + 24) * ONE);
+    for (unsigned i = 1; i < now.shown && now.at_us[i] < 1200000; i++)
+        CHECK_MSG(now.at_us[i] - now.at_us[i - 1] <= 400000, "picture %u", i);
+    CHECK(now.shown >= 15);
+}
+
+TEST(a_key_that_quits)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+
+    quit_at(w, START + 400000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->now_us <= START + 421000);
+    CHECK(w->frame_count == 0 && now.shown == 2);
+}
+
+/* In any order, the same pictures but for which tile is finer. */
+TEST(several_threads)
+{
+    static const struct picture backwards[] = {
+        {48000, {8, 8, 8}, 1},    {192000, {4, 4, 4}, 4},   {576000, {4, 2, 2}, 12}, {768000, {2, 2, 2}, 16},
+        {1536000, {2, 2, 1}, 32}, {2304000, {2, 1, 1}, 48}, {3072000, {1, 1, 1}, 0},
+    };
+    struct world *w = slow_world(1000, backwards, 7);
+
+    w->mode.concurrent = true;
+    w->viewer.workers = &world_workers;
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(now.shown, 7);
+    check_counts(1);
+}
+
+/* Another program takes the screen at 300 ms: the frame is drawn again when it comes back. */
+TEST(another_program_takes_the_screen)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+
+    w->hidden_from_us = START + 300000;
+    w->hidden_until_us = START + 2000000;
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK(now.at_us[1] == 192000 && now.at_us[2] == 2048000);
+}
+
+/* Without the memory, without a clock, in films and where frames are counted: at once, as ever. */
+TEST(frames_at_once)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+    size_t enough;
+
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    enough = w->memory_size;
+    for (int i = 0; i < 3; i++) {
+        w = slow_world(1000, slow + 6, 1);
+        if (i == 0)
+            w->memory_limit = enough - 1;
+        if (i == 1)
+            w->viewer.clock = NULL;
+        if (i == 2)
+            w->viewer.frame_limit = 1;
+        quit_at(w, START + 9000000);
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(now.shown, 1);
+        check_counts(1);
+    }
+}
+
+int main(void)
+{
+    RUN(coarse_to_fine);
+    RUN(coarse_to_fine_from_old_hits);
+    RUN(a_quick_frame_is_shown_whole);
+    RUN(no_line_for_a_short_time);
+    RUN(a_key_begins_the_frame_anew);
+    RUN(a_held_key);
+    RUN(a_key_that_quits);
+    RUN(several_threads);
+    RUN(another_program_takes_the_screen);
+    RUN(frames_at_once);
+    return check_status();
+}

@@ -1,0 +1,70 @@
+#include "overlay.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "clock.h"
+
+/* Lines, one after the other. */
+struct lines {
+    char *text;
+    size_t size, used;
+};
+
+__attribute__((format(printf, 2, 3))) static void add_line(struct lines *lines, const char *format, ...)
+{
+    va_list arguments;
+
+    if (lines->used > 0 && lines->used + 1 < lines->size)
+        lines->text[lines->used++] = '\n';
+    va_start(arguments, format);
+    int length = vsnprintf(lines->text + lines->used, lines->size - lines->used, format, arguments);
+    va_end(arguments);
+    size_t room = lines->size - lines->used - 1;
+    lines->used += length < 0 ? 0 : (size_t)length < room ? (size_t)length : room;
+}
+
+static void add_stats(const struct overlay *overlay, const struct tia_frame *frame, struct lines *lines)
+{
+    uint64_t between = overlay->between_us;
+
+    add_line(lines, "frame %" PRIu32 ", %" PRIu64 ".%" PRIu64 " ms", frame->number, frame->draw_us / 1000,
+             frame->draw_us % 1000 / 100);
+    if (between != 0)
+        add_line(lines, "%" PRIu64 ".%" PRIu64 " frames/s", UINT64_C(1000000) / between,
+                 UINT64_C(10000000) / between % 10);
+    if (overlay->key_us != 0)
+        add_line(lines, "key to picture %" PRIu64 ".%" PRIu64 " ms", overlay->key_us / 1000,
+                 overlay->key_us % 1000 / 100);
+    add_line(lines, "%ux%u, %s, threads %u%s", overlay->width, overlay->height, frame->level, overlay->threads,
+             frame->relit ? ", relit" : "");
+    if (frame->block > 1)
+        add_line(lines, "blocks of %u", frame->block);
+}
+
+void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size)
+{
+    struct lines lines = {text, size, 0};
+    uint64_t seconds = (frame->left_us + 999999) / 1000000;
+
+    text[0] = '\0';
+    overlay->labelled = overlay->labelled || frame->shadows != overlay->options->scene.shadows;
+    if (overlay->labelled)
+        add_line(&lines, "%s %" PRIu64 ".%" PRIu64 " ms", tia_shadows_name(frame->shadows), frame->draw_us / 1000,
+                 frame->draw_us % 1000 / 100);
+    if (overlay->options->stats_overlay)
+        add_stats(overlay, frame, &lines);
+    if (overlay->options->progress && frame->block > 1)
+        add_line(&lines, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, seconds);
+}
+
+void overlay_shown(struct overlay *overlay, const struct tia_frame *frame)
+{
+    uint64_t now = clock_now_us();
+
+    overlay->between_us = overlay->shown_us != 0 ? now - overlay->shown_us : 0;
+    overlay->shown_us = now;
+    if (frame->key_us != 0)
+        overlay->key_us = frame->key_us;
+}

@@ -1,0 +1,17 @@
+/* palette.h - false colours. */
+#ifndef TOOLS_TIA_PALETTE_H
+#define TOOLS_TIA_PALETTE_H
+
+#include <stdint.h>
+#include <tia/vec.h>
+
+/* From black over blue, red and yellow to white; t in 0..1. */
+tia_rgb565 palette_heat(double t);
+
+/* That of number n: neighbours differ most. */
+tia_rgb565 palette_number(uint32_t n);
+
+/* Each channel in 0..1, clamped. */
+tia_rgb565 palette_rgb(double r, double g, double b);
+
+#endif

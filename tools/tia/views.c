@@ -1,0 +1,229 @@
+#include "views.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "legend.h"
+#include "projected.h"
+#include "seen.h"
+
+enum { RAYS_DRAWN = 256 };
+
+/* A line on the picture. */
+struct line {
+    double ends[2][2];
+    tia_rgb565 colour;
+};
+
+/* Set when a view is prepared and when its lights are set, before threads draw. */
+static struct {
+    struct views views;
+    struct tia_core core;
+    struct legend legend;
+    const struct tia_scene *scene;
+    unsigned width, height;
+    struct line lines[2 * RAYS_DRAWN];
+    unsigned line_count;
+} now;
+
+const char *view_name(unsigned view)
+{
+    static const char *const names[VIEW_COUNT] = {"colour", "depth", "normal", "object", "cost", "light", "path"};
+
+    return view < VIEW_COUNT ? names[view] : NULL;
+}
+
+/* ---- the rays of a pixel ---- */
+
+static void add_line(struct tia_vec3 from, struct tia_vec3 to, tia_rgb565 colour)
+{
+    struct line *line = &now.lines[now.line_count];
+
+    line->colour = colour;
+    if (projected_segment(&now.scene->camera, now.width, now.height, from, to, line->ends))
+        now.line_count++;
+}
+
+static void add_ray(void *ctx, const struct tia_traced *traced)
+{
+    unsigned kind = (unsigned)traced->ray;
+    double part = now.legend.scale / 10; /* a normal's length */
+    struct tia_vec3 tip = {(tia_q16)fmin(traced->to.x + part * traced->normal.x, INT32_MAX),
+                           (tia_q16)fmin(traced->to.y + part * traced->normal.y, INT32_MAX),
+                           (tia_q16)fmin(traced->to.z + part * traced->normal.z, INT32_MAX)};
+
+    (void)ctx;
+    if (now.line_count + 2 > 2 * RAYS_DRAWN)
+        return;
+    add_line(traced->from, traced->to, legend_ray(traced->ray == TIA_RAY_SHADOW && !traced->arrives ? kind + 1 : kind));
+    if (traced->ray != TIA_RAY_SHADOW && traced->object != TIA_NO_OBJECT)
+        add_line(traced->to, tip, legend_ray(TIA_RAY_SHADOW + 2));
+}
+
+static int collect_rays(const struct tia_view *view)
+{
+    const struct tia_core *core = &tia_core_watched;
+    const struct tia_tile pixel = {now.views.x, now.views.y, 1, 1};
+    struct tia_observer observer = {add_ray, NULL, 0};
+    const struct tia_options options = {.observer = &observer};
+    tia_rgb565 colour;
+    const struct tia_surface surface = {&colour, sizeof colour, sizeof colour};
+    struct tia_hits *hits;
+
+    now.line_count = 0;
+    if (!now.views.draws_rays || now.views.x >= now.width || now.views.y >= now.height)
+        return TIA_OK;
+    size_t size = core->hits_size(now.scene, pixel);
+    void *memory = malloc(size);
+    int status = memory ? core->hits_init(&hits, memory, size, view, pixel) : TIA_ERR_MEMORY;
+    if (!status)
+        status = core->trace(view, hits, pixel);
+    if (!status)
+        status = core->light(view, hits, pixel, &surface, &options);
+    free(memory);
+    return status;
+}
+
+static void put(struct tia_tile tile, const struct tia_surface *surface, double x, double y, tia_rgb565 colour)
+{
+    if (x < tile.x || y < tile.y || x >= tile.x + tile.width || y >= tile.y + tile.height)
+        return;
+    char *row = (char *)surface->pixels + (ptrdiff_t)((int)y - tile.y) * surface->pitch;
+    *(tia_rgb565 *)(void *)(row + (ptrdiff_t)((int)x - tile.x) * surface->step) = colour;
+}
+
+/* Cuts the parameters of a line to those within low..high, with half a pixel to spare; false: there are none. */
+static bool cut(double from, double to, double low, double high, double *first, double *last)
+{
+    double way = to - from;
+
+    if (fabs(way) < 1e-9)
+        return from >= low - 1 && from <= high + 1;
+    double a = (low - 1 - from) / way, b = (high + 1 - from) / way;
+    *first = fmax(*first, fmin(a, b));
+    *last = fmin(*last, fmax(a, b));
+    return *first <= *last;
+}
+
+/* A step is a pixel, counted from the line's beginning: so all tiles show the same one. */
+static void draw_line(const struct line *line, struct tia_tile tile, const struct tia_surface *surface)
+{
+    double x = line->ends[0][0], y = line->ends[0][1], wide = line->ends[1][0] - x, high = line->ends[1][1] - y;
+    double steps = fmax(fmax(fabs(wide), fabs(high)), 1), first = 0, last = 1;
+
+    if (!cut(x, x + wide, tile.x, (double)tile.x + tile.width, &first, &last) ||
+        !cut(y, y + high, tile.y, (double)tile.y + tile.height, &first, &last))
+        return;
+    for (double i = floor(first * steps); i <= last * steps; i++)
+        put(tile, surface, floor(x + i / steps * wide + 0.5), floor(y + i / steps * high + 0.5), line->colour);
+}
+
+/* ---- the core ---- */
+
+/* Half of the palette is for what is nearer than the point that the camera looks at, or a distance of 10. */
+static double scale_of(const struct tia_scene *scene)
+{
+    const struct tia_camera *c = &scene->camera;
+    double x = ((double)c->eye.x - c->reference.x) / 65536, y = ((double)c->eye.y - c->reference.y) / 65536,
+           z = ((double)c->eye.z - c->reference.z) / 65536;
+
+    return c->up.x != 0 || c->up.y != 0 || c->up.z != 0 ? sqrt(x * x + y * y + z * z) : 10;
+}
+
+static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
+    now.scene = scene;
+    now.width = width;
+    now.height = height;
+    now.legend = (struct legend){now.views.view,
+                                 now.views.draws_rays,
+                                 width,
+                                 height,
+                                 scale_of(scene),
+                                 scene->sphere_count + scene->shape_count,
+                                 0};
+    return tia_core_watched.view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
+}
+
+static int init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene, uint32_t capacity,
+                unsigned width, unsigned height)
+{
+    return init_until(view, memory, size, scene, capacity, width, height, NULL, NULL);
+}
+
+static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
+{
+    int status = tia_core_watched.set_lights(view, lights, count);
+
+    now.legend.lights = count;
+    return status ? status : collect_rays(view);
+}
+
+static int draw_false(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < (unsigned)tile.width * tile.height && !status; i++) {
+        unsigned x = i % tile.width, y = i / tile.width;
+        struct tia_tile pixel = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), 1, 1};
+        char *row = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch;
+        struct seen seen = {.rays = 0};
+        struct tia_observer observer = {seen_ray, &seen, 0};
+        struct tia_options watched = *options;
+        tia_rgb565 colour;
+
+        watched.observer = &observer;
+        status = tia_core_watched.light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &watched);
+        *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface->step) =
+            seen_colour(&seen, now.views.view, observer.tests, now.legend.scale);
+    }
+    return status;
+}
+
+static int light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                 const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = now.views.view == VIEW_COLOUR ? tia_core_watched.light(view, hits, tile, surface, options)
+                                               : draw_false(view, hits, tile, surface, options);
+
+    for (unsigned i = 0; !status && i < now.line_count; i++)
+        draw_line(&now.lines[i], tile, surface);
+    if (!status)
+        legend_draw(&now.legend, tile, surface);
+    return status;
+}
+
+static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = tia_core_watched.trace(view, hits, tile);
+
+    return status ? status : light(view, hits, tile, surface, options);
+}
+
+const struct tia_core *views_core(const struct views *views)
+{
+    now.views = *views;
+    now.core = tia_core_watched;
+    now.core.view_init = init;
+    now.core.view_init_until = init_until;
+    now.core.set_lights = set_lights;
+    now.core.light = light;
+    now.core.render = render;
+    return &now.core;
+}
+
+/* A camera that is told what it sees is not for spans: along -z, as without that. */
+void views_need_rays(struct tia_scene *scene)
+{
+    struct tia_camera *c = &scene->camera;
+
+    if (tia_draws_by_pixel(scene) || scene->shadows != TIA_SHADOWS_TRACED)
+        return;
+    c->up = (struct tia_vec3){0, TIA_Q16_ONE, 0};
+    c->reference = c->eye;
+    c->reference.z -= TIA_Q16_ONE;
+}

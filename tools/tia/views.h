@@ -1,0 +1,25 @@
+/* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws what another one's rays
+ * tell (struct tia_observer), with a legend. There is one such core in a program, since a core has no context. */
+#ifndef TOOLS_TIA_VIEWS_H
+#define TOOLS_TIA_VIEWS_H
+
+#include <tia/render.h>
+
+#include "view.h"
+
+struct views {
+    enum view view;
+    bool draws_rays;
+    uint16_t x, y; /* of the pixel whose rays are drawn; a picture without that pixel is a plain one */
+};
+
+/* "colour", ...; NULL for VIEW_COUNT and above. */
+const char *view_name(unsigned view);
+
+/* The core that shows this. */
+const struct tia_core *views_core(const struct views *views);
+
+/* Spans have no rays: makes rays draw the scene, where spans would, with the same picture up to rounding. */
+void views_need_rays(struct tia_scene *scene);
+
+#endif
