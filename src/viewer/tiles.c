@@ -137,7 +137,7 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
         status = v->display->acquire(v->display_ctx, tile, &surface);
     if (!status)
         status = loop->traced == VIEWER_PASSES ? loop->core->light(loop->view, hits, tile, &surface, &v->options)
-                              : loop->core->render(loop->view, hits, tile, &surface, &v->options);
+                                               : loop->core->render(loop->view, hits, tile, &surface, &v->options);
     return status ? status : v->display->submit(v->display_ctx, tile);
 }
 
