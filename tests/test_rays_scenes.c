@@ -269,7 +269,7 @@ TEST(lights_one_by_one)
         lights[0].linear = TIA_Q16(0.1);
         lights[0].quadratic = TIA_Q16(0.02);
         lights[0].samples = 7;
-        if (kind != TIA_SPOT_LIGHT)
+        if (kind != TIA_SPOT_LIGHT && kind != TIA_AMBIENT_LIGHT)
             lights[0].radius = TIA_Q16(0.6);
         materials[BACK].mirror = (struct tia_rgb)GREY;
         lights[0].centre = (struct tia_vec3)TIA_VEC3(1, 3, 0.5);

@@ -48,6 +48,14 @@ static int slow_light(const struct tia_view *view, const struct tia_hits *hits, 
     return tia_light_tile(view, hits, tile, surface, options);
 }
 
+static int slow_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = slow_trace(view, hits, tile);
+
+    return status ? status : slow_light(view, hits, tile, surface, options);
+}
+
 /* Each pixel of the frame was computed once, and traced so often. */
 static void check_counts(unsigned traced)
 {
@@ -104,6 +112,7 @@ static struct world *slow_world(uint64_t pixel_us, const struct picture *expecte
     now.core = tia_core_q16;
     now.core.trace = slow_trace;
     now.core.light = slow_light;
+    now.core.render = slow_render;
     now.pixel_us = pixel_us;
     now.expected = expected;
     now.expected_count = expected_count;

@@ -52,10 +52,11 @@ struct tia_observer {
 
 /* All zero: neither. */
 struct tia_options {
-    bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
-    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;                 /* NULL, or receives what light reaches each pixel, row by row of the tile */
-    struct tia_observer *observer; /* NULL, or is told of rays, in the order of the path hash, see above; spans have none */
+    bool dither;         /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
+    uint32_t *path_hash; /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;       /* NULL, or receives what light reaches each pixel, row by row of the tile */
+    struct tia_observer
+        *observer; /* NULL, or is told of rays, in the order of the path hash, see above; spans have none */
 };
 
 /* What light reaches a pixel does not depend on what colour it has there. The lights' samples are numbered through, in
@@ -162,11 +163,11 @@ struct tia_core {
     bool (*draws_by_pixel)(const struct tia_scene *);
 };
 
-extern const struct tia_core tia_core_q16; /* integers: the functions above */
-extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
+extern const struct tia_core tia_core_q16;     /* integers: the functions above */
+extern const struct tia_core tia_core_f64;     /* double: the reference, libtia-f64.a */
 extern const struct tia_core tia_core_watched; /* integers that tell an observer of rays: libtia-watched.a */
-extern const struct tia_core tia_core_f32; /* float: for comparison, libtia-f32.a */
-extern const struct tia_core tia_core_chk; /* q16 that reports values out of range, libtia-chk.a */
+extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-f32.a */
+extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
 
 /* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
  * result on from row to row. */

@@ -1,9 +1,12 @@
 #include "join_sums.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "common/image/sums.h"
 #include "common/sink.h"
@@ -36,11 +39,26 @@ static int refuse(struct addition *a, const char *path, const char *reason)
     return REFUSED;
 }
 
+/* Only regular files, as of all parts: a FIFO would block. */
+static FILE *open_regular(const char *path)
+{
+    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    struct stat status;
+
+    if (fd < 0)
+        return NULL;
+    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode))
+        return fdopen(fd, "rb");
+    (void)close(fd);
+    errno = EINVAL;
+    return NULL;
+}
+
 bool is_sums(const char *path)
 {
     static const char magic[] = "TIASUMS1 ";
     char text[sizeof magic - 1];
-    FILE *file = fopen(path, "rb");
+    FILE *file = open_regular(path);
     bool is = file && fread(text, 1, sizeof text, file) == sizeof text && !memcmp(text, magic, sizeof text);
 
     if (file)
@@ -53,7 +71,7 @@ static int open_one(struct addition *a, struct summand *s, const char *path)
     char text[SUMS_HEADER];
 
     s->path = path;
-    s->file = fopen(path, "rb");
+    s->file = open_regular(path);
     if (!s->file)
         return refuse(a, path, strerror(errno));
     size_t header = sums_parse(&s->sums, text, fread(text, 1, sizeof text, s->file));
