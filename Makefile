@@ -338,7 +338,7 @@ check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 
 # The float loops that levels are measured against: there where the level is, with its flags.
 LANES_SRC := $(wildcard bench/lanes_*.c)
-BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(LEVELS_HAD:%=bench/lanes_%.c))
+BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(LANES_SRC),$(LEVELS_HAD:%=bench/lanes_%.c)))
 $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
