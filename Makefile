@@ -149,7 +149,7 @@ NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/levels/levels.mk
 # Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow read scene/bvh scene/shapes render/geometry render/trace render/whitted render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c shadows.c)
+             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c shadows.c)
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
