@@ -43,7 +43,7 @@ struct tia_lattice {
     int32_t x, y, w, right, down;
     int32_t centre[2]; /* where x = y = 0 is: 2^-16 pixel, from the centre of pixel (0, 0) */
     int fraction;      /* fraction bits of the vertices */
-    int scale;         /* nearness is 1/t 2^scale, where the point is t D; see struct tia_raster_target */
+    int scale;         /* for nearness 1/t, where the point is t D; see struct tia_raster_target */
     int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
 };
 
@@ -112,8 +112,8 @@ struct tia_raster_target {
     const struct tia_lattice *lattice;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE where nothing is */
-    uint64_t *nearness; /* within 2^15 of what `scale` says, clamped to 0..2^62: in perspective w = 1/16 and
-                           orthographic h = 2^29 have 2^61..2^62; 0 where nothing is */
+    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62. In perspective
+                           w = 1/16 has 2^61..2^62; h of -2^range has 0..2^60, of 2^range as near 2^62. 0 where nothing is */
     uint8_t *stencil;
     uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
