@@ -112,8 +112,8 @@ struct tia_raster_target {
     const struct tia_lattice *lattice;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE where nothing is */
-    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62. In perspective
-                           w = 1/16 has 2^61..2^62; h of -2^range has 0..2^60, of 2^range as near 2^62. 0 where nothing is */
+    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 where
+                           nothing is. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
     uint8_t *stencil;
     uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
@@ -145,8 +145,8 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 #define TIA_DISTANCE_BITS 45
 
 /* How far from the eye what pixel (x, y) of the image sees of a plane is, measured along the line of sight: w, or in
- * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57, at most 2^62; 0 where the plane
- * is not before the eye. */
+ * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57 and half a unit, at most 2^62; 0
+ * where the plane is not before the eye. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
 /* Empties the depth buffer. */

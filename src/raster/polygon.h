@@ -41,8 +41,8 @@ struct polygon {
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
-/* The same, of all pixels that are at most one beside a pixel whose square the polygon touches: without its depth. The
- * corners may be directions. */
+/* The same, of all pixels whose centres are at most one column and one row from a point of the polygon, and a few more
+ * beside its corners: without its depth. The corners may be directions. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count);
 
