@@ -351,17 +351,29 @@ endif
 # The pictures of README.md and docs/, which a test compares with what is drawn.
 .PHONY: gallery
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
-gallery: all
-	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+gallery: all $(BUILD)/tests/test_raster_mirror
+	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n)-bare.png,scenes/shadows/$(n)-bare.tia -s 240x180))
 	$(foreach n,1 2,$(call draw,docs/shadows/place-$(n).png,scenes/shadows/place.tia --time $(n) -s 240x180))
+	$(call draw,docs/shadows/volume.png,scenes/shadows/volume.tia -s 400x300)
+	$(call draw,docs/shadows/open.png,scenes/shadows/open.tia -s 240x180)
 	$(foreach n,zpass zpass-plain,$(call draw,docs/shadows/porch-$(n).png,scenes/porch.tia --shadows $(n) -s 400x300))
 	$(call draw,docs/shadows/map-none.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias none -s 240x180)
 	$(call draw,docs/shadows/map-constant.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias constant=0.3 -s 240x180)
 	$(call draw,docs/shadows/map.png,scenes/shadow-mapping.tia --map-size 256 -s 240x180)
+	$(call draw,docs/shadows/map-steps.png,scenes/shadow-mapping.tia --map-size 64 --filter none -s 240x180)
+	$(call draw,docs/shadows/map-smooth.png,scenes/shadow-mapping.tia --map-size 64 -s 240x180)
+	$(call draw,docs/shadows/map-exact.png,scenes/shadow-mapping.tia --shadows map-exact -s 240x180)
+	$(call draw,docs/shadows/soft-point.png,scenes/shadows/soft.tia -k h -s 240x180)
+	$(call draw,docs/shadows/soft-few.png,scenes/shadows/soft.tia -k f -s 240x180)
+	$(call draw,docs/shadows/soft.png,scenes/shadows/soft.tia -s 240x180)
+	$(call draw,docs/shadows/soft-traced.png,scenes/shadows/soft.tia --shadows traced -s 240x180)
+	$(call draw,docs/shadows/soft-7x7.png,scenes/shadows/soft.tia -k h --shadows map --map-size 512 --filter 7x7 --bias plane=1 -s 240x180)
+	$(call draw,docs/shadows/soft-pcss.png,scenes/shadows/soft.tia --shadows map --filter pcss --bias plane=1 -s 240x180)
+	$(BUILD)/tests/test_raster_mirror docs/shadows
 	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 
 clean:

@@ -157,7 +157,10 @@ void tia_clear_count(struct tia_raster_target *target, uint32_t value);
 void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
 void tia_clear_sum(struct tia_raster_target *target);
 
-/* Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
+/* The accumulation buffer is for pictures that a caller draws: of an area light the mean over its points, drawn
+ * one after the other. tia_render keeps which samples of a light arrive, and needs none.
+ *
+ * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
 void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
 /* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. total is 1..65536. */
 void tia_sum_return(struct tia_raster_target *target, uint32_t total);
