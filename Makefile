@@ -146,25 +146,10 @@ endif
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
 CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/no_coherence.c,$(call c_below,src))
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
-# Vector units: a library of its own, with floating point. A level is a file of src/levels with its own flags, and there
-# where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
-LEVELS_SRC := $(filter src/levels/%,$(CORE_SRC))
-CORE_SRC  := $(filter-out src/levels/%,$(CORE_SRC))
-LEVEL_NAMES := scalar sse41 avx2 avx512 neon neon32
-flags_scalar :=
-flags_sse41  := -msse4.1
-flags_avx2   := -mavx2 -mfma
-flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
-flags_neon   :=
-flags_neon32 := -mfpu=neon
-LEVELS ?= $(if $(BARE),no,yes)
-# tools/generate would be too late: the compiler is asked with a line for each level.
-LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
-LEVELS_SRC := $(filter-out $(foreach l,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(LEVELS_SRC))
-HAVE_LEVELS := $(addprefix -DTIA_HAVE_,$(shell echo $(LEVELS_HAD) | tr a-z A-Z))
+include src/levels/levels.mk
 # Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone read scene/bvh scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c
+             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
@@ -181,15 +166,6 @@ LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-# TinyGL, where a tester has put it: measured beside the rasteriser, by a program of its own. Its own Makefile builds
-# it with OpenMP.
-TINYGL ?=
-TINYGL_LIB := $(if $(TINYGL),$(firstword $(wildcard $(addprefix $(TINYGL)/,lib/libTinyGL.a src/libTinyGL.a libTinyGL.a))))
-ifneq ($(TINYGL),)
-$(if $(and $(TINYGL_LIB),$(wildcard $(TINYGL)/include/zbuffer.h)),,$(error TINYGL=$(TINYGL): no include/zbuffer.h or no lib/libTinyGL.a there))
-endif
-BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
-$(if $(TINYGL),$(BENCH): LIBS += -lgomp)
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
@@ -260,7 +236,7 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 # A picture to compare with, drawn by GL.
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
 $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/raster.c))
-$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows $(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
+$(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows: LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(BUILD)/tia $(BUILD)/tests/test_observe: $(LIBWATCHED)
@@ -283,7 +259,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-arch check-mutants fuzz
+.PHONY: check-exhaustive prove check-arch check-levels check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -292,6 +268,8 @@ prove:
 	@$(alone) tests/slow/prove
 check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
+check-levels: $(addprefix $(BUILD)/tests/test_,span_levels ray_levels ray_bounds)
+	@LEVEL_SCENES=100000 $(run_tests) tests/slow/levels
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
@@ -342,21 +320,7 @@ $(BUILD)/vm/probe: tests/vm/probe.c
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
-# The float loops that levels are measured against: there where the level is, with its flags.
-LANES_SRC := $(wildcard bench/lanes_*.c)
-BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(LEVELS_HAD:%=bench/lanes_%.c))
-$(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
-	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
-$(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
-$(BENCH): $(call obj,host,$(BENCH_SRC) $(if $(GL),bench/gl/raster.c)) \
-          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
-	$(link)
-# FORCE: another TINYGL may be meant than the last time.
-$(BUILD)/tinygl/%.o: %.c FORCE
-	$(call compile,CC,$(HOSTED) -DTIA_HAVE_TINYGL -isystem $(TINYGL)/include)
-$(call obj,host,bench/shadow_scene.c bench/shadow_frames.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
-bench: $(BENCH)
-	@$(BENCH)
+include bench/bench.mk
 
 size: $(LIBTIA)
 	@$(CROSS)size -t $(LIBTIA)
@@ -393,17 +357,29 @@ endif
 # The pictures of README.md and docs/, which a test compares with what is drawn.
 .PHONY: gallery
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
-gallery: all
-	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+gallery: all $(BUILD)/tests/test_raster_mirror
+	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n)-bare.png,scenes/shadows/$(n)-bare.tia -s 240x180))
 	$(foreach n,1 2,$(call draw,docs/shadows/place-$(n).png,scenes/shadows/place.tia --time $(n) -s 240x180))
+	$(call draw,docs/shadows/volume.png,scenes/shadows/volume.tia -s 400x300)
+	$(call draw,docs/shadows/open.png,scenes/shadows/open.tia -s 240x180)
 	$(foreach n,zpass zpass-plain,$(call draw,docs/shadows/porch-$(n).png,scenes/porch.tia --shadows $(n) -s 400x300))
 	$(call draw,docs/shadows/map-none.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias none -s 240x180)
 	$(call draw,docs/shadows/map-constant.png,scenes/shadow-mapping.tia --map-size 256 --filter none --bias constant=0.3 -s 240x180)
 	$(call draw,docs/shadows/map.png,scenes/shadow-mapping.tia --map-size 256 -s 240x180)
+	$(call draw,docs/shadows/map-steps.png,scenes/shadow-mapping.tia --map-size 64 --filter none -s 240x180)
+	$(call draw,docs/shadows/map-smooth.png,scenes/shadow-mapping.tia --map-size 64 -s 240x180)
+	$(call draw,docs/shadows/map-exact.png,scenes/shadow-mapping.tia --shadows map-exact -s 240x180)
+	$(call draw,docs/shadows/soft-point.png,scenes/shadows/soft.tia -k h -s 240x180)
+	$(call draw,docs/shadows/soft-few.png,scenes/shadows/soft.tia -k f -s 240x180)
+	$(call draw,docs/shadows/soft.png,scenes/shadows/soft.tia -s 240x180)
+	$(call draw,docs/shadows/soft-traced.png,scenes/shadows/soft.tia --shadows traced -s 240x180)
+	$(call draw,docs/shadows/soft-7x7.png,scenes/shadows/soft.tia -k h --shadows map --map-size 512 --filter 7x7 --bias plane=1 -s 240x180)
+	$(call draw,docs/shadows/soft-pcss.png,scenes/shadows/soft.tia --shadows map --filter pcss --bias plane=1 -s 240x180)
+	$(BUILD)/tests/test_raster_mirror docs/shadows
 	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 
 clean:
@@ -416,7 +392,7 @@ help:
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-arch check-vm fuzz                       parts of check, for longer"
+	@echo "check-arch check-levels check-vm fuzz          parts of check, for longer"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"

@@ -25,9 +25,10 @@ static const struct drawn_case {
     uint16_t width, height;
     int level;
     uint32_t lights;
-} cases[] = {{640, 480, 0, 1},   {640, 480, 1, 1},   {640, 480, 2, 1},  {640, 480, 3, 1}, {640, 480, 4, 1},
-             {640, 480, 5, 1},   {640, 480, 2, 2},   {640, 480, 2, 4},  {320, 240, 2, 1}, {1280, 960, 2, 1},
-             {1920, 1080, 0, 1}, {1920, 1080, 2, 1}, {1920, 1080, 5, 1}};
+} cases[] = {{640, 480, 0, 1},   {640, 480, 1, 1},   {640, 480, 2, 1},   {640, 480, 3, 1},
+             {640, 480, 4, 1},   {640, 480, 5, 1},   {640, 480, 2, 2},   {640, 480, 2, 4},
+             {320, 240, 2, 1},   {1280, 960, 2, 1},  {1920, 1080, 0, 1}, {1920, 1080, 1, 1},
+             {1920, 1080, 2, 1}, {1920, 1080, 3, 1}, {1920, 1080, 4, 1}, {1920, 1080, 5, 1}};
 
 #define CASES ((int)(sizeof cases / sizeof *cases))
 
@@ -45,29 +46,31 @@ struct shown {
     struct tia_view *view;
     struct tia_hits *hits;
     struct tia_surface surface;
-    void *memory[2];
+    void *memory[3];
 };
 
 static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     f->area = (struct tia_tile){0, 0, width, height};
-    size_t sizes[2] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area)};
-    for (int i = 0; i < 2; i++) {
-        f->memory[i] = malloc(sizes[i]);
+    const struct tia_level *level = tia_level_best();
+    size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
+                       tia_level_size(level, scene, scene->light_count)};
+    for (int i = 0; i < 3; i++) {
+        f->memory[i] = malloc(sizes[i] + 1); /* a level may need none */
         shadow_must(f->memory[i] != NULL);
     }
     f->surface = (struct tia_surface){malloc((size_t)width * height * 2), 2, 2 * width};
     shadow_must(f->surface.pixels &&
                 !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height));
-    shadow_must(!tia_view_set_level(f->view, tia_level_best(), NULL, 0));
+    shadow_must(!tia_view_set_level(f->view, level, f->memory[2], sizes[2]));
     shadow_must(!tia_hits_init(&f->hits, f->memory[1], sizes[1], f->view, f->area));
 }
 
 static void close_frame(struct shown *f)
 {
     free(f->surface.pixels);
-    free(f->memory[0]);
-    free(f->memory[1]);
+    for (int i = 0; i < 3; i++)
+        free(f->memory[i]);
 }
 
 /* A frame is what is seen and then its light, which alone is drawn again when lights have moved. */

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The tables of shadow maps in docs/shadows.md: a scene with one light by each kind of map, beside shadow volumes.
 
-    shadow_maps.py TIA LIGHT [FILTER] SIZE...   each bias; LIGHT: spot, point or sun; FILTER: none
-    shadow_maps.py TIA filters [BIAS]           each filter, beside 64 volumes of an area light; BIAS: plane=1
+    shadow_maps.py TIA LIGHT [FILTER] [SIZE...]  each bias; LIGHT: spot, point or sun; FILTER: none; SIZE: all
+    shadow_maps.py TIA filters [BIAS]            each filter, beside 64 volumes of an area light; BIAS: plane=1
 
 Wrongly dark and wrongly lit are the parts of the light that are missing, or too much, in per cent of the pixels that see
 a face: without a filter, of all light or none, they are pixels."""
@@ -21,6 +21,7 @@ LIGHTS = {
 }
 BIASES = ["none", "constant=0.002", "constant=0.01", "constant=0.05", "constant=0.2", "slope=0.5", "slope=1", "slope=2", "slope=3",
           "normal=1", "normal=2", "plane=0", "plane=0.25", "plane=1"]
+SIZES = (64, 128, 256, 512, 1024, 2048, 4096)
 FILTERS = ["none", "bilinear", "3x3", "5x5", "7x7", "poisson", "pcss"]
 
 
@@ -117,11 +118,11 @@ def main():
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as folder:
         if sys.argv[2] == "filters":
-            filters(folder, (sys.argv[3:] or ["plane=1"])[0], (256, 512, 1024, 2048))
+            filters(folder, (sys.argv[3:] or ["plane=1"])[0], SIZES)
             return
         name = sys.argv[3] if sys.argv[3:] and sys.argv[3] in FILTERS else "none"
         sizes = [int(size) for size in sys.argv[3:] if size not in FILTERS]
-        biases(folder, sys.argv[2], name, sizes or [128, 256, 512, 1024, 2048, 4096])
+        biases(folder, sys.argv[2], name, sizes or SIZES)
 
 
 main()

@@ -137,7 +137,7 @@ static void measure(struct gl_raster *gl, const struct shadow_scene *s, const ui
     shadow_passes_free(&p);
 }
 
-static bool measure_size(const char *driver, struct shadow_scene *s, const uint16_t size[2], int step)
+static bool measure_size(const char *driver, struct shadow_scene *s, const uint16_t size[2])
 {
     static char why[PORT_WHY];
     struct gl_raster *gl = gl_raster_open("osmesa", size[0], size[1], why);
@@ -149,7 +149,7 @@ static bool measure_size(const char *driver, struct shadow_scene *s, const uint1
     printf("\n| size | faces | depth, ms | %s with colour, ms | depth/%s | z-fail, ms | %s, ms | z-fail/%s |\n"
            "|---|--:|--:|--:|--:|--:|--:|--:|\n",
            driver, driver, driver, driver);
-    for (int level = 0; level < MESH_LEVELS; level += step) {
+    for (int level = 0; level < MESH_LEVELS; level++) {
         shadow_scene_make(s, level);
         measure(gl, s, size);
         (void)fflush(stdout);
@@ -164,8 +164,8 @@ static void measure_all(const char *driver)
     struct shadow_scene s;
 
     shadow_scene_init(&s);
-    if (measure_size(driver, &s, sizes[0], 1))
-        (void)measure_size(driver, &s, sizes[1], 2);
+    if (measure_size(driver, &s, sizes[0]))
+        (void)measure_size(driver, &s, sizes[1]);
     shadow_scene_free(&s);
 }
 

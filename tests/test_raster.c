@@ -20,13 +20,9 @@ struct trial {
     bool flat;
 };
 
-/* Any image, sample and tile of at most 32 x 32 pixels. */
-static void begin(struct trial *t, unsigned buffers, unsigned range)
+/* Any tile of at most 32 x 32 pixels. */
+static void begin_image(struct trial *t, unsigned buffers, unsigned range, const uint16_t size[2], uint32_t samples)
 {
-    static const uint32_t counts[3] = {1, 4, 16};
-    static const uint16_t sizes[][2] = {{32, 24}, {31, 17}, {8192, 8191}, {640, 480}, {16, 16}, {1, 1}, {7, 8192}};
-    const uint16_t *size = sizes[random_below(7)];
-    uint32_t samples = counts[random_below(3)];
     struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
                                  (int)random_below(samples)};
 
@@ -45,6 +41,15 @@ static void begin(struct trial *t, unsigned buffers, unsigned range)
     oracle.face = face;
     oracle.stencil = stencil;
     oracle.colour = colour;
+}
+
+/* Any image, sample and tile. */
+static void begin(struct trial *t, unsigned buffers, unsigned range)
+{
+    static const uint32_t counts[3] = {1, 4, 16};
+    static const uint16_t sizes[][2] = {{32, 24}, {31, 17}, {8192, 8191}, {640, 480}, {16, 16}, {1, 1}, {7, 8192}};
+
+    begin_image(t, buffers, range, sizes[random_below(7)], counts[random_below(3)]);
 }
 
 static void compare(const struct trial *t, const char *what)
@@ -72,6 +77,15 @@ static int64_t most_of(const struct tia_lattice *l, unsigned range)
     return ((INT64_C(1) << (l->fraction + (int)range)) - 1) / 40 * 40;
 }
 
+/* Puts an orthographic polygon at one of three depths: often in the plane of another. */
+static void make_level(struct random_polygon *p, int64_t most)
+{
+    int64_t h = random_size(1) * (most / 4);
+
+    for (unsigned i = 0; i < p->count; i++)
+        p->v[i].h = p->v[i].w ? h : 0;
+}
+
 /* What is nearest, of soups in all formats and sizes. */
 static void nearest(bool flat, unsigned ranges, int trials)
 {
@@ -87,6 +101,8 @@ static void nearest(bool flat, unsigned ranges, int trials)
         struct random_polygon p = {.count = 0};
         for (uint32_t id = 0; id < 30; id++) {
             random_polygon(&p, &t.lattice, t.area, t.most);
+            if (flat && random_below(4) == 0)
+                make_level(&p, t.most);
             draw(&t, &state, &p, id);
         }
         exact += t.target.exact;
@@ -133,12 +149,84 @@ static void check_nearness(const struct trial *t)
                 continue;
             long double exact =
                 oracle_nearness(&oracle.image, oracle.planes[face[at]], t->area.x + x, t->area.y + y, t->lattice.w);
-            exact = ldexpl(exact, t->lattice.scale);
+            exact = ldexpl(exact, t->lattice.scale) + (t->flat ? 0x1p61L : 0);
             exact = exact < 0 ? 0 : exact > 0x1p62L ? 0x1p62L : exact;
             long double error = fabsl((long double)t->target.nearness[at] - exact);
             CHECK_MSG(error < 2 * t->area.width + 12 + 4, "pixel %d, %d of %ux%u: off by %Lg", x, y, t->lattice.width,
                       t->lattice.height, error);
         }
+}
+
+/* Small and steep ones, from -2^range to 2^range and, `beyond`, to twice that, where it is clamped. */
+static void check_steep(struct trial *t, unsigned range, unsigned beyond)
+{
+    const struct tia_stencil always = {.test = TIA_ALWAYS};
+    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+
+    begin(t, TIA_BUFFER_DEPTH, range);
+    for (uint32_t id = 0; id < 4; id++) {
+        struct random_polygon p = {.count = 3};
+        int64_t one = INT64_C(1) << t->lattice.fraction, most = one << (random_below(2) ? 0 : random_below(range + 1));
+        for (int i = 0; i < 3; i++)
+            p.v[i] = (struct tia_raster_vertex){random_size(most - 1), random_size(most - 1), one,
+                                                random_size(one << (range + beyond))};
+        draw(t, &state, &p, id);
+    }
+    check_nearness(t);
+    compare(t, "steep");
+}
+
+TEST(orthographic_nearness_errs_by_no_more_where_h_changes_its_sign)
+{
+    for (unsigned i = 0; i < 600; i++) {
+        struct trial t = {.flat = true};
+        unsigned range = 1 + (unsigned)random_below(10);
+        check_steep(&t, range, range > 2 && i % 2 ? 1 : 0);
+    }
+}
+
+/* From one pixel to the next almost from -2^range to 2^range: the largest step that there is. */
+TEST(orthographic_nearness_steps_over_both_signs_at_once)
+{
+    const struct tia_stencil always = {.test = TIA_ALWAYS};
+    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+
+    for (unsigned i = 0; i < 100; i++) {
+        struct trial t = {.flat = true};
+        begin_image(&t, TIA_BUFFER_DEPTH, 1 + i % 10, (const uint16_t[2]){30, 30}, 1);
+        int64_t one = INT64_C(1) << t.lattice.fraction, side = one / 30 + one / 999;
+        int64_t h = (i & 1 ? one : -one) << (1 + i % 10);
+        const struct random_polygon p = {.v = {{-side, -one + 1, one, -h},
+                                               {side, -one + 1, one, h},
+                                               {side, one - 1, one, h},
+                                               {-side, one - 1, one, -h}},
+                                         .count = 4};
+        draw(&t, &state, &p, 0);
+        check_nearness(&t);
+        compare(&t, "a step");
+    }
+}
+
+/* Two planes far apart, before the window and behind it: which one is nearer needs no exact order anywhere. */
+TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
+{
+    static const int8_t depths[4][2] = {{-8, -7}, {7, 8}, {-8, 8}, {-1, 1}};
+    const struct tia_stencil always = {.test = TIA_ALWAYS};
+    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+
+    for (unsigned i = 0; i < 8; i++) {
+        struct trial t = {.flat = true};
+        begin(&t, TIA_BUFFER_DEPTH, 4);
+        int64_t one = INT64_C(1) << t.lattice.fraction;
+        for (uint32_t id = 0; id < 2; id++) {
+            int64_t h = depths[i / 2][(id + i) % 2] * one;
+            const struct random_polygon p = {
+                .v = {{-8 * one, -8 * one, one, h}, {8 * one, -8 * one, one, h}, {0, 8 * one, one, h}}, .count = 3};
+            draw(&t, &state, &p, id);
+        }
+        CHECK_EQ(t.target.exact, 0);
+        compare(&t, "far apart");
+    }
 }
 
 TEST(nearness_errs_by_no_more_than_derived)
@@ -166,6 +254,9 @@ int main(void)
     RUN(the_nearest_face_in_perspective_is_the_oracles);
     RUN(the_nearest_face_orthographic_is_the_oracles);
     RUN(nearness_errs_by_no_more_than_derived);
+    RUN(orthographic_nearness_errs_by_no_more_where_h_changes_its_sign);
+    RUN(orthographic_nearness_steps_over_both_signs_at_once);
+    RUN(the_filter_tells_orthographic_depths_of_both_signs_apart);
     RUN(all_states_are_as_opengl_says);
     return check_status();
 }

@@ -53,6 +53,27 @@ TEST(values_are_rounded_to_nearest)
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 
+/* Small triangles that are seen almost from the edge, far beside them: values far out of range, at either end. */
+TEST(values_beyond_the_range_are_clamped_at_the_right_end)
+{
+    const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};
+    struct tia_lattice lattice;
+    struct tia_corners corners;
+
+    wrong = tried = 0;
+    CHECK_EQ(tia_lattice_init(&lattice, image.projection, 640, 480, 1, 0, 3), TIA_OK);
+    for (int n = 0; n < 20000; n++) {
+        struct tia_raster_vertex v[3];
+        int64_t far = 1000 + random_below(1000);
+        for (int i = 0; i < 3; i++)
+            v[i] = (struct tia_raster_vertex){random_size(100), random_size(2), far + random_below(200), 1};
+        int x = (int)random_below(640), y = 200 + (int)random_below(80);
+        if (tia_corners_init(&corners, &lattice, v) && oracle_nearness(&image, v, x, y, 1) > 0)
+            try_pixel(&image, &corners, v, x, y);
+    }
+    CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
+}
+
 /* A quarter of the way from one corner to another, where the image has the middle. */
 TEST(means_are_those_of_space_not_of_the_image)
 {
@@ -97,6 +118,7 @@ TEST(almost_halves_are_not_taken_for_halves)
 int main(void)
 {
     RUN(values_are_rounded_to_nearest);
+    RUN(values_beyond_the_range_are_clamped_at_the_right_end);
     RUN(halves_are_rounded_up);
     RUN(almost_halves_are_not_taken_for_halves);
     RUN(means_are_those_of_space_not_of_the_image);

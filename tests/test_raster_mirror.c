@@ -1,12 +1,18 @@
 /* A plane mirror by the stencil buffer, as tia/raster.h draws it, against the mirror that rays trace: the scene is
  * drawn, then the mirror's own pixels are marked, and the mirrored scene is drawn where the mark is. Triangles shine by
- * themselves, each in a colour of its own, so a colour tells which one is seen. */
+ * themselves, each in a colour of its own, so a colour tells which one is seen.
+ *
+ * Given a directory, the program leaves pictures of the first scene there: mirror-mark.png, mirror-stencil.png and
+ * mirror-traced.png. */
 #include <stdlib.h>
 
 #include <tia/raster.h>
 #include <tia/tia.h>
 
+#include "ports.h"
+
 #include "check.h"
+#include "common/image/image.h"
 #include "random.h"
 #include "shadow/faces.h"
 
@@ -15,15 +21,23 @@ enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRRO
 /* The triangles, the mirror's two, and the triangles mirrored; tracing knows nothing of the last. */
 static struct tia_shape shapes[2 * TRIANGLES + MIRROR];
 static struct tia_material materials[TRIANGLES + 1];
-static tia_rgb565 traced[PIXELS], drawn[PIXELS];
+static tia_rgb565 traced[PIXELS], drawn[PIXELS], marked[PIXELS];
 
 /* ---- scenes ---- */
 
 #define PLACE (TIA_Q16_ONE * -8) /* the mirror is where z is this */
+#define BEHIND 0x5b0f            /* what no triangle has */
 
 static tia_rgb565 colour_of(uint32_t i)
 {
-    return (tia_rgb565)(((i + 1) % 32) << 11 | (i + 1) / 32);
+    return (tia_rgb565)((7 * i + 9) % 32 << 11 | (23 * i + 11) % 64 << 5 | (13 * i + 5) % 32);
+}
+
+static struct tia_rgb light_of(tia_rgb565 colour)
+{
+    return (struct tia_rgb){(tia_q30)((int64_t)(colour >> 11) * TIA_Q30_ONE / 31),
+                            (tia_q30)((int64_t)(colour >> 5 & 63) * TIA_Q30_ONE / 63),
+                            (tia_q30)((int64_t)(colour & 31) * TIA_Q30_ONE / 31)};
 }
 
 static tia_q16 within(double low, double high)
@@ -43,9 +57,7 @@ static void make_triangle(uint32_t i)
     }
     shapes[i].kind = shapes[TRIANGLES + MIRROR + i].kind = TIA_TRIANGLE;
     shapes[i].material = shapes[TRIANGLES + MIRROR + i].material = i;
-    tia_rgb565 colour = colour_of(i);
-    materials[i] = (struct tia_material){.emission = {(tia_q30)((int64_t)(colour >> 11) * TIA_Q30_ONE / 31), 0,
-                                                      (tia_q30)((int64_t)(colour & 31) * TIA_Q30_ONE / 31)}};
+    materials[i] = (struct tia_material){.emission = light_of(colour_of(i))};
 }
 
 static void make_scene(struct tia_scene *scene)
@@ -61,7 +73,8 @@ static void make_scene(struct tia_scene *scene)
         shapes[TRIANGLES + i] = (struct tia_shape){
             .kind = TIA_TRIANGLE, .material = TRIANGLES, .triangle = {{corner[0], corner[1 + i], corner[2 + i]}}};
     materials[TRIANGLES] = (struct tia_material){.mirror = TIA_RGB(1, 1, 1)};
-    *scene = (struct tia_scene){.camera = {.eye = {within(-2, 2), within(-1, 1), 0}, .fov = TIA_Q16(45)},
+    *scene = (struct tia_scene){.background = light_of(BEHIND),
+                                .camera = {.eye = {within(-2, 2), within(-1, 1), 0}, .fov = TIA_Q16(45)},
                                 .materials = materials,
                                 .shapes = shapes,
                                 .material_count = TRIANGLES + 1,
@@ -94,7 +107,7 @@ static void draw_objects(struct tia_raster_target *target, const struct tia_flat
         struct tia_raster_vertex corners[TIA_SIDES];
         uint32_t face = flat->objects[i].first_face, material = shapes[flat->objects[i].object].material;
         unsigned sides = tia_flat_corners(flat, face, corners);
-        state->colour[0] = material < TRIANGLES ? colour_of(material) : 0;
+        state->colour[0] = material < TRIANGLES ? colour_of(material) : BEHIND;
         CHECK_EQ(tia_draw_polygon(target, state, corners, sides, face), TIA_OK);
     }
 }
@@ -139,14 +152,51 @@ static unsigned draw(const struct tia_scene *given)
     size = tia_raster_size(all, buffers, flat.face_count);
     void *memory = malloc(size);
     CHECK_EQ(tia_raster_init(&target, memory, size, &flat.lattice, all, buffers, flat.face_count), TIA_OK);
+    tia_clear_colour(&target, (const uint16_t[3]){BEHIND, 0, 0});
     draw_mirrored(&target, &flat);
     for (unsigned i = 0; i < PIXELS; i++) {
         drawn[i] = target.colour[3 * i];
-        mirrored += target.stencil[i] == 1 && drawn[i] != 0;
+        marked[i] = target.stencil[i] == 1 ? 0xffff : 0;
+        mirrored += marked[i] && drawn[i] != BEHIND;
     }
     free(flat_memory);
     free(memory);
     return mirrored;
+}
+
+/* ---- pictures ---- */
+
+static const char *directory;
+
+static void leave(const char *name, const tia_rgb565 *pixels)
+{
+    static char why[PORT_WHY];
+    char path[4096];
+
+    (void)snprintf(path, sizeof path, "%s/%s.png", directory, name);
+    struct image *image = image_create(path, image_format_of(path), WIDTH, HEIGHT, why);
+    CHECK_MSG(image, "%s: %s", name, why);
+    if (!image)
+        return;
+    (void)image_band(image, pixels, HEIGHT);
+    CHECK_MSG(image_finish(image) == 0, "%s: %s", name, why);
+}
+
+TEST(pictures_are_left)
+{
+    struct tia_scene scene;
+
+    if (!image_format_built(IMAGE_PNG)) {
+        SKIP("built without libpng");
+        return;
+    }
+    random_state = 11;
+    make_scene(&scene);
+    trace(&tia_core_q16, &scene);
+    (void)draw(&scene);
+    leave("mirror-mark", marked);
+    leave("mirror-stencil", drawn);
+    leave("mirror-traced", traced);
 }
 
 /* ---- comparison ---- */
@@ -198,8 +248,11 @@ TEST(the_traced_mirror_in_double)
 }
 #endif
 
-int main(void)
+int main(int argc, char **argv)
 {
+    directory = argc > 1 ? argv[1] : NULL;
+    if (directory)
+        RUN(pictures_are_left);
     RUN(the_traced_mirror_in_integers);
 #ifdef TIA_HAVE_F64
     RUN(the_traced_mirror_in_double);

@@ -2,7 +2,7 @@
  * through what the processor would be given. What the processor lacks is named.
  *
  *     test_span_levels           as many scenes as seconds allow
- *     test_span_levels N         N edge scenes and N/100 of the corpus: make check runs 100000 (tests/slow/levels) */
+ *     test_span_levels N         N edge scenes and N/100 of the corpus, see tests/slow/levels */
 #include <tia/levels.h>
 
 #include "common/thread_pool.h"

@@ -43,7 +43,7 @@ struct tia_lattice {
     int32_t x, y, w, right, down;
     int32_t centre[2]; /* where x = y = 0 is: 2^-16 pixel, from the centre of pixel (0, 0) */
     int fraction;      /* fraction bits of the vertices */
-    int scale;         /* nearness is 1/t 2^scale, where the point is t D; see struct tia_raster_target */
+    int scale;         /* for nearness 1/t, where the point is t D; see struct tia_raster_target */
     int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
 };
 
@@ -112,8 +112,8 @@ struct tia_raster_target {
     const struct tia_lattice *lattice;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE where nothing is */
-    uint64_t *nearness; /* within 2^15 of what `scale` says, clamped to 0..2^62: in perspective w = 1/16 and
-                           orthographic h = 2^29 have 2^61..2^62; 0 where nothing is */
+    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 where
+                           nothing is. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
     uint8_t *stencil;
     uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
@@ -145,8 +145,8 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 #define TIA_DISTANCE_BITS 45
 
 /* How far from the eye what pixel (x, y) of the image sees of a plane is, measured along the line of sight: w, or in
- * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57, at most 2^62; 0 where the plane
- * is not before the eye. */
+ * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57 and half a unit, at most 2^62; 0
+ * where the plane is not before the eye. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
 /* Empties the depth buffer. */
@@ -157,7 +157,10 @@ void tia_clear_count(struct tia_raster_target *target, uint32_t value);
 void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
 void tia_clear_sum(struct tia_raster_target *target);
 
-/* Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
+/* The accumulation buffer is for pictures that a caller draws: of an area light the mean over its points, drawn
+ * one after the other. tia_render keeps which samples of a light arrive, and needs none.
+ *
+ * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
 void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
 /* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. total is 1..65536. */
 void tia_sum_return(struct tia_raster_target *target, uint32_t total);

@@ -3,6 +3,7 @@
 
 #define FINE 20 /* fraction bits of a first quotient */
 #define UNSURE 4
+#define QUOTIENT_BITS 42 /* of quotients that are made: far beyond the range of values */
 
 /* What a pixel sees is a sum of the corners, in proportion to det(D, q, q) of the other two; the value is their values'
  * mean with these weights, of those that are points. */
@@ -55,7 +56,13 @@ static tia_q16 search(const wide weight[3], const tia_q16 a[3])
     return (tia_q16)n;
 }
 
-/* over/under, under > 0, |over/under| < 2^40: with FINE fraction bits, within 2^-8 of a unit and 1. */
+/* Bits of |over/under|, or one more. under > 0. */
+static int quotient_bits(wide over, int64_t under)
+{
+    return wide_bits(wide_size(over)) - (64 - (int)tia_clz64((uint64_t)under)) + 1;
+}
+
+/* over/under of at most QUOTIENT_BITS: with FINE fraction bits, below 2^31 within 2^-8 of a unit and 1. */
 static int64_t fine_quotient(wide over, int64_t under)
 {
     wide size = wide_size(over);
@@ -94,6 +101,8 @@ tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const
     }
     if (bits > 60 && under < INT64_C(1) << 55)
         return search(weight, a);
+    if (quotient_bits(over, under) > QUOTIENT_BITS)
+        return wide_is_negative(over) ? INT32_MIN : INT32_MAX;
     int64_t shifted = fine_quotient(over, under) + (INT64_C(1) << (FINE - 1)) + UNSURE, nearest = shifted >> FINE;
     if ((shifted & ((INT64_C(1) << FINE) - 1)) < 2 * UNSURE)
         nearest -= !is_at_least(weight, a, nearest);

@@ -1,13 +1,14 @@
 #include "polygon.h"
 
-#define MARGIN 16 /* 2^-12 pixel; the errors below sum up to less than 2^-16 */
+#define MARGIN 16 /* 2^-12 pixel; the errors below sum up to less than 1.5 * 2^-16 */
 
 struct reach {
     int32_t x0, x1, y0, y1; /* 2^-16 pixel, from the centre of pixel (0, 0) */
 };
 
 /* Half the image's width or height times a/w, in 2^-16 pixel, clamped to just outside the image. w > 0. `reciprocal` is
- * 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29 and the result's below 2^-16. */
+ * 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29, that is up to half of
+ * the result's unit; and the result is cut: it errs by less than 1.5 units. */
 static int32_t along(int64_t a, int64_t w, unsigned zeros, uint32_t reciprocal, int32_t size)
 {
     uint64_t n = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, quotient;

@@ -2,13 +2,11 @@
 
 #include "halves.h"
 
-/* f / 2^cut of a number in 128 bits, or more than can be unclamped. */
+/* f / 2^cut of a number in 128 bits, or more in size than can be unclamped. */
 static int64_t wide_cut(wide f, unsigned cut)
 {
-    if (wide_is_negative(f))
-        return -1;
-    if (wide_bits(f) > (int)cut + 63)
-        return INT64_MAX;
+    if (wide_bits(wide_size(f)) > (int)cut + 63)
+        return wide_is_negative(f) ? INT64_MIN : INT64_MAX;
     return cut ? wide_down(f, cut) : (int64_t)wide_low(f);
 }
 
@@ -20,30 +18,35 @@ static int64_t cut_at(const struct polygon *p, int x, int y)
 
 static bool is_clamped(const struct depth_scale *d, int64_t cut)
 {
-    return cut < 0 || cut > d->most;
+    return cut < d->least || cut > d->most;
+}
+
+static int64_t times_scale(const struct depth_scale *d, int64_t cut)
+{
+    return wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift);
 }
 
 static int64_t unclamped(const struct depth_scale *d, int64_t cut)
 {
-    return wide_down(wide_product(cut, (int64_t)d->reciprocal), d->shift);
+    return d->zero + times_scale(d, cut);
 }
 
 static int64_t scaled(const struct depth_scale *d, int64_t cut)
 {
     if (is_clamped(d, cut))
-        return cut < 0 ? 0 : DEPTH_MOST;
+        return cut < d->least ? 0 : DEPTH_MOST;
     return unclamped(d, cut);
 }
 
-/* Where a run has two pixels, neither clamped, the step is less than `most`; elsewhere it is not used. */
+/* Where a run has two pixels, neither clamped, the step is at most from `least` to `most`; elsewhere it is not used. */
 static int64_t step_of(const struct polygon *p)
 {
     wide x = p->narrow ? wide_product(p->of.narrow_forms.plane.x, 1) : p->of.wide_forms.plane.x;
     int64_t cut = wide_cut(wide_size(x), p->depth.cut);
 
-    if (is_clamped(&p->depth, cut))
+    if (cut > p->depth.most - p->depth.least)
         return 0;
-    return wide_is_negative(x) ? -scaled(&p->depth, cut) : scaled(&p->depth, cut);
+    return wide_is_negative(x) ? -times_scale(&p->depth, cut) : times_scale(&p->depth, cut);
 }
 
 #define LOW 8 /* rows */
@@ -57,11 +60,13 @@ static bool is_steady(const struct polygon *p)
            !is_clamped(d, cut_at(p, p->x0, p->y1)) && !is_clamped(d, cut_at(p, p->x1, p->y1));
 }
 
-/* With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal 2^(scale - 62 - bits). */
-void tia_depth_scale_init(struct polygon *p, int scale)
+/* With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal 2^(scale - 62 - bits). From
+ * 0 to `most` that is 0..2^62. Orthographic, f is cut at half of that on either side of 0. */
+void tia_depth_scale_init(struct polygon *p, const struct tia_lattice *lattice)
 {
     struct depth_scale *d = &p->depth;
-    int bits = wide_bits(p->det), cut = bits - 1 - scale, shift;
+    bool flat = lattice->projection == TIA_ORTHOGRAPHIC;
+    int scale = lattice->scale, bits = wide_bits(p->det), cut = bits - 1 - scale, shift;
     uint64_t top = (uint64_t)wide_high(wide_up(p->det, (unsigned)(128 - bits)));
 
     d->reciprocal = (uint64_t)wide_reciprocal(top);
@@ -74,6 +79,9 @@ void tia_depth_scale_init(struct polygon *p, int scale)
         d->most = scale - 62 < bits ? (int64_t)(top >> (64 - bits + scale - 62)) : 0;
     else
         d->most = (int64_t)(top >> (64 - bits) << (62 - scale));
+    d->most = flat ? d->most / 2 : d->most;
+    d->least = flat ? -d->most : 0;
+    d->zero = flat ? DEPTH_MOST / 2 : 0;
     d->step = step_of(p);
     d->steady = is_steady(p);
 }

@@ -1,5 +1,9 @@
 /* depth.h - nearness, the filter in 63 bits, and the exact order behind it.
  *
+ * Nearness is f/det 2^scale, clamped to 0..2^62. In perspective only what is before the eye is seen, where f > 0.
+ * Orthographic h has both signs, so nearness is 2^61 more; f/det 2^scale is within +-2^61 then, so whatever follows is
+ * no larger than in perspective, and a step from one end to the other is again at most 2^62.
+ *
  * f/2^cut loses less than one unit of nearness, for 2^cut <= det/2^scale. The reciprocal's relative error is below
  * 2^-59.9, that is 5 units of 2^62; with what the shift drops nearness errs by less than 7. A step errs by less than
  * 2, and along a run the relative error of all steps together is again 5: over at most 8191 steps less than 2^14 + 12
@@ -25,7 +29,8 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane);
 /* The run of nearness at x0..x1-1 of row y, covered pixels. */
 struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1);
 
-/* The same, without a call where that is most frequent. */
+/* The same, without a call where that is most frequent: a narrow polygon is never orthographic, so nearness is 0 where
+ * f is. */
 static inline struct depth_run depth_run(const struct polygon *p, int y, int x0, int x1)
 {
     const struct depth_scale *d = &p->depth;

@@ -152,7 +152,7 @@ static bool is_nearer(const void *ctx, size_t at)
 {
     const struct job *job = ctx;
     const struct tia_raster_target *t = job->target;
-    int x = t->area.x + (int)(at % t->pitch), y = t->area.y + (int)(at / t->pitch);
+    int x = (int)(t->area.x + at % t->pitch), y = (int)(t->area.y + at / t->pitch);
 
     return exact_order(job, x, y, at) > 0;
 }

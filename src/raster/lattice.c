@@ -65,7 +65,7 @@ static void choose_format(struct tia_lattice *l, int range)
 
     if (l->projection == TIA_ORTHOGRAPHIC) {
         l->fraction = ORTHOGRAPHIC_BITS - (range ? range : 1); /* w = 1 is a coordinate too */
-        l->scale = 62 - range - w;                             /* h w/2^fraction is 1/t */
+        l->scale = 61 - range - w;                             /* h w/2^fraction is 1/t: at most 2^61 for 2^range */
         return;
     }
     bool small = SMALL_BITS - range >= SMALL_FRACTION && reach(l) < 65536;

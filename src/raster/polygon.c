@@ -61,7 +61,7 @@ int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struc
     int status = init(p, lattice, area, corners, count, 0);
 
     if (!status && p->count)
-        tia_depth_scale_init(p, lattice->scale);
+        tia_depth_scale_init(p, lattice);
     return status;
 }
 

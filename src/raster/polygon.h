@@ -11,9 +11,10 @@
 struct depth_scale {
     uint64_t reciprocal;
     unsigned cut, shift;
-    int64_t most; /* f / 2^cut from where nearness is clamped to 2^62 */
-    int64_t step; /* from a pixel to the next one on the right, within 2 */
-    bool steady;  /* nowhere in the polygon's box is it clamped; or, if the box is low, this was not looked at */
+    int64_t least, most; /* f / 2^cut beyond which nearness is clamped to 0 and 2^62 */
+    int64_t zero;        /* nearness where f is 0: orthographic h has both signs */
+    int64_t step;        /* from a pixel to the next one on the right, within 2 */
+    bool steady;         /* nowhere in the polygon's box is it clamped; or, if the box is low, this was not looked at */
 };
 
 #define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* with that of tia_polygon_cut_ahead */
@@ -40,8 +41,8 @@ struct polygon {
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
-/* The same, of all pixels that are at most one beside a pixel whose square the polygon touches: without its depth. The
- * corners may be directions. */
+/* The same, of all pixels whose centres are at most one column and one row from a point of the polygon, and a few more
+ * beside its corners: without its depth. The corners may be directions. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count);
 
@@ -53,7 +54,7 @@ void tia_polygon_cut_ahead(struct polygon *p);
 bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 
-void tia_depth_scale_init(struct polygon *p, int scale);
+void tia_depth_scale_init(struct polygon *p, const struct tia_lattice *lattice);
 
 static inline bool polygon_edge_covers(const struct polygon *p, unsigned edge, int x, int y)
 {

@@ -218,7 +218,7 @@ static void small_rows(const struct polygon *p, raster_run *run, void *ctx)
 
 void tia_polygon_rows(const struct polygon *p, raster_run *run, void *ctx)
 {
-    if (p->narrow && (p->x1 - p->x0) * (p->y1 - p->y0) <= SMALL_AREA)
+    if (p->narrow && (int32_t)(p->x1 - p->x0) * (p->y1 - p->y0) <= SMALL_AREA)
         small_rows(p, run, ctx);
     else
         large_rows(p, run, ctx);

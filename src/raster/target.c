@@ -50,13 +50,20 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->stencil = (uint8_t *)memory;
 }
 
+/* What a caller hands over may end beyond 65535, which is the most where int has 16 bits. */
+static bool is_inside(const struct tia_tile *area, const struct tia_tile *all)
+{
+    return area->x >= all->x && area->y >= all->y && (uint32_t)area->x + area->width <= (uint32_t)all->x + all->width &&
+           (uint32_t)area->y + area->height <= (uint32_t)all->y + all->height;
+}
+
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces)
 {
     static const uint16_t black[3];
     size_t needed = tia_raster_size(area, buffers, faces);
 
-    if (!area.width || !area.height || area.x + area.width > lattice->width || area.y + area.height > lattice->height ||
+    if (!area.width || !area.height || !is_inside(&area, &(struct tia_tile){0, 0, lattice->width, lattice->height}) ||
         (buffers & (TIA_BUFFER_SUM | TIA_BUFFER_COLOUR)) == TIA_BUFFER_SUM)
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
@@ -77,8 +84,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
 {
     const struct tia_tile *all = &target->area;
 
-    if (area.x < all->x || area.y < all->y || area.x + area.width > all->x + all->width ||
-        area.y + area.height > all->y + all->height)
+    if (!is_inside(&area, all))
         return TIA_ERR_ARGUMENT;
     size_t skip = target_index(target, (int)area.x, (int)area.y);
     *part = *target;

@@ -20,19 +20,19 @@ unsigned tia_map_border(enum tia_filter filter)
     }
 }
 
-static unsigned part(unsigned lit, unsigned taps)
+static unsigned part(uint32_t lit, uint32_t taps)
 {
-    return (2 * lit * TIA_SHARE_ALL + taps) / (2 * taps);
+    return (unsigned)((2 * lit * TIA_SHARE_ALL + taps) / (2 * taps));
 }
 
 static unsigned bilinear(const struct tia_map_point *p)
 {
     int64_t u = p->spot.u - 32768, v = p->spot.v - 32768, i = u >> 16, j = v >> 16;
     unsigned fu = (unsigned)(u >> 8) & 255, fv = (unsigned)(v >> 8) & 255;
-    unsigned above = tia_map_tap(p, i, j) * (256 - fu) + tia_map_tap(p, i + 1, j) * fu;
-    unsigned below = tia_map_tap(p, i, j + 1) * (256 - fu) + tia_map_tap(p, i + 1, j + 1) * fu;
+    uint32_t above = tia_map_tap(p, i, j) * (256 - fu) + tia_map_tap(p, i + 1, j) * fu;
+    uint32_t below = tia_map_tap(p, i, j + 1) * (256 - fu) + tia_map_tap(p, i + 1, j + 1) * fu;
 
-    return (above * (256 - fv) + below * fv + 1) / 2;
+    return (unsigned)((above * (256 - fv) + below * fv + 1) / 2);
 }
 
 static unsigned square(const struct tia_map_point *p, int half)
@@ -57,8 +57,9 @@ static unsigned poisson(const struct tia_map_point *p, unsigned turn)
     unsigned lit = 0;
 
     for (int i = 0; i < 16; i++) {
-        int64_t u = p->spot.u + (disc[i][0] * r[0] - disc[i][1] * r[1]) * 16;
-        int64_t v = p->spot.v + (disc[i][0] * r[1] + disc[i][1] * r[0]) * 16;
+        int32_t x = disc[i][0], y = disc[i][1];
+        int64_t u = p->spot.u + (x * r[0] - y * r[1]) * 16;
+        int64_t v = p->spot.v + (x * r[1] + y * r[0]) * 16;
         lit += tia_map_tap(p, u >> 16, v >> 16);
     }
     return part(lit, 16);
@@ -69,7 +70,8 @@ static int64_t least(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/* What is nearer than the point among the texels up to `reach` away: the mean of its distances, or 0. */
+/* What is nearer than the point among the texels up to `reach` away: the mean of its distances, or -1 where there is
+ * none. */
 static int64_t find_blocker(const struct tia_map_point *p, int64_t reach)
 {
     int64_t step = reach > STEPS ? reach / STEPS : 1, sum = 0, count = 0;

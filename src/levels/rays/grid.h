@@ -231,13 +231,15 @@ LANE_OP bool step_cell(struct cell_walk *w)
     unsigned open = 0;
 
     axis = t[2] < t[axis] ? 2 : axis;
-    double late = t[axis] + e[axis];
-    if (t[axis] - e[axis] > w->limit)
-        return false;
-    for (int i = 0; i < 3; i++)
+    double late = t[axis] + e[axis], early = late;
+    for (int i = 0; i < 3; i++) {
         open |= (unsigned)(t[i] - e[i] <= late) << i;
+        early = t[i] - e[i] < early ? t[i] - e[i] : early;
+    }
+    if (early > w->limit)
+        return false;
     if (open & (open - 1))
-        return step_through(w, open, t[axis] - e[axis]);
+        return step_through(w, open, early);
     int from[3] = {w->at[0], w->at[1], w->at[2]}, face = w->step[axis] > 0;
     w->at[axis] += w->step[axis];
     bool inside = w->at[axis] >= 0 && w->at[axis] < cells_along(w, axis);

@@ -5,7 +5,13 @@
  * there: that is within what v's bound has for the box's distance. The direction (D.a_i)/s_i is off by (ed + 2^-50)
  * over the least scale, before it is normalised; and so is its length k. A distance t there is t/k in the world:
  *
- *     |t/k - t'/k'| <= e/k + t ek/(k (k - ek)),   which for ek < k/16 is within e/k + 1.07 t ek/k^2. */
+ *     |t/k - t'/k'| <= |t - t'|/k + t' |1/k - 1/k'| <= e/k + (t + e) ek/(k (k - ek)),
+ *
+ * which for ek < k/16 is within e/k + 1.07 (t + e) ek/k^2.
+ *
+ * A ray that starts b below the surface is there, seen from the tangent plane, but its way there is not along the
+ * normal in the instance's axes: a sphere or cylinder that is stretched may be so thin there that the ray starts
+ * outside, and enters it again. Only a box, whose normals stay its own, is left by such rays or not met. */
 #ifndef TIA_LEVELS_RAYS_INSTANCE_H
 #define TIA_LEVELS_RAYS_INSTANCE_H
 
@@ -17,7 +23,7 @@ struct placed {
     vm fine;
 };
 
-static void place_rays(const struct sure_instance *i, const struct pack *p, vm active, struct placed *to)
+static void place_rays(const struct sure_instance *i, const struct pack *p, bool box, vm active, struct placed *to)
 {
     struct v3 a[3] = {v3_set(i->axes[0]), v3_set(i->axes[1]), v3_set(i->axes[2])},
               v = v3_sub(p->o, v3_set(i->position));
@@ -32,6 +38,8 @@ static void place_rays(const struct sure_instance *i, const struct pack *p, vm a
     to->k = vsqrt(v3_dot(d, d));
     to->p.d = v3_unit(d, to->ek, &to->p.ed);
     to->p.from = p->from;
+    if (!box && i->least < i->most)
+        to->p.from.object = vsel(vlt(vset(0.5), p->from.inside), vset(-1), p->from.object);
     to->fine = mand(pack_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
 }
 
@@ -43,7 +51,7 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->active = mand(q->active, placed->fine);
     inner->any = false;
     inner->groups = NULL;
-    inner->limit = q->limit * placed->k * (1 + SURE_2(10)) + placed->p.eo + SURE_2(20);
+    inner->limit = q->limit * (placed->k + placed->ek) * (1 + SURE_2(10)) + placed->p.eo + SURE_2(20);
     inner->t = inner->low = vset(NEVER);
     inner->e = inner->ep = vset(0);
     inner->id = inner->element = vset(-1);
@@ -57,7 +65,7 @@ static void report_placed(struct query *q, const struct placed *placed, const st
     vm wild = mand(q->active, mnot(placed->fine)), may = mand(mnot(sure), mor(met, vlt(inner->low, vset(NEVER))));
     vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(NEVER))), over = 1 / vsel(wild, vset(1), placed->k);
     vd t = vsel(met, inner->t, vset(0)) * over, ratio = placed->ek * over;
-    vd e = inner->e * over + 1.07 * t * ratio + 2 * UNIT + t * SURE_2(50);
+    vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * SURE_2(50);
     vd low = vsel(vlt(least, vset(NEVER)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(NEVER));
 
     report(q, (struct report){.sure = mand(sure, mnot(wild)),

@@ -85,7 +85,10 @@ struct report {
  * by `pad` everywhere in the scene, a box enlarged by pad is entered by the one if the box is by the other; taking (o
  * +- pad)/d in place of o/d does that. d is at least 2^-60 in size: a ray that is turned by so little is moved by
  * 2^-43, far less than pad's last term. That term is for the products with 1/d: b inv - c is off by u (|b| + |o|)
- * |inv|, which as a distance of the plane is u (|b| + |o|). */
+ * |inv|, which as a distance of the plane is u (|b| + |o|).
+ *
+ * What the integers round by when they meet a shape needs no room here: boxes are larger than what is in them by 2^-16
+ * (tia_bounds_with_margin), and no shape is met 2^-30 beside itself. */
 LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm active)
 {
     vd tiny = vset(SURE_2(60)), zero = vset(0);

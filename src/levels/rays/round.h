@@ -47,11 +47,12 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!many(mand(q->active, mnot(b->miss))))
         return false;
-    /* the whole line passes the axis farther away than any point of the shape, by what it may be off */
+    /* the whole line passes the axis farther away than any point of the shape, by what it may be off and what the
+     * integers round by at a tangent, some units */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
     vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * SURE_2(48);
-    vd widest = vset(k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + b->lambda;
+    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + SURE_2(38)) + b->lambda;
     vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + SURE_2(40));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
     return many(mand(q->active, mnot(b->miss)));
@@ -207,7 +208,10 @@ LANE_OP struct reach height_reach(struct beam *b, const struct pack *p, vm rises
     return (struct reach){ve_sel(rises, to_base, to_top), ve_sel(rises, to_top, to_base)};
 }
 
-/* Which end of what is inside both counts: an end is taken when it is ahead, and without caps when it is the side's. */
+/* Which end of what is inside both counts: an end is taken when it is ahead, and without caps when it is the side's.
+ *
+ * From inside a cylinder the first end lies behind. Not so of a cone: close to a sharp edge b may lead out of it again,
+ * and from there a ray may enter it although it moves away from the surface that it started on. */
 LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *side, const struct reach *height,
                          vm rises)
 {
@@ -217,7 +221,7 @@ LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *si
         mand(b->fine, mand(mor(enters, ve_less(side->in, height->in)), mor(leaves, ve_less(height->out, side->out))));
     struct ve t1 = ve_add(begin, ve_sel(enters, side->in, height->in));
     struct ve t2 = ve_add(begin, ve_sel(leaves, side->out, height->out));
-    vm own = starts_inside(q), behind1 = mor(own, ve_less(t1, zero)), take2 = ve_less(zero, t2);
+    vm own = b->cylinder ? starts_inside(q) : mnone(), behind1 = mor(own, ve_less(t1, zero)), take2 = ve_less(zero, t2);
     vm take1 = mand(ve_less(zero, t1), mnot(own));
     b->fine = mand(b->fine, mand(mor(take1, behind1), mor(take2, ve_less(t2, zero))));
     if (!b->k->capped) {

@@ -204,8 +204,11 @@ static void side_normals(struct shade *h, unsigned lanes)
 }
 
 /* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. The corners
- * move by ep together, so an area does by an edge times that. What a part's rounding does to its sign is within its
- * bound; the parts' errors add up to 0, so that what the corners' normals have in common does not count. */
+ * move by ep together, so an area does by its edge times that: no more than ew for the two at the first corner, twice
+ * that for the third. Their sum stays, the parts' errors add up to 0: so what the corners' normals have in common does
+ * not count, only how far those of the other two are from the first's, times their own parts' errors. Where parts are
+ * below 0 the integers take 0, and divide by the sum of the others: two may be, of 2 ew together or 3 ew, which the
+ * parts then change by once more at most. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -227,12 +230,13 @@ static void smooth_normals(struct shade *h, const struct sure_face *const face[L
         struct v3 c = v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]);
         w[i] = vsel(is_x, c.x, vsel(is_y, c.y, c.z));
     }
-    vd sum = w[0] + w[1] + w[2], ew = 2 * vgather(f, 21) * h->elocal + far * far * SURE_2(49);
-    vm fine = vlt(16 * ew, vabs(sum));
+    vd sum = w[0] + w[1] + w[2], ew = vgather(f, 21) * h->elocal + far * far * SURE_2(49);
+    vm fine = vlt(32 * ew, vabs(sum));
     vd inverse = 1 / vsel(fine, sum, vset(1)), epart = ew * vabs(inverse) + SURE_2(50);
+    vm clear = vlt(2 * epart, vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
     struct v3 total =
         v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
-    struct v3 unit = v3_unit(total, 6 * epart * vgather(f, 22) + SURE_2(47), &e);
+    struct v3 unit = v3_unit(total, vsel(clear, epart, 6 * epart) * vgather(f, 22) + SURE_2(47), &e);
     vm m = mof(smooth);
     h->normal = v3_sel(m, unit, h->normal);
     h->en = vsel(m, e, h->en);

@@ -142,7 +142,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     struct placed placed;
     struct query inner;
 
-    place_rays(o->placed, q->p, q->active, &placed);
+    place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, &placed);
     placed_query(q, &placed, &inner);
     if (many(inner.active))
         meet_shape(s, o, &inner, near * placed.k);

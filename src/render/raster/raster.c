@@ -1,21 +1,8 @@
-/* raster.c - what each pixel sees of flat faces is rasterised, of curved objects found by rays, and a technique for
- * shadows tells which lights reach flat faces past each other; colours come about as the ray renderer makes them.
- * Behind the struct ray_view that the latter prepares stands a struct raster_view. */
-#include "curved.h"
-#include "math/align.h"
-#include "matte.h"
-#include "render/dither.h"
-#include "render/whitted/whitted.h"
-#include "shadow/technique.h"
+/* raster.c - what each pixel sees of flat faces is rasterised, of curved objects found by rays. */
+#include "view.h"
 
-struct raster_view {
-    uint8_t *first_bit; /* for each light, which of the samples its first one is */
-    struct tia_curved_place *places;
-    uint32_t place_count;
-    unsigned sample_count;           /* of a pixel */
-    unsigned shares, more_bytes;     /* of a sample of a pixel, for the technique */
-    struct tia_shadow_view shadow[]; /* one for each; they share all but lattice and planes */
-};
+#include "curved.h"
+#include "render/whitted/path.h"
 
 /* ---- preparing ---- */
 
@@ -44,19 +31,19 @@ static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capaci
     return rays < SIZE_MAX / 2 && flat < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-static struct raster_view *raster_of(const struct tia_view *view)
-{
-    char *own = (char *)view->prepared + ALIGN(ray_prepared_size(view->scene, view->light_capacity));
-
-    return (struct raster_view *)(void *)own;
-}
-
 /* What the technique wants of each sample of a pixel: shares of lights, or bytes to work with. */
 static unsigned shares_of(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
 
     return technique->shares ? technique->shares(scene) : 0;
+}
+
+static bool is_whole(const struct tia_scene *scene)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
+
+    return technique->is_whole && technique->is_whole(scene);
 }
 
 static unsigned more_bytes(const struct tia_scene *scene)
@@ -79,6 +66,7 @@ static int prepare(struct tia_view *view)
     raster->place_count = tia_curved_count(scene);
     raster->shares = shares_of(scene);
     raster->more_bytes = more_bytes(scene);
+    raster->whole = is_whole(scene);
     raster->first_bit = (uint8_t *)own + view_size(scene);
     raster->places = (void *)(raster->first_bit + ALIGN((uint64_t)view->light_capacity));
     raster->shadow->own = (char *)raster->places + ALIGN((size_t)raster->place_count * sizeof *raster->places);
@@ -93,21 +81,14 @@ static int prepare(struct tia_view *view)
     return tia_shadow_technique(scene->shadows)->prepare(raster->shadow, &asker);
 }
 
-static bool is_whole(const struct tia_scene *scene)
-{
-    const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
-
-    return technique->is_whole && technique->is_whole(scene);
-}
-
-static void add_samples(struct tia_shadow_view *shadow, const struct tia_light *light)
+static void add_samples(const struct raster_view *raster, struct tia_shadow_view *shadow, const struct tia_light *light)
 {
     unsigned count = tia_shadow_samples(shadow->scene, light);
 
     for (unsigned i = 0; i < count; i++) {
         tia_flat_light *at = &shadow->samples[shadow->sample_count];
         shadow->lights[shadow->sample_count++] = light;
-        if (is_whole(shadow->scene))
+        if (raster->whole)
             tia_flat_light_centre(&shadow->flat, light, at);
         else
             tia_flat_light_at(&shadow->flat, light, i, at);
@@ -133,7 +114,7 @@ static int set_lights(struct tia_view *view)
         return status;
     for (uint32_t n = 0; n < view->light_count; n++) {
         raster->first_bit[n] = (uint8_t)shadow->sample_count;
-        add_samples(shadow, &view->lights[n]);
+        add_samples(raster, shadow, &view->lights[n]);
     }
     status = tia_shadow_technique(view->scene->shadows)->set_lights(shadow, &asker);
     for (unsigned i = 1; i < raster->sample_count; i++) {
@@ -157,19 +138,10 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
     return tia_flat_samples(scene) * sample_size(more_bytes(scene), pixels);
 }
 
-/* Those of a sample, of all pixels of the hits. */
-struct buffers {
-    uint64_t *nearness, *lit;
-    uint32_t *object; /* what is seen, or TIA_NO_OBJECT */
-    uint32_t *face;   /* of what is seen, TIA_NO_FACE if that is not flat */
-    uint32_t *count;
-    char *more; /* more_bytes of each pixel */
-};
-
-static struct buffers buffers_of(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample)
+struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample)
 {
     size_t pixels = (size_t)hits->area.width * hits->area.height;
-    struct buffers b;
+    struct raster_buffers b;
 
     b.nearness = (void *)((char *)hits->buffer + (size_t)sample_size(raster->more_bytes, pixels) * sample);
     b.lit = b.nearness + pixels;
@@ -180,9 +152,8 @@ static struct buffers buffers_of(const struct raster_view *raster, const struct 
     return b;
 }
 
-/* Those of a tile. */
-static void open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
-                      const struct buffers *b, struct tia_shadow_tile *open)
+void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
+                      const struct raster_buffers *b, struct tia_shadow_tile *open)
 {
     const struct raster_view *raster = raster_of(view);
     const struct tia_shadow_view *shadow = &raster->shadow[sample];
@@ -205,8 +176,7 @@ static void open_tile(const struct tia_view *view, const struct tia_hits *hits, 
 
 /* ---- what is seen ---- */
 
-/* Where the ray of a pixel meets a face. */
-static void find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
+void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit)
 {
     *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
@@ -222,14 +192,14 @@ static void find_face(const struct ray_view *rays, const struct tia_flat_scene *
 }
 
 /* A curved object takes the place of the face that a pixel sees, if it is nearer. */
-static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat, const struct buffers *b,
-                            size_t at, int x, int y, unsigned sample)
+static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,
+                            const struct raster_buffers *b, size_t at, int x, int y, unsigned sample)
 {
     struct ray ray;
     struct hit hit;
 
     ray_camera_ray(&rays->camera, x, y, (int)sample, &ray);
-    find_face(rays, flat, b->face[at], x, y, &ray, &hit);
+    raster_find_face(rays, flat, b->face[at], x, y, &ray, &hit);
     curved_intersect(rays, &ray, &hit);
     if (hit.object == TIA_NO_OBJECT || tia_flat_takes(rays->scene, hit.object))
         return;
@@ -243,13 +213,13 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
 {
     const struct raster_view *raster = raster_of(view);
     const struct tia_flat_scene *flat = &raster->shadow[sample].flat;
-    struct buffers b = buffers_of(raster, hits, sample);
+    struct raster_buffers b = raster_buffers(raster, hits, sample);
     struct path path = {.view = view->prepared};
     struct asker asker = view_asker(view);
     uint32_t last = TIA_NO_FACE, seen = TIA_NO_OBJECT;
     struct tia_shadow_tile open;
 
-    open_tile(view, hits, tile, sample, &b, &open);
+    raster_open_tile(view, hits, tile, sample, &b, &open);
     tia_clear_depth(&open.target);
     tia_clear_count(&open.target, 0);
     (void)tia_shadow_faces(&open.target, flat, &asker);
@@ -269,139 +239,13 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
 
 static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    struct buffers b = buffers_of(raster_of(view), hits, 0);
+    struct raster_buffers b = raster_buffers(raster_of(view), hits, 0);
 
     for (unsigned i = 0; i < raster_of(view)->sample_count; i++)
         trace_sample(view, hits, tile, i);
     for (unsigned y = tile.y; y < (unsigned)tile_bottom(tile); y++)
         for (unsigned x = tile.x; x < (unsigned)tile_right(tile); x++)
             hits->object[hits_index(hits, x, y)] = b.object[hits_index(hits, x, y)];
-}
-
-/* ---- light ---- */
-
-struct rasterised {
-    struct first_hits first;
-    const struct raster_view *raster;
-    const struct ray_view *rays;
-    const struct tia_hits *hits;
-    struct matte matte;
-};
-
-static const tia_share *shares_at(const struct rasterised *r, const struct buffers *b, size_t at)
-{
-    return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
-}
-
-/* Faces that stand for a curved surface only tell what is seen and lit; the colour is that of the surface behind or
- * before them. A ray can miss it where the shape is open. */
-static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
-{
-    struct hit met;
-
-    if (hit->object == TIA_NO_OBJECT || !tia_flat_object_of(&r->raster->shadow->flat, face)->divided)
-        return;
-    ray_intersect_object(r->rays, ray, hit->object, &met);
-    if (met.object != TIA_NO_OBJECT)
-        *hit = met;
-}
-
-static bool find_hit(const struct first_hits *first, int x, int y, int sample, const struct ray *ray, struct hit *hit,
-                     struct arrivals *lit)
-{
-    const struct rasterised *r = (const struct rasterised *)(const void *)first;
-    const struct buffers b = buffers_of(r->raster, r->hits, (unsigned)sample);
-    size_t at = hits_index(r->hits, (unsigned)x, (unsigned)y);
-
-    if (b.object[at] != TIA_NO_OBJECT && b.face[at] == TIA_NO_FACE) {
-        ray_intersect_object(r->rays, ray, b.object[at], hit);
-        return false;
-    }
-    lit->bits = b.lit[at];
-    lit->shares = shares_at(r, &b, at);
-    find_face(r->rays, &r->raster->shadow[sample].flat, b.face[at], x, y, ray, hit);
-    show_surface(r, b.face[at], ray, hit);
-    return true;
-}
-
-/* What is curved may stand in the way of light that passes all faces. */
-static bool passes(const struct first_hits *first, const struct ray *shadow, num_length distance, uint32_t *blocker)
-{
-    const struct rasterised *r = (const struct rasterised *)(const void *)first;
-
-    return curved_passes(r->rays, shadow, distance, blocker);
-}
-
-static void light_sample(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                         unsigned sample, struct asker *asker)
-{
-    const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
-    const struct raster_view *raster = raster_of(view);
-    const struct tia_shadow_view *shadow = &raster->shadow[sample];
-    struct buffers b = buffers_of(raster, hits, sample);
-    struct tia_shadow_tile open;
-
-    open_tile(view, hits, tile, sample, &b, &open);
-    for (unsigned y = 0; y < tile.height; y++)
-        for (unsigned x = 0; x < tile.width; x++)
-            open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
-    for (unsigned i = 0; i < shadow->sample_count && !asker_stops(asker, ASKER_PATIENCE); i++)
-        technique->light(shadow, &open, i, asker);
-}
-
-/* Pixels x0..x1-1 of row y, ray by ray. */
-static void light_run(const struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y, int x0,
-                      int x1, const struct tia_surface *surface, const struct tia_options *options)
-{
-    struct tia_tile run = {(uint16_t)x0, (uint16_t)y, (uint16_t)(x1 - x0), 1};
-    char *first = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch + (x0 - (int)tile.x) * surface->step;
-    struct tia_surface part = {(tia_rgb565 *)(void *)first, surface->step, surface->pitch};
-
-    if (x0 < x1)
-        whitted_light_tile(view, r->hits, run, &part, options, &r->first);
-}
-
-/* What matte.h knows, and between these pixels runs of others. */
-static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
-                      const struct tia_surface *surface, const struct tia_options *options)
-{
-    const struct buffers b = buffers_of(r->raster, r->hits, 0);
-    char *row = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
-    size_t at = hits_index(r->hits, tile.x, (unsigned)y);
-    int left = (int)tile.x, open = left;
-    num_u threshold[8];
-
-    dither_thresholds(options->dither, y, threshold);
-    for (int x = left; x < tile_right(tile); x++, at++) {
-        struct matte_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
-        if (!matte_pixel(&r->matte, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
-            continue;
-        light_run(r, view, tile, y, open, x, surface, options);
-        open = x + 1;
-    }
-    light_run(r, view, tile, y, open, tile_right(tile), surface, options);
-}
-
-static void light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                       const struct tia_surface *surface, const struct tia_options *options)
-{
-    const struct raster_view *raster = raster_of(view);
-    struct asker asker = view_asker(view);
-    struct rasterised r = {
-        .first = {find_hit, raster->first_bit, is_whole(view->scene), raster->place_count ? passes : NULL},
-        .raster = raster,
-        .rays = view->prepared,
-        .hits = hits};
-
-    for (unsigned i = 0; i < raster->sample_count; i++)
-        light_sample(view, hits, tile, i, &asker);
-    if (raster->place_count || options->path_hash || options->lit ||
-        !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
-        whitted_light_tile(view, hits, tile, surface, options, &r.first);
-        return;
-    }
-    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
-        light_row(&r, view, tile, y, surface, options);
 }
 
 const struct renderer raster_renderer = {
@@ -411,7 +255,7 @@ const struct renderer raster_renderer = {
     .set_lights = set_lights,
     .buffer_size = buffer_size,
     .trace = trace_tile,
-    .light = light_tile,
+    .light = raster_light_tile,
     .part = LEVEL_PARTS,
     .has_room = has_room,
 };

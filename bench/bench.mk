@@ -1,0 +1,28 @@
+# bench.mk - the measuring program; the Makefile includes it.
+
+# TinyGL, where a tester has put it: measured beside the rasteriser, by a program of its own. Its own Makefile builds
+# it with OpenMP.
+TINYGL ?=
+TINYGL_LIB := $(if $(TINYGL),$(firstword $(wildcard $(addprefix $(TINYGL)/,lib/libTinyGL.a src/libTinyGL.a libTinyGL.a))))
+ifneq ($(TINYGL),)
+$(if $(and $(TINYGL_LIB),$(wildcard $(TINYGL)/include/zbuffer.h)),,$(error TINYGL=$(TINYGL): no include/zbuffer.h or no lib/libTinyGL.a there))
+endif
+BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
+$(if $(TINYGL),$(BENCH): LIBS += -lgomp)
+$(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
+
+# The float loops that levels are measured against: there where the level is, with its flags.
+LANES_SRC := $(wildcard bench/lanes_*.c)
+BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(LEVELS_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
+$(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
+	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
+$(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
+$(BENCH): $(call obj,host,$(BENCH_SRC) $(if $(GL),bench/gl/raster.c)) \
+          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
+	$(link)
+# FORCE: another TINYGL may be meant than the last time.
+$(BUILD)/tinygl/%.o: %.c FORCE
+	$(call compile,CC,$(HOSTED) -DTIA_HAVE_TINYGL -isystem $(TINYGL)/include)
+$(call obj,host,bench/shadow_scene.c bench/shadow_frames.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
+bench: $(BENCH)
+	@$(BENCH)

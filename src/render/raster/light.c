@@ -1,0 +1,130 @@
+/* light.c - a technique for shadows tells which lights reach flat faces past each other; colours come about as the ray
+ * renderer makes them. */
+#include "curved.h"
+#include "matte.h"
+#include "render/dither.h"
+#include "render/whitted/whitted.h"
+#include "view.h"
+
+struct rasterised {
+    struct first_hits first;
+    const struct raster_view *raster;
+    const struct ray_view *rays;
+    const struct tia_hits *hits;
+    struct matte matte;
+};
+
+static const tia_share *shares_at(const struct rasterised *r, const struct raster_buffers *b, size_t at)
+{
+    return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
+}
+
+/* Faces that stand for a curved surface only tell what is seen and lit; the colour is that of the surface behind or
+ * before them. A ray can miss it where the shape is open. */
+static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
+{
+    struct hit met;
+
+    if (hit->object == TIA_NO_OBJECT || !tia_flat_object_of(&r->raster->shadow->flat, face)->divided)
+        return;
+    ray_intersect_object(r->rays, ray, hit->object, &met);
+    if (met.object != TIA_NO_OBJECT)
+        *hit = met;
+}
+
+static bool find_hit(const struct first_hits *first, int x, int y, int sample, const struct ray *ray, struct hit *hit,
+                     struct arrivals *lit)
+{
+    const struct rasterised *r = (const struct rasterised *)(const void *)first;
+    const struct raster_buffers b = raster_buffers(r->raster, r->hits, (unsigned)sample);
+    size_t at = hits_index(r->hits, (unsigned)x, (unsigned)y);
+
+    if (b.object[at] != TIA_NO_OBJECT && b.face[at] == TIA_NO_FACE) {
+        ray_intersect_object(r->rays, ray, b.object[at], hit);
+        return false;
+    }
+    lit->bits = b.lit[at];
+    lit->shares = shares_at(r, &b, at);
+    raster_find_face(r->rays, &r->raster->shadow[sample].flat, b.face[at], x, y, ray, hit);
+    show_surface(r, b.face[at], ray, hit);
+    return true;
+}
+
+/* What is curved may stand in the way of light that passes all faces. */
+static bool passes(const struct first_hits *first, const struct ray *shadow, num_length distance, uint32_t *blocker)
+{
+    const struct rasterised *r = (const struct rasterised *)(const void *)first;
+
+    return curved_passes(r->rays, shadow, distance, blocker);
+}
+
+static void light_sample(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                         unsigned sample, struct asker *asker)
+{
+    const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
+    const struct raster_view *raster = raster_of(view);
+    const struct tia_shadow_view *shadow = &raster->shadow[sample];
+    struct raster_buffers b = raster_buffers(raster, hits, sample);
+    struct tia_shadow_tile open;
+
+    raster_open_tile(view, hits, tile, sample, &b, &open);
+    for (unsigned y = 0; y < tile.height; y++)
+        for (unsigned x = 0; x < tile.width; x++)
+            open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
+    for (unsigned i = 0; i < shadow->sample_count && !asker_stops(asker, ASKER_PATIENCE); i++)
+        technique->light(shadow, &open, i, asker);
+}
+
+/* Pixels x0..x1-1 of row y, ray by ray. */
+static void light_run(const struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y, int x0,
+                      int x1, const struct tia_surface *surface, const struct tia_options *options)
+{
+    struct tia_tile run = {(uint16_t)x0, (uint16_t)y, (uint16_t)(x1 - x0), 1};
+    char *first = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch + (x0 - (int)tile.x) * surface->step;
+    struct tia_surface part = {(tia_rgb565 *)(void *)first, surface->step, surface->pitch};
+
+    if (x0 < x1)
+        whitted_light_tile(view, r->hits, run, &part, options, &r->first);
+}
+
+/* What matte.h knows, and between these pixels runs of others. */
+static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
+                      const struct tia_surface *surface, const struct tia_options *options)
+{
+    const struct raster_buffers b = raster_buffers(r->raster, r->hits, 0);
+    char *row = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
+    size_t at = hits_index(r->hits, tile.x, (unsigned)y);
+    int left = (int)tile.x, open = left;
+    num_u threshold[8];
+
+    dither_thresholds(options->dither, y, threshold);
+    for (int x = left; x < tile_right(tile); x++, at++) {
+        struct matte_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
+        if (!matte_pixel(&r->matte, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
+            continue;
+        light_run(r, view, tile, y, open, x, surface, options);
+        open = x + 1;
+    }
+    light_run(r, view, tile, y, open, tile_right(tile), surface, options);
+}
+
+void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    const struct raster_view *raster = raster_of(view);
+    struct asker asker = view_asker(view);
+    struct rasterised r = {.first = {find_hit, raster->first_bit, raster->whole, raster->place_count ? passes : NULL},
+                           .raster = raster,
+                           .rays = view->prepared,
+                           .hits = hits};
+
+    for (unsigned i = 0; i < raster->sample_count; i++)
+        light_sample(view, hits, tile, i, &asker);
+    if (raster->place_count || options->path_hash || options->lit ||
+        !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
+        whitted_light_tile(view, hits, tile, surface, options, &r.first);
+        return;
+    }
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
+        light_row(&r, view, tile, y, surface, options);
+}
