@@ -131,6 +131,7 @@
 #define path_hash_word NAMES(path_hash_word)
 #define path_colour NAMES(path_colour)
 #define raster_renderer NAMES(raster_renderer)
+#define raster_sample_size NAMES(raster_sample_size)
 #define raster_buffers NAMES(raster_buffers)
 #define raster_open_tile NAMES(raster_open_tile)
 #define raster_find_face NAMES(raster_find_face)
