@@ -4,7 +4,7 @@
 #include "check.h"
 #include "reports.h"
 
-#define SCENES 60
+static unsigned scene_count = 60; /* or as an argument says */
 
 static void draw_both(const struct tia_scene *scene, unsigned width, unsigned height, bool dither)
 {
@@ -32,7 +32,7 @@ TEST(random_scenes_keep_their_ranges)
 {
     struct corpus_scene scene;
 
-    for (unsigned i = 0; i < SCENES; i++) {
+    for (unsigned i = 0; i < scene_count; i++) {
         corpus_random(&scene, 17, i);
         draw_both(&scene.scene, 40 + 3 * i, 150 - 2 * i, i % 3 == 0);
     }
@@ -42,7 +42,7 @@ TEST(random_general_scenes_keep_their_ranges)
 {
     static struct corpus_rays scene;
 
-    for (unsigned i = 0; i < SCENES; i++) {
+    for (unsigned i = 0; i < scene_count; i++) {
         corpus_random_rays(&scene, 3, i);
         draw_both(&scene.scene, 32, 24, i % 2 == 1);
     }
@@ -112,8 +112,10 @@ TEST(found_scenes_keep_their_ranges)
     }
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    if (argc > 1)
+        scene_count = (unsigned)strtoul(argv[1], NULL, 10);
     RUN(thesis_scene_keeps_its_ranges);
     RUN(random_scenes_keep_their_ranges);
     RUN(random_general_scenes_keep_their_ranges);

@@ -165,6 +165,7 @@
 #define observe_shadow NAMES(observe_shadow)
 #define path_colour NAMES(path_colour)
 #define raster_renderer NAMES(raster_renderer)
+#define raster_sample_size NAMES(raster_sample_size)
 #define raster_buffers NAMES(raster_buffers)
 #define raster_open_tile NAMES(raster_open_tile)
 #define raster_find_face NAMES(raster_find_face)

@@ -15,8 +15,10 @@
 
 LANE_OP vd log2_of(vd x)
 {
-    vi bits = as_integers(x), exponent = (bits - INT64_C(0x3fe6a09e667f3bcd)) >> 52; /* of sqrt(1/2) */
-    vd m = as_doubles(bits - (exponent << 52)), n = as_doubles(exponent + INT64_C(0x4338000000000000)) - vset(SHIFT);
+    const int64_t least = INT64_C(0x3fe6a09e667f3bcd); /* the bits of sqrt(1/2) */
+    vi above = as_integers(x) - least, exponent = above >> 52;
+    vd m = as_doubles((above & 0xfffffffffffff) + least),
+       n = as_doubles(exponent + INT64_C(0x4338000000000000)) - vset(SHIFT);
     vd z = (m - 1) / (m + 1), w = z * z, sum = vset(1.0 / 15);
 
     sum = sum * w + 1.0 / 13;
@@ -32,7 +34,7 @@ LANE_OP vd log2_of(vd x)
 LANE_OP vd exp2_of(vd y)
 {
     vd k = y + SHIFT, f = (y - (k - SHIFT)) * 0.69314718055994531, sum = vset(1.0 / 39916800);
-    vi whole = as_integers(k) << 52;
+    vi halvings = INT64_C(0x4338000000000000) - as_integers(k);
 
     sum = sum * f + 1.0 / 3628800;
     sum = sum * f + 1.0 / 362880;
@@ -45,7 +47,7 @@ LANE_OP vd exp2_of(vd y)
     sum = sum * f + 0.5;
     sum = sum * f + 1;
     sum = sum * f + 1;
-    return as_doubles(as_integers(sum) + whole);
+    return as_doubles(as_integers(sum) - (halvings << 52));
 }
 
 /* x in 0..1, e in 1..10000. */

@@ -158,7 +158,7 @@ bool round_intersect(const struct shape *shape, const struct ray *ray, num_lengt
                      struct intersection *intersection)
 {
     const struct prepared_cone *cone = &shape->cone;
-    struct beam b;
+    struct beam b = {.start = 0};
 
     if (!beam_of(cone, ray, limit, &b))
         return false;

@@ -124,72 +124,12 @@ static int set_lights(struct tia_view *view)
     return status;
 }
 
-/* ---- the buffers of each sample of each pixel ---- */
-
-#define PIXEL_BYTES (2 * sizeof(uint64_t) + 3 * sizeof(uint32_t))
-
-static uint64_t sample_size(unsigned more, uint64_t pixels)
-{
-    return ALIGN((PIXEL_BYTES + more) * pixels);
-}
-
 static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
-    return tia_flat_samples(scene) * sample_size(more_bytes(scene), pixels);
-}
-
-struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample)
-{
-    size_t pixels = (size_t)hits->area.width * hits->area.height;
-    struct raster_buffers b;
-
-    b.nearness = (void *)((char *)hits->buffer + (size_t)sample_size(raster->more_bytes, pixels) * sample);
-    b.lit = b.nearness + pixels;
-    b.object = (uint32_t *)(b.lit + pixels);
-    b.face = b.object + pixels;
-    b.count = b.face + pixels;
-    b.more = (char *)(b.count + pixels);
-    return b;
-}
-
-void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
-                      const struct raster_buffers *b, struct tia_shadow_tile *open)
-{
-    const struct raster_view *raster = raster_of(view);
-    const struct tia_shadow_view *shadow = &raster->shadow[sample];
-    size_t first = hits_index(hits, tile.x, tile.y);
-    struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
-                                    .area = hits->area,
-                                    .pitch = hits->area.width,
-                                    .planes = shadow->flat.planes,
-                                    .planes_known = true,
-                                    .runs = view->raster_runs,
-                                    .face_count = shadow->flat.face_count,
-                                    .face = b->face,
-                                    .count = b->count,
-                                    .nearness = b->nearness};
-
-    open->lit = b->lit + first;
-    open->more = b->more + raster->more_bytes * first;
-    (void)tia_raster_part(&open->target, &all, tile);
+    return tia_flat_samples(scene) * raster_sample_size(more_bytes(scene), pixels);
 }
 
 /* ---- what is seen ---- */
-
-void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
-                      const struct ray *ray, struct hit *hit)
-{
-    *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
-    if (face == TIA_NO_FACE)
-        return;
-    num_length depth = num_length_of_q45(tia_raster_distance(&flat->planes[face], &flat->lattice, x, y));
-    num_length t = num_div(depth, num_dir_dot(num_dir_negated(rays->camera.n), ray->direction));
-    if (t >= NUM_LENGTH_FAR)
-        return;
-    hit->t = t;
-    hit->object = tia_flat_object_of(flat, face)->object;
-    hit->element = tia_flat_element_of(flat, face);
-}
 
 /* A curved object takes the place of the face that a pixel sees, if it is nearer. */
 static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,

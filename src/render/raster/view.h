@@ -34,6 +34,9 @@ struct raster_buffers {
     char *more; /* more_bytes of each pixel */
 };
 
+/* Bytes of a sample's, for so many pixels. */
+uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels);
+
 struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample);
 
 /* The part of the buffers that is a tile's. */
