@@ -23,7 +23,7 @@ __attribute__((weak)) const char *__lsan_default_suppressions(void)
 #endif
 
 static int check_failed, check_failures;
-static char check_why[400];
+static char check_why[500];
 
 #define TEST(name) static void name(void)
 #define SKIP(...) ((void)snprintf(check_why, sizeof check_why, __VA_ARGS__), check_failed = -1)
