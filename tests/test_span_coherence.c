@@ -16,7 +16,8 @@ typedef long double real;
 
 enum { DISTANCE, SQUARE, TURNS, LAMBERT, FOOT, CLEAR, PATH, CHORD, BOUNDS };
 
-/* Sums of up to four powers of two have a reserve, which they must keep: so many times the worst is within the bound. */
+/* Sums of up to four powers of two have a reserve, which they must keep: so many times the worst is within the bound.
+ */
 static struct {
     const char *name;
     double reserve, worst;
@@ -100,7 +101,8 @@ static void try_caster(const struct coherence_run *run, const struct coherence_s
     struct coherence_slack off = coherence_shadow_slack(run, cast, s->square, slack);
     struct vector w = along(vector_of(run->source.light), -1, p), l = vector_of(run->sphere->centre);
     struct vector a = along(vector_of(caster->centre), -1, p);
-    real radius = (real)run->sphere->radius * 0x1p-16L, r = (real)caster->radius * 0x1p-16L, unit = power(run->exponent);
+    real radius = (real)run->sphere->radius * 0x1p-16L, r = (real)caster->radius * 0x1p-16L,
+         unit = power(run->exponent);
 
     if (off.length > coherence_power(24) || off.power > coherence_power(58))
         return;
