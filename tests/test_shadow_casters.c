@@ -135,7 +135,7 @@ static void check_worlds(enum tia_projection projection, int32_t range, int32_t 
 {
     struct tally back = {0};
 
-    for (int round = 0; round < 40; round++) {
+    for (int round = 0; round < 15; round++) {
         struct tia_casters casters;
         struct world w;
         begin(&w, projection);
