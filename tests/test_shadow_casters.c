@@ -1,5 +1,7 @@
 /* The hierarchy of faces: whatever hides a light from a point is among the faces that the way from the point to the
  * light comes near, however far away the point is. What hides is asked of each face alone, without the hierarchy. */
+#include <math.h>
+
 #include "shadow/casters.h"
 #include "shadow/occluder.h"
 #include "shadow_worlds.h"
@@ -83,8 +85,27 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
     }
 }
 
+/* A direction from what is seen, in perspective and not at infinity, through the middle of a triangle: from far away it
+ * crosses the whole scene. */
+static void aim_back(struct world *w, const struct tia_seen *seen)
+{
+    const struct tia_lattice *l = &w->flat.lattice;
+    const int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
+    const struct tia_raster_vertex *v = &points[3 * below(30)];
+    const int64_t sum[3] = {v[0].x + v[1].x + v[2].x, v[0].y + v[1].y + v[2].y, v[0].w + v[1].w + v[2].w};
+    double way[3], most = 0;
+
+    for (int k = 0; k < 3; k++) {
+        way[k] = (double)sum[k] / 3 - (double)d[k] / ldexp((double)seen->nearness, seen->exponent);
+        most = fabs(way[k]) > most ? fabs(way[k]) : most;
+    }
+    for (int k = 0; k < 3; k++)
+        way[k] *= 0x1p30 / most;
+    w->light = vertex(w, (int64_t)way[0], (int64_t)way[1], (int64_t)way[2], false);
+}
+
 /* What pixels see of the planes of all faces, also beside them, where it is before the eye. */
-static void ask_pixels(const struct world *w, const struct tia_casters *casters, struct tally *t)
+static void ask_pixels(struct world *w, const struct tia_casters *casters, struct tally *t, struct tally *back)
 {
     bool flat = w->flat.lattice.projection == TIA_ORTHOGRAPHIC;
 
@@ -97,15 +118,24 @@ static void ask_pixels(const struct world *w, const struct tia_casters *casters,
             struct tia_seen seen;
             int x = below(SIZE);
             tia_seen_init(&seen, &of, x, i % 4 ? below(SIZE) : SIZE - 1 - x);
-            if (flat || seen.nearness >= 0)
-                ask(w, casters, &seen, t);
+            if (!flat && seen.nearness < 0)
+                continue;
+            ask(w, casters, &seen, t);
+            if (flat || !seen.nearness)
+                continue;
+            const tia_flat_light light = w->light;
+            aim_back(w, &seen);
+            ask(w, casters, &seen, back);
+            w->light = light;
         }
     }
 }
 
 static void check_worlds(enum tia_projection projection, int32_t range, int32_t step, struct tally *t)
 {
-    for (int round = 0; round < 40; round++) {
+    struct tally back = {0};
+
+    for (int round = 0; round < 15; round++) {
         struct tia_casters casters;
         struct world w;
         begin(&w, projection);
@@ -122,10 +152,11 @@ static void check_worlds(enum tia_projection projection, int32_t range, int32_t 
         void *memory = malloc(tia_casters_size(w.flat.face_count));
         CHECK(!tia_casters_build(&casters, memory, &w.flat, &nobody));
         CHECK_EQ(casters.unbounded_count, 4);
-        ask_pixels(&w, &casters, t);
+        ask_pixels(&w, &casters, t, &back);
         free(memory);
     }
     CHECK_MSG(t->missed == 0, "%u of %u that hide are not found", t->missed, t->hidden);
+    CHECK_MSG(back.missed == 0, "%u of %u on the way back", back.missed, back.hidden);
     CHECK_MSG(t->hidden > t->asked / 100 && t->offered < t->asked * 3 / 4, "%u asked, %u hidden, %u found", t->asked,
               t->hidden, t->offered);
 }
