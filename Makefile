@@ -144,13 +144,13 @@ endif
 # ---- sources: one object per file and arithmetic ----
 # All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
-CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/no_coherence.c,$(call c_below,src))
+CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/no_coherence.c src/viewer/no_refine.c,$(call c_below,src))
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/levels/levels.mk
-# Boards without the room for more than spheres link no_rays.c and no_shapes.c instead of these.
+# Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone read scene/bvh scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c
-SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c
+             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c
+SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))

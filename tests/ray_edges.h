@@ -22,6 +22,7 @@ static const char common[] = "camera perspective eye 0 0 9 look 0 0 0 fov 40\n"
                              "material plain colour 0.7 0.6 0.5 specular 0.5 0.4 0.3 exponent 12.5 facing 0.1\n"
                              "material squares texture squares colour 0.8 1 0.7 refraction 0.9 index 1.4 fresnel\n"
                              "material mirror colour 0.5 mirror 0.5 specular 0.4 exponent 3\n"
+                             "material matte colour 1\nmaterial shiny colour 0 specular 1 exponent 1\n"
                              "material thin colour 0.2 refraction 0.8 index 0.6 transmission 0.5 0.6 0.5\n"
                              "light point at 1 2 3 emission 0.6\n";
 
@@ -59,6 +60,16 @@ static const struct world {
      "cone base -0.4 -0.002 0 top -0.4 0 0 radii 0.4 0 capped material thin\n"
      "cone base 0.4 0 0 top 0.4 0.3 0 radii 0.1 0.4 capped material thin\n"
      "box min -1 -0.1 -1 max 1 -0.09995 1 material thin\n"},
+    {"spots", "light spot at 0.3 1.6 0.5 direction -0.1 -0.8 -0.2 inner 10 outer 14 emission 0.5\n"
+              "light spot at -0.3 1 -0.5 direction 0.1 -0.8 0.2 inner 20 outer 60 emission 0.5\n"
+              "plane point 0 -0.5 0 normal 0.1 1 0 material matte\n"},
+    {"fades", "light point at 0.3 0.2 0.5 emission 0.5 attenuation 0.1 0 2\n"
+              "light point at -0.6 0.4 -0.1 emission 0.9 attenuation 0.1 1.5 0\n"
+              "plane point 0 -0.5 0 normal 0.1 1 0 material matte\n"},
+    {"shiny", "plane point 0 -0.5 0 normal 0.1 1 0 material shiny\nsphere centre 0 0 0 radius 0.5 material shiny\n"},
+    {"areas", "light sphere at -0.3 0.2 0.1 radius 0.5 emission 0.9 samples 4\n"
+              "plane point 0 -0.5 0 normal 0.1 1 0 material matte\ndisc centre 0.1 0.2 0 normal 1 0.3 0.2 radius 0.3 "
+              "material matte\n"},
     {"lights",
      "light rectangle at 0 0.6 0 sides 0.5 0 0  0 0.2 0.5 emission 0.3 samples 5\n"
      "light disc at 0.4 0.3 0 direction -1 -1 0 radius 0.4 emission 0.3 samples 3\n"
@@ -165,6 +176,11 @@ static struct ray edge_ray(struct real3 origin, long double gap)
     struct ray ray = {place(origin), {0, 0, 0}};
     struct hit first, second;
 
+    if (random_bits() % 4 == 0) { /* nearly across an axis */
+        int i = (int)(random_bits() % 3);
+        a.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
+        b.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
+    }
     for (int i = 0; i < 3; i++) {
         a.v[i] -= origin.v[i];
         b.v[i] -= origin.v[i];

@@ -120,7 +120,7 @@ static bool is_nearer(const struct world *w, uint32_t f, uint32_t g, int i, int 
     return order ? order > 0 : f < g;
 }
 
-static uint32_t find_seen(const struct world *w, int i, int j)
+static inline uint32_t find_seen(const struct world *w, int i, int j)
 {
     uint32_t seen = TIA_NO_FACE;
 
@@ -147,7 +147,7 @@ static bool hides(const struct world *w, uint32_t f, struct plane seen, int i, i
     return true;
 }
 
-static bool is_lit(const struct world *w, uint32_t face, int i, int j)
+static inline bool is_lit(const struct world *w, uint32_t face, int i, int j)
 {
     static const struct tia_raster_vertex eye = {0, 0, 0, 1};
     struct plane seen = plane_of(w, face);

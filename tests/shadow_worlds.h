@@ -152,7 +152,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
 /* SMALL is a few solids, a plane and a light that are far away from their size. */
 enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
 
-static void make(struct world *w, enum contents contents, int32_t range, int32_t step)
+static inline void make(struct world *w, enum contents contents, int32_t range, int32_t step)
 {
     if (contents == SOUP || contents == MIXED)
         make_soup(w, 1 + (uint32_t)below(contents == MIXED ? 5 : 13), range, step);

@@ -3,12 +3,8 @@
 #include <math.h>
 
 #include "check.h"
-#include "corpus/corpus.h"
-#include "edge_scene.h"
-#include "levels/kept.h"
+#include "level_runs.h"
 #include "levels/proved.h"
-
-#include <stdlib.h>
 
 enum { FLOAT_T, INTEGER_T, LAMBERT, SQUARE, BOUNDS };
 static const char *const names[BOUNDS] = {"float's 1/t", "the integer t", "the integer cosine", "the integer |w|^2"};
@@ -73,62 +69,27 @@ static void try_integers(const struct level_fine *f, int i)
     note(LAMBERT, cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
 }
 
-static void try_run(const struct tia_view *view, const struct level_row *row, uint32_t sphere, struct span span)
+static void try_run(const struct level_fine *run)
 {
     static struct level_fine fine;
+    int count = run->end - run->first;
 
-    if (span.end - span.first > LEVEL_RUN)
-        span.end = span.first + LEVEL_RUN;
-    if (span.first >= span.end || !tia_level_fine(view, row, sphere, span.first, span.end, &fine))
-        return;
+    fine = *run;
     if (tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, NULL))
-        for (int i = 0; i < span.end - span.first; i += 3)
+        for (int i = 0; i < count; i += 3)
             try_float(&fine, i);
     if (!tia_level_fine_bounds(&fine, 0, LEVEL_DOUBLE_CUT, NULL))
         return;
-    for (int i = 0; i < span.end - span.first; i += 5) {
+    for (int i = 0; i < count; i += 5) {
         double x = fine.place.low + i, *d = fine.seen.d;
         if (d[0] + x * (d[1] + x * d[2]) >= fine.depth.cut)
             try_integers(&fine, i);
     }
 }
 
-static void try_scene(const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    size_t size = tia_view_size(scene, scene->light_count), more = tia_level_pairs_size(scene, scene->light_count);
-    void *memory = malloc(size), *pairs = malloc(more + 1);
-    struct tia_view *view;
-
-    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height)) {
-        const struct span_view *spans = span_view_of(view);
-        view->level_memory = pairs;
-        tia_level_prepare(view);
-        for (int y = 0; y < (int)height; y += 3) {
-            struct level_row row;
-            tia_level_row(&spans->primary, y, &row);
-            for (uint32_t n = 0; n < scene->sphere_count; n++)
-                if (y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
-                    try_run(view, &row, n,
-                            span_sphere_row(&spans->primary, &spans->spheres[n], y, (struct span){0, 0}));
-        }
-    }
-    free(memory);
-    free(pairs);
-}
-
 TEST(bounds_hold_and_are_not_ten_times_too_wide)
 {
-    static struct edge_scene e;
-    static struct corpus_scene c;
-
-    for (unsigned i = 1; i <= 1500; i++) {
-        edge_make(&e, i);
-        try_scene(&e.scene, e.width, e.height);
-    }
-    for (unsigned i = 0; i < 12; i++) {
-        corpus_random(&c, 7, i);
-        try_scene(&c.scene, 320, 240);
-    }
+    level_runs(1500, 12, try_run);
     for (int i = 0; i < BOUNDS; i++) {
         printf("# %-20s %9lu values, the worst has %.3f of its bound\n", names[i], tried[i], worst[i]);
         CHECK_MSG(worst[i] <= 1, "%s: %g times its bound", names[i], worst[i]);

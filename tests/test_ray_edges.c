@@ -246,11 +246,11 @@ static void check_world(const struct world *world, int rays)
     memset(used, 0, sizeof used);
     open_world(world);
     for (int i = 0; i < rays && !check_failed; i++) {
-        double eo = random_size(8, 46), ed = random_size(8, 46), size = fmax(fmax(eo, ed), 1e-17);
+        double eo = random_size(5, 46), ed = random_size(5, 46), size = fmax(fmax(eo, ed), 1e-17);
         struct real3 origin = random3(unit * (random_bits() % 2 ? 1.5L : 5));
         struct ray ray = edge_ray(origin, (long double)(size * fabs(random_double())));
         for (int k = 0; k < 4; k++) {
-            struct pack p = moved(&ray, eo, ed);
+            struct pack p = moved(&ray, eo * (double)unit, ed);
             compare(&ray, &p);
         }
     }

@@ -18,7 +18,7 @@
 
 #include <tia/render.h>
 
-/* The widest level that this library has and this processor too; NULL when there is none. */
+/* The widest level that this library has and this processor too; NULL when there is none, or QEMU emulates it. */
 const struct tia_level *tia_level_best(void);
 
 /* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar", "sse41",

@@ -21,6 +21,8 @@
 
 #define TIA_SHADOW_SAMPLES 64
 
+struct tia_scene;
+
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
     TIA_SHADOWS_RAYS,   /* rays from what is seen, exact: whether any face stands between that and the light */
@@ -33,6 +35,11 @@ enum tia_shadows {
 
 /* "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
+
+/* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
+ * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. A corner is too far whose clip coordinates, see raster.h, reach
+ * 2^20: it lies that many times half of the view's width or height beside its middle. */
+uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
  * around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees one around the cone; other

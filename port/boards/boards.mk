@@ -17,11 +17,11 @@ BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
 TIGHT_BOARDS := rv32 atmega1284p
 small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(filter-out src/render/span/coherence%,$(SMALL_SRC)) src/render/span/no_coherence.c,$(SMALL_SRC))
 # The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
-# bytes, and 512 for the program itself. tests/slow/boards measures how much of it is used.
-SMALL_STACK := 7232
+# bytes, 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of it is used.
+small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
 comma := ,
 # Other boards' scripts say where everything goes, an AVR's only adds to that of avr-libc.
-board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(SMALL_STACK)) \
+board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
            $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
 
 BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
@@ -81,9 +81,9 @@ $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0
-# A double of the AVR's is a float; its RAM has room for fewer rows, and so has the Cortex-M0's.
+# A double of the AVR's is a float; its RAM and the Cortex-M0's have room for one row.
 counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
-rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),$(if $(findstring f64,$(2)),1,2),3))
+rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)),,$(CORE_SRC))))

@@ -6,6 +6,9 @@
 #if defined __arm__ && defined TIA_HAVE_NEON32
 #include <sys/auxv.h>
 #endif
+#if defined __x86_64__ || defined __i386__
+#include <cpuid.h>
+#endif
 
 struct entry {
     const char *name;
@@ -74,10 +77,28 @@ const struct tia_level *tia_level_at(unsigned index)
     return NULL;
 }
 
+/* QEMU without KVM emulates vector units and floats, much slower than integers. */
+static bool is_emulated(void)
+{
+#if defined __x86_64__ || defined __i386__
+    unsigned a, b, c, d;
+    const unsigned hypervisor = 1u << 31;
+
+    if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & hypervisor))
+        return false;
+    __cpuid(0x40000000, a, b, c, d);
+    return b == 0x54474354 && c == 0x43544743 && d == 0x47435447; /* TCGTCGTCGTCG */
+#else
+    return false;
+#endif
+}
+
 const struct tia_level *tia_level_best(void)
 {
     const struct tia_level *best = NULL;
 
+    if (is_emulated())
+        return NULL;
     for (unsigned i = 0; tia_level_at(i); i++)
         best = tia_level_at(i);
     return best;

@@ -134,6 +134,7 @@ void tia_level_run(const struct level_fine *fine, const struct level_dither *dit
     const struct level_seen *seen = &fine->seen;
     const struct level_place *place = &fine->place;
     const double *d = seen->d;
+    double wider = 1.001 + 4 * fine->depth.es; /* 1/S has up to the fourth power in cells.h */
 
     run->count = fine->end - fine->first;
     run->grey = fine->grey;
@@ -149,8 +150,8 @@ void tia_level_run(const struct level_fine *fine, const struct level_dither *dit
     run->v0 = (float)place->v0;
     run->v1 = (float)place->v1;
     run->v2 = (float)place->v2;
-    run->v_step = (float)(place->v_step * 1.001);
-    run->v_most = (float)(place->v_most * 1.001);
+    run->v_step = (float)(place->v_step * wider);
+    run->v_most = (float)(place->v_most * wider);
     run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * 1.01);
     run->d_sag = (float)((d[2] > 0 ? d[2] * LEVEL_CELL * LEVEL_CELL / 4 : 0) + seen->size * 0x1p-20);
     for (int c = 0; c < 3; c++)

@@ -3,6 +3,8 @@
 #include "math/align.h"
 #include "math/wide.h"
 
+#define RANGE_MOST 20 /* the rasteriser's, see raster.h */
+
 /* ---- how many there are ---- */
 
 struct counts {
@@ -75,23 +77,45 @@ static uint32_t places_of(const struct tia_flat_source *source)
     return source->kind == TIA_PLANE ? 1 : source->points;
 }
 
+static unsigned range_of_object(const struct tia_scene *scene, const struct tia_eye *eye, uint32_t object,
+                                struct asker *asker)
+{
+    struct tia_flat_source source;
+    unsigned most = 0;
+
+    if (!tia_flat_takes(scene, object))
+        return 0;
+    tia_flat_source_init(&source, scene, object);
+    for (uint32_t i = 0; i < places_of(&source) && !asker_stops(asker, 1); i++) {
+        int64_t world[3];
+        tia_flat_source_point(&source, i, world);
+        unsigned range = tia_eye_range(eye, world);
+        most = range > most ? range : most;
+    }
+    return most;
+}
+
 static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
 {
     unsigned most = 0;
 
     for (uint32_t s = 0; s < objects_of(scene); s++) {
-        struct tia_flat_source source;
-        if (!tia_flat_takes(scene, s))
-            continue;
-        tia_flat_source_init(&source, scene, s);
-        for (uint32_t i = 0; i < places_of(&source) && !asker_stops(asker, 1); i++) {
-            int64_t world[3];
-            tia_flat_source_point(&source, i, world);
-            unsigned range = tia_eye_range(eye, world);
-            most = range > most ? range : most;
-        }
+        unsigned range = range_of_object(scene, eye, s, asker);
+        most = range > most ? range : most;
     }
     return most;
+}
+
+uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    struct asker asker = {.stop = NULL};
+    struct tia_eye eye;
+
+    tia_eye_init(&eye, scene, width, height);
+    for (uint32_t s = 0; scene->shadows && s < objects_of(scene); s++)
+        if (range_of_object(scene, &eye, s, &asker) > RANGE_MOST)
+            return s;
+    return TIA_NO_OBJECT;
 }
 
 /* Corners around a rectangle or a disc, or the same point eight times. */
@@ -131,7 +155,7 @@ static unsigned range_with_lights(const struct tia_scene *scene, const struct ti
         range = range > faces + TIA_FLAT_LIGHT_BITS ? faces + TIA_FLAT_LIGHT_BITS : range;
         most = range > most ? range : most;
     }
-    return most < 20 ? most : 20;
+    return most < RANGE_MOST ? most : RANGE_MOST;
 }
 
 static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
@@ -309,7 +333,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
     unsigned range = range_of(scene, &flat->eye, asker);
-    if (range > 20)
+    if (range > RANGE_MOST)
         return TIA_ERR_RANGE;
     if (scene->camera.projection == TIA_ORTHOGRAPHIC)
         range = range_with_lights(scene, &flat->eye, range);

@@ -112,7 +112,9 @@ struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
 int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index));
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
 
-/* refine.c: whether to draw the next frame coarse to fine; draws it, and sets frame->draw_us. */
+/* refine.c: bytes for the picture so far, or 0; whether to draw the next frame coarse to fine; draws it, and sets
+ * frame->draw_us. */
+uint64_t tia_viewer_canvas_size(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 

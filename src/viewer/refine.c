@@ -5,7 +5,7 @@
  * The picture so far is in loop->canvas: a display forgets what it was given before. */
 #include "loop.h"
 
-#define PERIOD_US 16666       /* a frame drawn in less is shown whole: that of a display with 60 Hz */
+#define PERIOD_US UINT32_C(16666) /* a frame drawn in less is shown whole: that of a display with 60 Hz */
 #define REFINE_US 250000      /* between two looks at a pass that takes long; a scene that plays shows nothing sooner */
 #define WORTH_LINE_US 1000000 /* a frame that takes less has no line for its progress */
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
@@ -219,6 +219,16 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
     if (!status && loop->traced == loop->pass)
         loop->traced++;
     return status;
+}
+
+/* For frames that someone waits for and that can be drawn pixel by pixel. */
+uint64_t tia_viewer_canvas_size(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    bool refines =
+        v->clock && v->input && !v->frame_limit && loop->core->draws_by_pixel && loop->core->draws_by_pixel(loop->base);
+
+    return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
 }
 
 bool tia_viewer_refines(const struct loop *loop)

@@ -57,16 +57,6 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     return true;
 }
 
-/* Bytes of the canvas for frames that someone waits for and that can be drawn coarse to fine. */
-static uint64_t canvas_size(const struct loop *loop)
-{
-    const struct tia_viewer *v = loop->viewer;
-    bool refines =
-        v->clock && v->input && !v->frame_limit && loop->core->draws_by_pixel && loop->core->draws_by_pixel(loop->base);
-
-    return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
-}
-
 /* Gets memory for the whole frame's hits and a canvas, for the hits alone or, failing that, for the hits of one tile of
  * as many rows as fit. */
 static bool get_most_memory(struct loop *loop)
@@ -75,7 +65,7 @@ static bool get_most_memory(struct loop *loop)
 
     set_tiles(loop, VIEWER_STRIP);
     loop->last_us = 0;
-    loop->whole = get_memory(loop, frame, canvas_size(loop)) || get_memory(loop, frame, 0);
+    loop->whole = get_memory(loop, frame, tia_viewer_canvas_size(loop)) || get_memory(loop, frame, 0);
     if (loop->whole)
         return true;
     for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {

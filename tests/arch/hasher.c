@@ -1,5 +1,6 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
- * same frames in single precision. Needs nothing but the libraries, so that it is built for any machine. */
+ * same frames in single precision. Built with HASHER_LEVELS it draws by the level that TIA_LEVEL names, and fails where
+ * that is not to be had. Needs nothing but the libraries, so that it is built for any machine. */
 #include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
@@ -8,10 +9,52 @@ static void print(void *ctx, const char *name, uint32_t crc)
     printf("%s %08lx\n", name, (unsigned long)crc);
 }
 
+#ifdef HASHER_LEVELS
+#include <tia/levels.h>
+
+#define LEAST_VIEWS 10 /* that it draws itself: scalar leaves spheres to plain C */
+
+static const struct tia_level *level;
+static unsigned level_count;
+
+/* The level's memory is not freed: the program ends soon. */
+static int view_init_with_level(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                                uint32_t light_capacity, unsigned width, unsigned height)
+{
+    size_t more = tia_level_size(level, scene, light_capacity);
+    int status = tia_view_init(view, memory, size, scene, light_capacity, width, height);
+
+    if (!status)
+        status = tia_view_set_level(*view, level, malloc(more + 1), more);
+    level_count += !status && strcmp(tia_view_level(*view), "plain") != 0;
+    return status;
+}
+
+static int hash_by_level(void)
+{
+    const char *name = getenv("TIA_LEVEL");
+    struct tia_core core = tia_core_q16;
+
+    if (!name || tia_level_called(name, &level) || !level) {
+        (void)fprintf(stderr, "error: no level %s here\n", name ? name : "is named by TIA_LEVEL");
+        return 1;
+    }
+    core.view_init = view_init_with_level;
+    frames_all(&core, print, NULL);
+    if (level_count < LEAST_VIEWS)
+        (void)fprintf(stderr, "error: %s drew only %u views\n", name, level_count);
+    return level_count < LEAST_VIEWS;
+}
+#endif
+
 int main(int argc, char **argv)
 {
     const struct tia_core *core = &tia_core_q16;
 
+#ifdef HASHER_LEVELS
+    (void)argc, (void)argv, (void)core;
+    return hash_by_level();
+#else
 #ifdef TIA_HAVE_F32
     if (argc > 1 && !strcmp(argv[1], "f32"))
         core = &tia_core_f32;
@@ -20,4 +63,5 @@ int main(int argc, char **argv)
 #endif
     frames_all(core, print, NULL);
     return 0;
+#endif
 }

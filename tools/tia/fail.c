@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include <tia/fixed.h>
+#include <tia/render.h>
 
 static void say(const char *format, va_list values)
 {
@@ -49,6 +49,20 @@ const char *fail_reason(int status)
     default:
         return "display: failed";
     }
+}
+
+void fail_view_reason(char *why, size_t size, int status, const struct tia_scene *scene, unsigned width,
+                      unsigned height)
+{
+    uint32_t object = status == TIA_ERR_RANGE ? tia_shadow_too_far(scene, width, height) : TIA_NO_OBJECT;
+    bool sphere = object < scene->sphere_count;
+    if (object == TIA_NO_OBJECT) {
+        (void)snprintf(why, size, "%s", fail_reason(status));
+        return;
+    }
+    (void)snprintf(why, size, "shadows %s: %s %u: too far from the camera for so narrow a view",
+                   tia_shadows_name(scene->shadows), sphere ? "sphere" : "shape",
+                   (unsigned)(sphere ? object : object - scene->sphere_count));
 }
 
 void note(const char *format, ...)

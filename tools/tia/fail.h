@@ -2,6 +2,8 @@
 #ifndef TOOLS_TIA_FAIL_H
 #define TOOLS_TIA_FAIL_H
 
+#include <tia/scene.h>
+
 /* The exit statuses. */
 enum { EXIT_FINE, EXIT_RUNNING, EXIT_USAGE, EXIT_DISPLAY, EXIT_INPUT };
 
@@ -17,6 +19,11 @@ int fail_output(void);
 
 /* A tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);
+
+/* The same of a view of the scene that cannot be had: also what is too far away for the scene's technique for shadows.
+ */
+void fail_view_reason(char *why, size_t size, int status, const struct tia_scene *scene, unsigned width,
+                      unsigned height);
 
 /* Prints a line in the same form that is not an error. */
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "fail.h"
 #include "film.h"
 #include "ports.h"
 
@@ -77,6 +78,8 @@ static int prepare_view(struct film_scene *film)
     struct rotation rotation = film_rotation(options);
     int status = options->core->view_init(&film->view, film->view_memory, size, film->scene, lights->capacity,
                                           rotation.width, rotation.height);
+    if (status)
+        fail_view_reason(film->why, PORT_WHY, status, film->scene, rotation.width, rotation.height);
     if (!status)
         status = options->core->set_lights(film->view, lights->array, lights->count);
     return !status ? set_level(film) : status;

@@ -209,7 +209,8 @@ int session_run(struct session *session)
     session->stats.scale_bits = session->options->scene.scale_bits;
     session->stats.threads = session->pool ? threads_count(session->pool) : 1;
     if (status < 0 && session->why[0] == '\0')
-        (void)snprintf(session->why, PORT_WHY, "%s", fail_reason(status));
+        fail_view_reason(session->why, PORT_WHY, status, &session->options->scene, session->stats.width,
+                         session->stats.height);
     return status == TIA_ERR_RANGE ? EXIT_USAGE : status < 0 ? EXIT_RUNNING : EXIT_FINE;
 }
 

@@ -35,16 +35,18 @@ static void find_boundaries(const struct sure_scene *s, const struct shade *h, u
     *per_part = vload(part);
 }
 
-/* Fresnel's equations: (a - b)/(a + b) is within 2 (ea + eb)/(a + b), as its differential is 2 (b da - a db)/(a + b)^2;
- * twice that for the second order. */
+/* Fresnel's equations: with a' and b' within e together, (a - b)/(a + b) and (a' - b')/(a' + b') differ by
+ *
+ *     2 |b (a' - a) - a (b' - b)|/((a + b) (a' + b')) <= 2 e/(a' + b'),   and a' + b' >= 15/16 (a + b) for e < (a +
+ * b)/16. */
 LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
 {
     vd sum = a + b;
-    vm good = vlt(vset(SURE_2(16)), sum);
+    vm good = vlt(vset(SURE_2(16)) + 16 * e, sum);
 
     sum = vsel(good, sum, vset(1));
     *fine = mand(*fine, good);
-    *er = 4 * e / sum + SURE_2(46);
+    *er = 2.25 * e / sum + SURE_2(46);
     return (a - b) / sum;
 }
 
@@ -62,7 +64,7 @@ static void refract(const struct shade *h, vm glass, vd q, vd part, struct refra
     er = ei / root + SURE_2(46);
     vd bend = x - root, rs = reflectance_of(x, root, ex + er, &fine, &es);
     vd rp = reflectance_of(square * c, root * part, square * ec + er * 0.25, &fine, &ep);
-    vd fresnel = 0.5 * (rs * rs + rp * rp), efresnel = 2 * (es + ep) + SURE_2(46);
+    vd fresnel = 0.5 * (rs * rs + rp * rp), efresnel = (vabs(rs) + es) * es + (vabs(rp) + ep) * ep + SURE_2(46);
     f->to = v3_unit(v3_sub(v3_scale(h->normal, bend), v3_scale(h->viewer, part)),
                     h->en * vabs(bend) + ex + er + h->ev * 0.25 + SURE_2(47), &f->eto);
     vm known = mor(f->straight, mor(f->total, mand(f->bends, mand(fine, vlt(fresnel + efresnel, vset(1))))));

@@ -17,7 +17,7 @@ struct slab_times {
 
 LANE_OP vd plane_bound(const struct pack *p, vd t, vd round, vd over)
 {
-    return (p->eo + round + vabs(t) * (p->ed + 4 * EPS)) * over + UNIT;
+    return (p->eo + round + vabs(t) * (p->ed + SURE_SLAB * EPS)) * over + UNIT;
 }
 
 LANE_OP struct slab_times slab_times_of(const struct pack *p, vd o, vd d, vd inv, double min, double max, vd reach)

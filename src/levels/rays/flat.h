@@ -14,7 +14,7 @@ struct flat {
 
 LANE_OP struct flat flat_meet(const struct pack *p, struct v3 n, struct v3 way, vd round, vd more)
 {
-    vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + 16 * EPS;
+    vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + SURE_WAY * EPS;
     struct flat f;
 
     f.steep = vlt(vset(SURE_2(20)) + eslope, size);
@@ -45,7 +45,7 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
 LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (16 * EPS), vset(UNIT));
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
     f.e = f.e + vabs(f.t) * SURE_2(50);
     struct v3 point = v3_along(q->p->o, q->p->d, f.t);
     vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)), e = f.e + vabs(f.t) * q->p->ed + q->p->eo;
@@ -70,7 +70,7 @@ LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, do
 LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (16 * EPS), vset(UNIT));
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
 
     f.e = f.e + vabs(f.t) * SURE_2(50);
     round_flat(q, &f, way, o->radius, vset(0));
@@ -92,7 +92,7 @@ LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const s
 LANE_OP void meet_flat_light(struct query *q, const struct sure_light *l)
 {
     struct v3 way = v3_sub(v3_set(l->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (16 * EPS), vset(UNIT));
+    struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
 
     f.e = f.e + vabs(f.t) * SURE_2(50);
     if (l->from->kind == TIA_RECTANGLE_LIGHT)

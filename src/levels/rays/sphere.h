@@ -21,9 +21,9 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     struct v3 l = v3_sub(v3_set(at), p->o);
     vd r = vset(radius), tca = v3_dot(l, p->d), l1 = v3_sum(l);
     struct v3 side = v3_sub(l, v3_scale(p->d, tca));
-    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (32 * EPS);
-    vd lambda = p->eo + vabs(tca) * p->ed + l1 * (16 * EPS) + UNIT;
-    vd all = p->eo + l1 * (2 * p->ed + 16 * EPS) + 2 * UNIT;
+    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (SURE_SQUARE * EPS);
+    vd lambda = p->eo + vabs(tca) * p->ed + l1 * (SURE_ASIDE * EPS) + UNIT;
+    vd all = p->eo + l1 * (2 * p->ed + SURE_ASIDE * EPS) + 2 * UNIT;
     vd es = 2 * r * lambda + all * all + round;
     vm active = mand(q->active, mnot(starts_outside(q))), own = starts_inside(q);
     vm hit = mand(vlt(es, s), active), unclear = mand(mand(vle(-es, s), mnot(hit)), active);
@@ -33,7 +33,7 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
     vd ethc = (2 * aside * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;
     vd along = aside * p->ed + ethc + more, across = lambda + thc * p->ed;
-    vd e = p->eo + l1 * (8 * EPS) + UNIT + along, t0 = tca - thc, t1 = tca + thc;
+    vd e = p->eo + l1 * (SURE_ALONG * EPS) + UNIT + along, t0 = tca - thc, t1 = tca + thc;
     vm ahead = mand(vlt(e, t0), mnot(own)), within = mand(mor(own, vlt(t0, -e)), vlt(e, t1)), behind = vlt(t1, -e);
     vm sure = mand(hit, mor(ahead, within));
     /* thc of those that are unclear is at most sqrt(s + es) <= sqrt(2) thc */

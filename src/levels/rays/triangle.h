@@ -26,7 +26,7 @@ LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face
               c = v3_sub(v3_set(f->at[2]), p->o);
     struct v3 da = v3_cross(p->d, a), db = v3_cross(p->d, b); /* D.(a x b) = b.(D x a) */
     vd wc = v3_dot(b, da), wa = v3_dot(c, db), wb = -v3_dot(c, da), l = v3_sum(a) + vset(f->extent);
-    vd far = l + p->eo, e = (p->eo + far * p->ed) * (2 * f->extent) + far * (SURE_2(42) + far * SURE_2(49));
+    vd far = l + p->eo, e = (p->eo + far * p->ed) * (2 * f->extent) + far * (SURE_2(42) + far * (SURE_FACE * EPS));
     vd least = vmin(vmin(wa, wb), wc), most = vmax(vmax(wa, wb), wc);
     vm outside = mand(vlt(least, -e), vlt(e, most)), inside = mor(vlt(e, least), vlt(most, -e));
 

@@ -2,6 +2,8 @@
 #ifndef TIA_LEVELS_RAYS_VECTOR_H
 #define TIA_LEVELS_RAYS_VECTOR_H
 
+#include "proved.h"
+
 #define NEVER 1e30
 #define EPS SURE_EPS
 #define UNIT SURE_UNIT
@@ -117,13 +119,13 @@ LANE_OP vd most3(const vd c[3])
  *
  *     |v/|v| - w/|w|| <= 2 |v - w|/(|v| + |w|),
  *
- * so 1.0625 e/|v| for e < |v|/16, and 2^-50 for the roundings of both (q16's normalise is within 2^-58). Otherwise 4:
- * two unit vectors are never farther apart, and nothing is ever sure. */
+ * so 1.0625 e/|v| for e < |v|/16, and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58.
+ * Otherwise 4: two unit vectors are never farther apart, and nothing is ever sure. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
 
-    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * 1.0625 + vset(SURE_2(50)), vset(4));
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * 1.0625 + vset(SURE_NORMAL * EPS), vset(4));
     return v3_scale(v, inverse);
 }
 

@@ -1,0 +1,342 @@
+/* Coherence against the same pixels one by one: random and constructed scenes, rows of any width, guard pixels. And its
+ * bounds against what they bound: never exceeded, and not much wider than what is reached in the worst of some thousand
+ * runs, so that one that is a tenth of what it should be is seen here. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "corpus/corpus.h"
+#include "corpus/dice.h"
+#include "edge_scene.h"
+#include "levels/exact.h"
+#include "render/dither.h"
+#include "render/span/coherence.c"
+
+typedef long double real;
+
+enum { DISTANCE, SQUARE, TURNS, LAMBERT, FOOT, CLEAR, PATH, CHORD, BOUNDS };
+
+/* Sums of up to four powers of two have a reserve, which they must keep: so many times the worst is within the bound.
+ */
+static struct {
+    const char *name;
+    double reserve, worst;
+    unsigned long tried;
+} bounds[BOUNDS] = {[DISTANCE] = {"t", 1, 0, 0},
+                    [SQUARE] = {"|Q - P|^2", 1, 0, 0},
+                    [TURNS] = {"where |Q - P|^2 turns", 4, 0, 0},
+                    [LAMBERT] = {"lambert", 8, 0, 0},
+                    [FOOT] = {"A'.w/|w|", 8, 0, 0},
+                    [CLEAR] = {"h^2 - R^2", 16, 0, 0},
+                    [PATH] = {"P between samples", 1, 0, 0},
+                    [CHORD] = {"a run's chord", 1, 0, 0}};
+
+static void note(int which, real value, real bound)
+{
+    double ratio = (double)(fabsl(value) / bound);
+
+    bounds[which].tried++;
+    bounds[which].worst = ratio > bounds[which].worst ? ratio : bounds[which].worst;
+}
+
+static real power(int bits)
+{
+    return ldexpl(1, bits);
+}
+
+/* ---- what is true of a pixel ---- */
+
+struct vector {
+    real x, y, z;
+};
+
+static struct vector vector_of(struct num_vec a)
+{
+    return (struct vector){(real)a.x * 0x1p-16L, (real)a.y * 0x1p-16L, (real)a.z * 0x1p-16L};
+}
+
+static real dot(struct vector a, struct vector b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static struct vector along(struct vector a, real t, struct vector b)
+{
+    return (struct vector){a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
+}
+
+static real distance(struct vector a, struct vector b)
+{
+    struct vector c = along(a, -1, b);
+    return sqrtl(dot(c, c));
+}
+
+static struct vector direction(const struct coherence_run *run, int x)
+{
+    const struct primary_rays *p = run->primary;
+    real unit = power(-p->exponent);
+
+    return (struct vector){(real)num_pixel_coordinate(2 * x + 1 - p->width, p->exponent) * unit,
+                           (real)primary_y(p, run->y) * unit, -(real)p->depth * unit};
+}
+
+static const struct vector origin;
+
+/* Seen from outside. */
+static struct vector point(const struct coherence_run *run, int x, real *t)
+{
+    struct vector v = direction(run, x);
+    real b = dot(vector_of(run->sphere->centre), v), c = (real)run->sphere->c * 0x1p-32L;
+
+    *t = c / (b + sqrtl(b * b - c * dot(v, v)));
+    return along(origin, *t, v);
+}
+
+/* ---- bounds ---- */
+
+static void try_caster(const struct coherence_run *run, const struct coherence_sample *s, int j,
+                       const struct span_sphere *caster, struct vector p, num_wide slack)
+{
+    const struct coherence_caster *cast = &run->caster[j];
+    struct coherence_slack off = coherence_shadow_slack(run, cast, s->square, slack);
+    struct vector w = along(vector_of(run->source.light), -1, p), l = vector_of(run->sphere->centre);
+    struct vector a = along(vector_of(caster->centre), -1, p);
+    real radius = (real)run->sphere->radius * 0x1p-16L, r = (real)caster->radius * 0x1p-16L,
+         unit = power(run->exponent);
+
+    if (off.length > coherence_power(24) || off.power > coherence_power(58))
+        return;
+    a = along(a, -0x1p-13L / radius, along(p, -1, l)); /* A' = A - bias N */
+    real foot = dot(a, w) / sqrtl(dot(w, w)), clear = dot(a, a) - r * r - foot * foot;
+    note(FOOT, s->foot[j] - foot * unit, (real)off.length);
+    real most = fabsl((real)s->foot[j]) + (real)off.length;
+    note(CLEAR, (real)s->clear[j] - clear * unit * unit, 2 * most * (real)off.length + (real)off.power);
+}
+
+static void try_sample(struct coherence_run *run, const struct span_view *spans, const uint32_t *casters, int x)
+{
+    struct coherence_sample s;
+    const struct coherence_bounds *b = &run->bounds;
+    struct vector q = vector_of(run->source.light);
+    real t, light = power(run->source.exponent);
+    struct vector p = point(run, x, &t);
+
+    coherence_sample_at(run, x, run->caster_count > 0, &s);
+    real integer = (real)s.t * power(-run->sphere->t_exponent); /* 2^t_exponent is for v with its exponent */
+    struct vector v = direction(run, x), w = along(q, -1, p), off = along(q, -integer, v);
+    note(DISTANCE, integer / t - 1, power(b->t));
+    note(SQUARE, (real)s.square / light - dot(off, off), power(b->square));
+    note(TURNS, 2 * ((real)s.square - dot(w, w) * light), (real)b->square_slack);
+    num_wide slack = coherence_lambert_slack(run, s.square);
+    if (!s.faces || slack >= (num_wide)NUM_ONE)
+        return;
+    real facing = dot(along(p, -1, vector_of(run->sphere->centre)), w) / (real)run->sphere->radius / 0x1p-16L;
+    note(LAMBERT, 2 * (s.lambert - facing / sqrtl(dot(w, w)) * 0x1p30L), (real)slack);
+    for (int j = 0; slack < (num_wide)NUM_ONE / 64 && j < run->caster_count; j++)
+        try_caster(run, &s, j, &spans->spheres[casters[j]], p, slack);
+}
+
+/* Of the points of a few pixels between two samples. */
+static void try_path(struct coherence_run *run, int first, int last)
+{
+    struct coherence_sample a, b;
+    real t, unit = power(run->exponent);
+
+    coherence_sample_at(run, first, false, &a);
+    coherence_sample_at(run, last, false, &b);
+    struct vector start = point(run, first, &t), end = point(run, last, &t);
+    real path = (real)coherence_path(run, &a, &b);
+    for (int i = 1; i < 8; i++) {
+        struct vector p = point(run, first + (last - first) * i / 8, &t);
+        note(PATH, fminl(distance(p, start), distance(p, end)) * unit, path);
+    }
+}
+
+/* The circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
+static void try_chord(struct coherence_run *run, int first, int last)
+{
+    struct coherence_sample a, b;
+    struct vector v = direction(run, 0), l = vector_of(run->sphere->centre);
+    real up = l.y * v.z - l.z * v.y, radius = (real)run->sphere->radius * 0x1p-16L;
+
+    coherence_sample_at(run, first, false, &a);
+    coherence_sample_at(run, last, false, &b);
+    coherence_measure(run, &a, &b);
+    if (run->chord > 0)
+        note(CHORD, (real)run->chord * power(-run->exponent),
+             2 * sqrtl(radius * radius - up * up / (v.y * v.y + v.z * v.z)));
+}
+
+/* The casters of a run, which are those that it took. */
+static void find_casters(const struct coherence_run *run, const struct tia_view *view, uint32_t object,
+                         uint32_t casters[COHERENCE_CASTERS])
+{
+    const struct span_view *spans = span_view_of(view);
+    int n = 0;
+
+    for (uint32_t j = 0; j < view->scene->sphere_count && n < run->caster_count; j++) {
+        struct shadow_line line;
+        if (j != object &&
+            shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &line))
+            casters[n++] = j;
+    }
+}
+
+static void try_bounds(const struct tia_view *view, const struct shaded_span *span)
+{
+    struct coherence_run run;
+    uint32_t casters[COHERENCE_CASTERS] = {0};
+    int last = span->x + span->count - 1, step = span->count / 7 + 1;
+
+    if (span->count < 3 || !prepare_run(&run, view, span, span->x - 1, last + 1))
+        return;
+    find_casters(&run, view, span->object, casters);
+    try_chord(&run, span->x, last);
+    for (int x = span->x; x <= last; x += step)
+        try_sample(&run, span_view_of(view), casters, x);
+    for (int x = span->x; x < last; x += 2 * step + 1)
+        try_path(&run, x, x + step < last ? x + step : last);
+}
+
+/* ---- pixels ---- */
+
+#define MOST 1024
+#define GUARDS 8
+
+static unsigned long compared, left;
+
+static void try_pixels(const struct tia_view *view, const struct shaded_span *span)
+{
+    static tia_rgb565 want[MOST], got[MOST + 2 * GUARDS];
+    num_u threshold[8];
+
+    dither_thresholds(false, span->y, threshold);
+    memset(got, 0xa5, sizeof got);
+    if (!coherence_shade(view, span, threshold, got + GUARDS)) {
+        left += (unsigned long)span->count;
+        return;
+    }
+    tia_level_plain(view, span->object, span->x, span->y, span->count, threshold, want);
+    compared += (unsigned long)span->count;
+    for (int i = 0; i < span->count; i++)
+        CHECK_MSG(got[GUARDS + i] == want[i], "sphere %u, pixel %d of %d from (%d, %d): %04x, not %04x",
+                  (unsigned)span->object, i, span->count, span->x, span->y, got[GUARDS + i], want[i]);
+    for (int i = 0; i < GUARDS; i++)
+        CHECK(got[i] == 0xa5a5 && got[GUARDS + span->count + i] == 0xa5a5);
+}
+
+/* Parts of what a row sees of a sphere: as much as a piece has, and those that tiles of 1 to 130 pixels would cut. */
+static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
+{
+    const struct span_view *spans = span_view_of(view);
+    struct span all = span_sphere_row(&spans->primary, &spans->spheres[sphere], y, (struct span){0, 0});
+    int width = all.end - all.first;
+
+    for (int i = 0; i < 3 && width > 0; i++) {
+        int count = i == 0 ? width : 1 + (int)(dice_next(state) % 130), room = width - count;
+        count = count < MOST ? count : MOST;
+        int first = all.first + (room > 0 ? (int)(dice_next(state) % ((unsigned)room + 1)) : 0);
+        struct shaded_span span = {sphere, first, y, count < all.end - first ? count : all.end - first, NULL, NULL};
+        try_pixels(view, &span);
+        if (i < 2)
+            try_bounds(view, &span);
+    }
+}
+
+/* With its first light alone. */
+static void try_scene(struct tia_scene *scene, unsigned width, unsigned height, uint64_t seed)
+{
+    size_t size = tia_view_size(scene, 1);
+    void *memory = malloc(size);
+    struct tia_view *view;
+
+    scene->light_count = 1;
+    if (!tia_view_init(&view, memory, size, scene, 1, width, height)) {
+        const struct span_view *spans = span_view_of(view);
+        for (int y = (int)(seed % 3); y < (int)height; y += 3 + (int)height / 16)
+            for (uint32_t n = 0; n < scene->sphere_count && !spans->tinted; n++) {
+                const struct span_sphere *s = &spans->spheres[n];
+                if (y >= s->rows.first && y < s->rows.end && s->c > 0 && s->c > s->centre.x * s->centre.x)
+                    try_row(view, n, y, &seed);
+            }
+    }
+    free(memory);
+}
+
+TEST(random_scenes)
+{
+    static struct edge_scene e;
+    static struct corpus_scene c;
+
+    for (unsigned i = 1; i <= 1500; i++) {
+        edge_make(&e, i);
+        if (e.scene.light_count)
+            try_scene(&e.scene, e.width, e.height, i);
+    }
+    for (unsigned i = 0; i < 40; i++) {
+        corpus_random(&c, 7, i);
+        try_scene(&c.scene, 640, 480, i);
+    }
+}
+
+/* A ground and a ball on or near it, and a light: on the tangent plane of a point that is seen, in the ball, below the
+ * ground, on it, or anywhere. */
+TEST(constructed_scenes)
+{
+    static const tia_q16 radii[] = {64, 655, TIA_Q16_ONE, 20 * TIA_Q16_ONE, 10000 * TIA_Q16_ONE};
+    struct corpus_scene s;
+
+    for (unsigned i = 0; i < 400; i++) {
+        uint64_t state = i + 77;
+        CHECK_EQ(corpus_thesis(&s, "", 640, 480), TIA_OK);
+        struct tia_sphere *ball = &s.spheres[1], *ground = &s.spheres[0];
+        ball->radius = radii[i % 5 == 4 ? 2 : i % 5];
+        ground->radius = radii[i / 5 % 5];
+        ground->centre = (struct tia_vec3){0, -ground->radius - TIA_Q16_ONE, s.scene.camera.eye.z - 8 * TIA_Q16_ONE};
+        ball->centre = ground->centre;
+        ball->centre.y += ground->radius + ball->radius + (i & 1 ? 0 : edge_any(&state, 16));
+        ball->centre.x += edge_any(&state, 18);
+        struct tia_vec3 *light = &s.lights[0].centre;
+        *light = i % 3 == 0 ? ball->centre : ground->centre;
+        light->y += i % 3 == 1 ? ground->radius : 0; /* on the plane that touches it */
+        light->x += i % 3 == 1 ? edge_any(&state, 20) : 0;
+        light->z += i % 3 == 1 ? edge_any(&state, 20) : 0;
+        light->y += i % 3 == 2 ? ground->radius + edge_any(&state, 18) : 0;
+        s.lights[0].radius = 0;
+        s.scene.light_count = 1;
+        try_scene(&s.scene, i & 2 ? 640 : 1920, 60 + i % 7, i);
+    }
+}
+
+/* Rows of 1 to 130 pixels. */
+TEST(rows_of_any_width)
+{
+    struct corpus_scene s;
+
+    for (unsigned width = 1; width <= 130; width++) {
+        CHECK_EQ(corpus_thesis(&s, width & 1 ? "" : "a", width, 40), TIA_OK);
+        try_scene(&s.scene, width, 40, width);
+    }
+    CHECK_MSG(compared > 400000, "only %lu pixels were drawn, %lu not", compared, left);
+}
+
+TEST(bounds_hold_and_are_not_ten_times_too_wide)
+{
+    for (int i = 0; i < BOUNDS; i++) {
+        printf("# %-22s %9lu values, the worst has %.3f of its bound\n", bounds[i].name, bounds[i].tried,
+               bounds[i].worst);
+        double worst = bounds[i].worst * bounds[i].reserve;
+        CHECK_MSG(worst <= 1, "%s: %g times its bound less the reserve", bounds[i].name, worst);
+        CHECK_MSG(worst > .1, "%s: no value has more than %g of its bound less the reserve", bounds[i].name, worst);
+    }
+}
+
+int main(void)
+{
+    RUN(random_scenes);
+    RUN(constructed_scenes);
+    RUN(rows_of_any_width);
+    RUN(bounds_hold_and_are_not_ten_times_too_wide);
+    printf("# %lu pixels compared, %lu left to others\n", compared, left);
+    return check_status();
+}
