@@ -7,7 +7,8 @@
 #include "shadow_worlds.h"
 
 struct tally {
-    unsigned asked, hidden, missed, far, infinite, offered;
+    unsigned asked, hidden, missed, far, infinite;
+    uint64_t offered;
 };
 
 static struct tia_raster_plane planes[FACES];
