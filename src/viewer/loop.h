@@ -102,9 +102,11 @@ void tia_viewer_watch_begin(struct loop *loop);
 int tia_viewer_watch(struct loop *loop);
 bool tia_viewer_stops(void *loop);
 
-/* tiles.c: memory for the display's mode, a view of the current scene, and drawing a frame. */
+/* prepare.c: memory for the display's mode, and a view of the current scene. */
 int tia_viewer_prepare(struct loop *loop);
 int tia_viewer_prepare_view(struct loop *loop);
+
+/* tiles.c: drawing a frame. */
 int tia_viewer_draw_tiles(struct loop *loop);
 struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
 

@@ -1,107 +1,10 @@
-/* tiles.c - memory and a view for the display's mode; drawing a frame tile by tile. */
-#include <tia/bvh.h>
-
+/* tiles.c - a frame tile by tile. */
 #include "loop.h"
-#include "math/align.h"
 
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
 {
     return a->width == b->width && a->height == b->height && a->tile_width == b->tile_width &&
            a->tile_height == b->tile_height && a->concurrent == b->concurrent;
-}
-
-static void set_tiles(struct loop *loop, unsigned height)
-{
-    const struct tia_mode *m = &loop->mode;
-
-    loop->tile_width = m->tile_width && m->tile_width < m->width ? m->tile_width : m->width;
-    loop->tile_height = m->tile_height && m->tile_height < height ? m->tile_height : height;
-    loop->columns = (m->width + loop->tile_width - 1) / loop->tile_width;
-    loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
-}
-
-enum { PARTS = 8 };
-
-/* Gets memory from the caller for the current scene, its hierarchy, the view, two bytes for each tile, hits, the
- * level's constants and a canvas of so many bytes. */
-static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
-{
-    const struct tia_viewer *v = loop->viewer;
-    uint64_t sizes[PARTS] = {
-        loop->current_size, loop->bvh_size, loop->view_size, loop->tiles, loop->core->hits_size(loop->base, hits),
-        loop->level_size,   loop->tiles,    canvas};
-    size_t sum = 0;
-    char *parts[PARTS] = {NULL}, *memory;
-
-    for (int i = 0; i < PARTS; i++) {
-        if (sizes[i] >= SIZE_MAX / 8)
-            return false;
-        sum += ALIGN((size_t)sizes[i]);
-    }
-    memory = v->memory(v->memory_ctx, sum);
-    for (int i = 0; memory && i < PARTS; i++) {
-        parts[i] = memory;
-        memory += ALIGN((size_t)sizes[i]);
-    }
-    if (!memory)
-        return false;
-    loop->current = (struct tia_scene *)(void *)parts[0];
-    loop->bvh_memory = parts[1];
-    loop->view = (struct tia_view *)(void *)parts[2];
-    loop->status = (int8_t *)parts[3];
-    loop->hits_memory = parts[4];
-    loop->hits_size = (size_t)sizes[4];
-    loop->level_memory = parts[5];
-    loop->passes = (uint8_t *)parts[6];
-    loop->canvas = canvas ? (tia_rgb565 *)(void *)parts[7] : NULL;
-    return true;
-}
-
-/* Gets memory for the whole frame's hits and a canvas, for the hits alone or, failing that, for the hits of one tile of
- * as many rows as fit. */
-static bool get_most_memory(struct loop *loop)
-{
-    struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
-
-    set_tiles(loop, VIEWER_STRIP);
-    loop->last_us = 0;
-    loop->whole = get_memory(loop, frame, tia_viewer_canvas_size(loop)) || get_memory(loop, frame, 0);
-    if (loop->whole)
-        return true;
-    for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
-        set_tiles(loop, rows);
-        struct tia_tile tile = {0, 0, (uint16_t)loop->tile_width, (uint16_t)loop->tile_height};
-        if (get_memory(loop, tile, 0))
-            return true;
-    }
-    return false;
-}
-
-int tia_viewer_prepare(struct loop *loop)
-{
-    loop->view_ready = false;
-    loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
-    loop->level_size =
-        loop->viewer->level ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity) : 0;
-    loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_size(loop->base) : 0;
-    return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
-}
-
-int tia_viewer_prepare_view(struct loop *loop)
-{
-    struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
-    int status =
-        loop->core->view_init_until(&loop->view, loop->view, loop->view_size, loop->scene, loop->viewer->light_capacity,
-                                    loop->mode.width, loop->mode.height, tia_viewer_stops, loop);
-
-    if (!status && loop->viewer->level)
-        status = loop->core->set_level(loop->view, loop->viewer->level, loop->level_memory, loop->level_size);
-    if (!status && loop->whole)
-        status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
-    loop->view_ready = !status;
-    loop->traced = 0;
-    loop->changed = true;
-    return status;
 }
 
 struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index)

@@ -1,0 +1,32 @@
+# deps.mk - what Debian 12 has for it; `make deps` installs what is missing, with sudo when not root.
+#
+# `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
+# any other goal: everything.
+DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
+DEPS_ALL := libstb-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
+        gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
+        gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
+        libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
+        libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
+        gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish \
+        gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
+ifneq ($(filter deps,$(MAKECMDGOALS)),)
+DEPS += $(if $(filter-out run,$(or $(GOALS),all)),$(DEPS_ALL)) $(if $(filter-out run all install,$(GOALS)),$(DEPS_CHECK))
+# An included file that is out of date is made first and the Makefile is read again: so the
+# libraries are found in the same call that installs them.
+DEPS_MISSING := $(filter-out $(shell dpkg-query -W -f '$${Package} $${Status}\n' $(DEPS) 2>/dev/null | \
+                                     sed -n 's/ install ok installed$$//p'),$(DEPS))
+$(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
+	@mkdir -p $(@D)
+	@if [ -n "$(DEPS_MISSING)" ]; then \
+	    command -v apt-get >/dev/null || { echo "deps: no apt-get here; Debian calls what is missing: $(DEPS_MISSING)" >&2; exit 1; }; \
+	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+	    echo "deps: apt-get installs $(DEPS_MISSING) ($(BUILD)/deps.log)"; \
+	    { $$sudo apt-get update -q && \
+	      $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(DEPS_MISSING); } \
+	        >$(BUILD)/deps.log 2>&1 || { tail -20 $(BUILD)/deps.log >&2; exit 1; }; fi
+	@touch $@
+include $(BUILD)/deps.mk
+endif
