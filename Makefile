@@ -229,7 +229,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-arch check-levels check-mutants fuzz
+.PHONY: check-exhaustive prove check-arch check-matrix check-levels check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -238,6 +238,8 @@ prove:
 	@$(alone) tests/slow/prove
 check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
+check-matrix: all
+	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
 check-levels: $(addprefix $(BUILD)/tests/test_,span_levels ray_levels ray_bounds)
 	@LEVEL_SCENES=100000 $(run_tests) tests/slow/levels
 SECONDS ?= 600
@@ -362,7 +364,7 @@ help:
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-arch check-levels check-vm fuzz          parts of check, for longer"
+	@echo "check-arch check-matrix check-levels check-vm fuzz   parts of check, for longer"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
