@@ -109,7 +109,7 @@ static void pin(void)
 void bench_levels(void)
 {
     static const uint16_t sizes[3][2] = {{640, 480}, {1920, 1080}, {3840, 2160}};
-    static const char *const names[] = {"sse41", "avx2", "avx512", "neon"};
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
 
     pin();
     printf("\n| size | level | full, ms | CPU | relit, ms | CPU | float, ms | CPU | full/float | relit/float |\n");

@@ -208,7 +208,7 @@ TEST(names_of_levels)
 
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"sse41", "avx2", "avx512", "neon"};
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
 
     if (argc > 1) {
         edge_scenes = (unsigned)strtoul(argv[1], NULL, 10);

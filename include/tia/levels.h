@@ -22,7 +22,7 @@
 const struct tia_level *tia_level_best(void);
 
 /* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar", "sse41",
- * "avx2", "avx512" or "neon". TIA_ERR_ARGUMENT when no level anywhere has that name. */
+ * "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no level anywhere has that name. */
 int tia_level_called(const char *name, const struct tia_level **level);
 
 /* The levels that this library has and this processor too, from the narrowest; NULL from their number on. */

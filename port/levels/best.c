@@ -63,10 +63,17 @@ THERE(has_neon, true) /* every AArch64 */
 #else
 #define NEON NULL, NULL
 #endif
+#ifdef TIA_HAVE_WASM
+extern const struct tia_level tia_level_wasm;
+THERE(has_wasm, true) /* a module that asks for it does not start without it */
+#define WASM &tia_level_wasm, has_wasm
+#else
+#define WASM NULL, NULL
+#endif
 
 /* From the narrowest; those of one processor side by side. */
 static const struct entry entries[] = {
-    {"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}};
+    {"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}, {"wasm", WASM}};
 #define ENTRIES (sizeof entries / sizeof *entries)
 
 const struct tia_level *tia_level_at(unsigned index)

@@ -6,6 +6,7 @@ no
     (defined ASK_avx512 && defined __AVX512F__ && defined __AVX512BW__ && defined __AVX512DQ__ &&                      \
      defined __AVX512VL__) ||                                                                                          \
     (defined ASK_neon && defined __ARM_NEON && defined __aarch64__ && !defined __ARM_BIG_ENDIAN) ||                    \
-    (defined ASK_neon32 && defined __ARM_NEON && defined __arm__ && !defined __ARM_BIG_ENDIAN)
+    (defined ASK_neon32 && defined __ARM_NEON && defined __arm__ && !defined __ARM_BIG_ENDIAN) ||                      \
+    (defined ASK_wasm && defined __wasm_simd128__)
 yes
 #endif

@@ -4,13 +4,14 @@
 # where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
 LEVELS_SRC := $(filter src/levels/%,$(CORE_SRC))
 CORE_SRC  := $(filter-out src/levels/%,$(CORE_SRC))
-LEVEL_NAMES := scalar sse41 avx2 avx512 neon neon32
+LEVEL_NAMES := scalar sse41 avx2 avx512 neon neon32 wasm
 flags_scalar :=
 flags_sse41  := -msse4.1
 flags_avx2   := -mavx2 -mfma
 flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
 flags_neon   :=
 flags_neon32 := -mfpu=neon
+flags_wasm   := -msimd128
 LEVELS ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is asked with a line for each level.
 LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))

@@ -78,7 +78,7 @@ static int choose_level(struct options *options)
 
     options->level = tia_level_best();
     if (most && tia_level_called(most, &options->level))
-        return fail(EXIT_USAGE, "TIA_LEVEL '%.200s': not plain, scalar, sse41, avx2, avx512 or neon", most);
+        return fail(EXIT_USAGE, "TIA_LEVEL '%.200s': not plain, scalar, sse41, avx2, avx512, neon or wasm", most);
     return EXIT_FINE;
 }
 
