@@ -7,8 +7,7 @@
 #include "shadow_worlds.h"
 
 struct tally {
-    unsigned asked, hidden, missed, far, infinite;
-    uint64_t offered;
+    unsigned asked, hidden, missed, far, infinite, offered;
 };
 
 static struct tia_raster_plane planes[FACES];
@@ -78,7 +77,7 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
         if (f == seen->of->face || is_unbounded(casters, f))
             continue;
         t->asked++;
-        t->offered += found >> f & 1;
+        t->offered += (unsigned)(found >> f & 1);
         if (!tia_occluder_init(&o, &w->flat, &w->light, f) || !tia_occluder_hides(&o, seen))
             continue;
         t->hidden++;

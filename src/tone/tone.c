@@ -15,7 +15,7 @@ enum tia_tone tia_tone_of(const struct tia_integration *how)
 /* 2^-(1 - fraction) 2^(floor + 1) */
 struct tia_exposure tia_exposure_of(tia_q16 exposure)
 {
-    int floor = exposure >> 16;
+    int floor = (int)(exposure >> 16);
     int64_t fraction = exposure & 0xffff;
 
     if (!fraction)
