@@ -14,7 +14,7 @@ atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
 # Those without the flash for coherence.c.
-TIGHT_BOARDS := rv32 atmega1284p
+TIGHT_BOARDS := atmega1284p
 small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(filter-out src/render/span/coherence%,$(SMALL_SRC)) src/render/span/no_coherence.c,$(SMALL_SRC))
 # The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
 # bytes, 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of it is used.
@@ -57,6 +57,13 @@ $(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
 $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
+# Where what draws spheres fits into the flash at -O2 alone, of size the rest; -O3 where there is room for it.
+SPANS_O3 := $(addprefix src/render/span/,coherence kernels)
+rv32_O2 := src/math/integer $(addprefix src/render/span/,coherence kernels rows shade sphere trace)
+$(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3
+$(BUILD)/boards/rv32/%.o: BOARD += -Os -msave-restore
+$(rv32_O2:%=$(BUILD)/boards/rv32/%.o): BOARD += -O2
+$(BUILD)/boards/rv32/f%.o: BOARD += -O2 -mno-save-restore
 # The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c

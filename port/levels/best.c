@@ -72,8 +72,8 @@ THERE(has_wasm, true) /* a module that asks for it does not start without it */
 #endif
 
 /* From the narrowest; those of one processor side by side. */
-static const struct entry entries[] = {
-    {"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512}, {"neon", NEON}, {"wasm", WASM}};
+static const struct entry entries[] = {{"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2},
+                                       {"avx512", AVX512}, {"neon", NEON},   {"wasm", WASM}};
 #define ENTRIES (sizeof entries / sizeof *entries)
 
 const struct tia_level *tia_level_at(unsigned index)

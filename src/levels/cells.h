@@ -3,6 +3,8 @@
 #ifndef TIA_LEVELS_CELLS_H
 #define TIA_LEVELS_CELLS_H
 
+#include "proved.h"
+
 #define CELLS (LEVEL_BLOCK / LEVEL_CELL)
 #define SAMPLES (CELLS + 2 * N)
 #define HALF_CELL (LEVEL_CELL / 2)
@@ -21,15 +23,17 @@ struct cells {
     uint64_t good, flat;
 };
 
+/* The two parts of S' = b1 + D'/(2 sqrt(D)) may cancel: what each is off by, D' in d_off, is added to |S'|. */
 INLINE void take_samples(const struct level_run *r, const struct body *k, int count, int lights, struct cells *cells)
 {
     for (int i = 0; i < count; i += N) {
         F x = f_fma(f_add(f_iota(), f_set((float)i)), f_set(LEVEL_CELL), f_set(cells->x0));
         struct value o = value_at(k, x);
         F slope = f_fma(f_add(x, x), k->d2, k->d1), per_root = f_rsqrt(o.d);
-        F turn = f_fma(f_mul(slope, f_set(.5f)), per_root, k->b1), per_s = f_inverse(o.s);
+        F part = f_mul(f_mul(slope, f_set(.5f)), per_root), turn = f_abs(f_add(part, k->b1)), per_s = f_inverse(o.s);
+        F off = f_fma(f_abs(part), f_set(1.f / (1 << CELL_TURN)), f_fma(per_root, f_set(r->d_off), f_set(r->b_off)));
         f_store(cells->per_s + i, per_s);
-        f_store(cells->turn + i, f_abs(turn));
+        f_store(cells->turn + i, f_add(turn, off));
         f_store(cells->d + i, o.d);
         for (int l = 0; l < lights; l++) {
             F square = square_of(&r->light[l], x, &o);
@@ -65,7 +69,7 @@ INLINE struct motion motion_over(const struct level_run *r, const struct cells *
     F per_s = larger_end(cells->per_s + i), a = f_mul(larger_end(cells->turn + i), per_s);
     F d = f_sub(smaller_end(cells->d + i), f_set(r->d_sag)), per_root = f_rsqrt(d);
     F b = f_mul(f_mul(f_mul(per_root, per_root), f_mul(per_root, f_set(r->bend))), per_s);
-    F t = f_mul(per_s, f_set(r->c * 1.001f)), v = f_set(r->v_most), step = f_set(r->v_step);
+    F t = f_mul(per_s, f_set(r->c * (CELL_MOTION * .001f))), v = f_set(r->v_most), step = f_set(r->v_step);
     F twice = f_add(a, a);
 
     *good = m_and(f_ge(d, f_set(r->cut)), f_gt(d, f_set(0)));
@@ -79,7 +83,7 @@ INLINE struct motion motion_over(const struct level_run *r, const struct cells *
 INLINE struct verdict judge_cell(const struct level_cast *c, F x, const struct value *o, F square, F p, F per_d, F far,
                                  float per_c2)
 {
-    const F two = f_set(2), unit = f_set(per_c2 * 1.2f);
+    const F two = f_set(2), unit = f_set(per_c2 * (CELL_UNIT * .001f));
     struct toward t = toward_caster(c, x, o);
     F m = f_mul(p, f_fma(per_d, f_set(c->turn), f_set(c->shift)));
     F e = f_fma(per_d, f_set(c->fuzz_a), f_set(c->fuzz_k));
@@ -120,22 +124,24 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
 /* Of a light over cells: takes what interpolation costs off the margins, and leaves good those that no shadow's edge
  * crosses. (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit
  * vector w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being
- * the share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. */
+ * the share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. Factors for
+ * what all this is rounded by, here and above, are proved in tests/proofs/level_cells.g. */
 INLINE M light_cells(const struct level_run *r, int l, F x, const struct value *o, const struct motion *p,
                      struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
     const struct level_light *q = &r->light[l];
     const F zero = f_set(0), half = f_mul(p->first, f_set(HALF_CELL)), square = square_of(q, x, o);
-    F d = f_sub(smaller_end(cells->far[l] + i), half), per_d = f_inverse(d), per_r = f_set(q->per_r);
+    F d = f_sub(f_mul(smaller_end(cells->far[l] + i), f_set(1 - CELL_FAR * .001f)), half);
+    F per_d = f_inverse(d), per_r = f_set(q->per_r);
     F bend = f_mul(p->second, f_add(per_r, per_d));
-    F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set(1.16f), per_d)));
-    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(HALF_CELL * HALF_CELL / 8 * 1.01f));
+    F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set(CELL_BEND * .001f), per_d)));
+    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(HALF_CELL * HALF_CELL / 8 * (CELL_OFF * .001f)));
     F tint[3] = {f_set(1), f_set(1), f_set(1)};
     M good = f_gt(d, f_mul(f_set(.01f), half));
 
     gained->lost = f_fma(off, f_set(q->colour_most), gained->lost);
     if (casts) {
-        F far = f_add(larger_end(cells->far[l] + i), half);
+        F far = f_fma(larger_end(cells->far[l] + i), f_set(1 + CELL_FAR * .001f), half);
         M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
         for (int j = 0; j < casts && m_any(m_not(away)); j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "proved.h"
 #include "render/dither.h"
 #include "scene/colour.h"
 
@@ -154,6 +155,8 @@ void tia_level_run(const struct level_fine *fine, const struct level_dither *dit
     run->v_most = (float)(place->v_most * wider);
     run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * 1.01);
     run->d_sag = (float)((d[2] > 0 ? d[2] * LEVEL_CELL * LEVEL_CELL / 4 : 0) + seen->size * 0x1p-20);
+    run->b_off = (float)(fabs(seen->b[1]) / (1 << CELL_TURN));
+    run->d_off = (float)((fabs(d[1]) + 2 * fabs(d[2]) * place->reach) * CELL_SLOPE * LEVEL_FLOAT);
     for (int c = 0; c < 3; c++)
         run->emission[c] = (float)fine->emission[c];
     run->near31 = (float)fine->near31;

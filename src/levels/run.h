@@ -67,6 +67,7 @@ struct level_run {
     float v_step, v_most; /* |v'|, and |v| at most */
     float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
     float d_sag;          /* how far D may be below the smaller of two samples' */
+    float b_off, d_off;   /* |S'| is off by less than b_off + d_off/sqrt(D) and 2^-CELL_TURN of D'/(2 sqrt(D)) */
     float emission[3];
     float near31, near63;   /* half a level less the bound */
     const float *threshold; /* less 1/2, from the run's first pixel on, with period 8 */

@@ -1,5 +1,5 @@
-/* wasm.h - 4 floats: fixed-width SIMD of WebAssembly. See kernel.h for what each operation is. It has no estimates: roots
- * and quotients are rounded correctly. */
+/* wasm.h - 4 floats: fixed-width SIMD of WebAssembly. See kernel.h for what each operation is. It has no estimates:
+ * roots and quotients are rounded correctly. */
 #ifndef TIA_LEVELS_WASM_H
 #define TIA_LEVELS_WASM_H
 
