@@ -19,8 +19,7 @@
 /* Of cells.h. Twice as many powers of two as the former are D's, which is at least 2^-8 of its size. */
 #define CELL_TURN 13     /* of S', 2^-13 of each of its two parts */
 #define CELL_SLOPE 2     /* units that (2 d2 x + d1)/2 may be off by, where x may be a pixel outside of the run */
-#define CELL_MOTION 1001 /* for the roundings of |P'| and |P''|, in 1/1000; what S is off by is in v_most and v_step   \
-                          */
+#define CELL_MOTION 1001 /* for the roundings of |P'| and |P''|, in 1/1000; S's own error is in v_most and v_step */
 #define CELL_FAR 30      /* of |w|, in 1/1000: S within .01 and |w|^2 within .019 */
 #define CELL_UNIT 1200   /* for the roundings of what a shadow's edge must keep clear of, in 1/1000 */
 #define CELL_BEND 1160   /* a sqrt(4 - 3 a^2) at most, in 1/1000 */
