@@ -32,7 +32,7 @@ static inline bool num_happens(uint32_t chance, uint32_t number)
 /* (u + 1/2)/2^32 */
 static inline num_unit num_unit_of_u32(uint32_t u)
 {
-    return num_unit_of_q62(((int64_t)u << 30) + ((int64_t)1 << 29));
+    return num_unit_of_q62(((int64_t)u << 30) + (INT64_C(1) << 29));
 }
 
 #endif

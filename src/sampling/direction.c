@@ -19,7 +19,7 @@ static int64_t rest_of_circle(int64_t x)
 
 static int64_t unit_of(uint32_t u)
 {
-    return ((int64_t)u << 30) + (1 << 29);
+    return ((int64_t)u << 30) + (INT64_C(1) << 29);
 }
 
 /* Sine and cosine of t 2^-64 turns. The nearest of 256 angles comes from the table, what is left, d, is below 2^-6.4:
