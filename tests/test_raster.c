@@ -195,7 +195,7 @@ TEST(orthographic_nearness_steps_over_both_signs_at_once)
         struct trial t = {.flat = true};
         begin_image(&t, TIA_BUFFER_DEPTH, 1 + i % 10, (const uint16_t[2]){30, 30}, 1);
         int64_t one = INT64_C(1) << t.lattice.fraction, side = one / 30 + one / 999;
-        int64_t h = (i & 1 ? one : -one) << (1 + i % 10);
+        int64_t h = (i & 1 ? one : -one) * (INT64_C(1) << (1 + i % 10));
         const struct random_polygon p = {.v = {{-side, -one + 1, one, -h},
                                                {side, -one + 1, one, h},
                                                {side, one - 1, one, h},
