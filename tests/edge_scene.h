@@ -27,14 +27,17 @@ static inline uint32_t edge_below(uint64_t *state, uint32_t limit)
 /* Of any magnitude below 2^bits, any sign. */
 static inline int32_t edge_any(uint64_t *state, int bits)
 {
-    int32_t x = (int32_t)(dice_next(state) & ((UINT64_C(2) << edge_below(state, (uint32_t)bits)) - 1));
+    uint64_t range = UINT64_C(2) << edge_below(state, (uint32_t)bits);
+    int32_t x = (int32_t)(dice_next(state) & (range - 1));
 
     return edge_below(state, 2) ? x : -x;
 }
 
 static inline struct tia_vec3 edge_point(uint64_t *state, int bits)
 {
-    return (struct tia_vec3){edge_any(state, bits), edge_any(state, bits), edge_any(state, bits)};
+    int32_t x = edge_any(state, bits), y = edge_any(state, bits), z = edge_any(state, bits); /* in this order */
+
+    return (struct tia_vec3){x, y, z};
 }
 
 static inline struct tia_rgb edge_colour(uint64_t *state, bool grey)
@@ -58,8 +61,10 @@ static inline void edge_sphere(uint64_t *state, struct edge_scene *e, unsigned i
     away = away < 0 ? -away : away;
     s->radius = (radius < 0 ? -radius : radius) + 64;
     s->material = i;
-    s->centre.x = eye->x + away / 4 * ((int32_t)edge_below(state, 3) - 1) + edge_any(state, 12);
-    s->centre.y = eye->y + away / 4 * ((int32_t)edge_below(state, 3) - 1) + edge_any(state, 12);
+    s->centre.x = eye->x + away / 4 * ((int32_t)edge_below(state, 3) - 1);
+    s->centre.x += edge_any(state, 12);
+    s->centre.y = eye->y + away / 4 * ((int32_t)edge_below(state, 3) - 1);
+    s->centre.y += edge_any(state, 12);
     s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* before the eye, mostly */
     if (i > 0 && edge_below(state, 3) == 0) {                             /* touches the last one */
         s->centre = e->spheres[i - 1].centre;

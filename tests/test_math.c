@@ -28,7 +28,8 @@ TEST(round_shift_to_nearest_ties_up)
     CHECK_EQ(tia_round_shift(1 - (INT64_C(1) << 62), 63), 0);
     for (int i = 0; i < 200000; i++) {
         unsigned s = 1 + (unsigned)(dice_next(&state) % 62);
-        int64_t unit = INT64_C(1) << s, x = (int64_t)dice_next(&state) >> (2 + dice_next(&state) % 60);
+        int64_t unit = INT64_C(1) << s, x = (int64_t)dice_next(&state);
+        x >>= 2 + dice_next(&state) % 60;
         x -= i & 1 ? 0 : x % unit;                /* half of them whole ... */
         x += i % 4 == 2 && s < 62 ? unit / 2 : 0; /* ... or ties */
         int64_t whole = x / unit, rest = x % unit;

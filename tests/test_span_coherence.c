@@ -26,7 +26,7 @@ static struct {
                     [SQUARE] = {"|Q - P|^2", 1, 0, 0},
                     [TURNS] = {"where |Q - P|^2 turns", 4, 0, 0},
                     [LAMBERT] = {"lambert", 8, 0, 0},
-                    [FOOT] = {"A'.w/|w|", 8, 0, 0},
+                    [FOOT] = {"A'.w/|w|", 4, 0, 0},
                     [CLEAR] = {"h^2 - R^2", 16, 0, 0},
                     [PATH] = {"P between samples", 1, 0, 0},
                     [CHORD] = {"a run's chord", 1, 0, 0}};
