@@ -5,7 +5,7 @@
 #   make CROSS=aarch64-linux-gnu-    for another Linux
 #   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
 #   make F64=no          leaves the double-precision reference out (targets without an FPU)
-#   make DRM=no PNG=no STB=no OSMESA=no EGL=no   leaves a part out though its library is there
+#   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
@@ -17,8 +17,6 @@ endif
 AR      := $(CROSS)ar
 PKG_CONFIG ?= $(CROSS)pkg-config
 CFLAGS  ?= -O3 -g
-PREFIX  ?= /usr/local
-DESTDIR ?=
 VERSION  = $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
 
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
@@ -28,7 +26,7 @@ HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -Itools -Ibench -pthread
 
 # The compiler's target when it has no operating system: then there is the library alone.
 BARE := $(if $(NATIVE),,$(filter %-elf %-eabi %-eabihf %-none avr,$(shell $(CC) -dumpmachine 2>/dev/null)))
-LIBRARY_GOALS := all install uninstall size clean lint deps help $(BUILD)/%
+LIBRARY_GOALS := all install uninstall man3 size clean lint deps help $(BUILD)/%
 ifneq ($(and $(BARE),$(filter-out $(LIBRARY_GOALS),$(MAKECMDGOALS))),)
 $(error $(CC) is for $(BARE), which has no operating system: there is only `make all` or `make install`)
 endif
@@ -63,7 +61,7 @@ include deps.mk
 F64 ?= $(if $(BARE),no,yes)
 unless_no = $(if $(filter no,$($(1))),,$(2))
 WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
-                               $(call unless_no,STB,stb) \
+                               $(call unless_no,STB,stb) $(call unless_no,CHAFA,chafa) \
                                $(call unless_no,OSMESA,osmesa gl) $(call unless_no,EGL,egl gl)))
 # Flags begin with -, the names of the packages that are there do not. All are asked for in one call;
 # only where one is missing they are asked for one by one.
@@ -75,13 +73,14 @@ have = $(if $(filter-out $(PACKAGES),$(1)),no,yes)
 DRM ?= $(call have,libdrm)
 PNG ?= $(call have,libpng)
 STB ?= $(call have,stb)
+CHAFA ?= $(call have,chafa)
 OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
 # stb_image is a header: it is compiled here, and the compiler has nothing to say about it.
-HOSTED += $(patsubst -I%/stb,-isystem%/stb,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
-LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
+HOSTED += $(patsubst -I%,-isystem%,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
+LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
 ifeq ($(DRM),yes)
 HOSTED += -DTIA_HAVE_DRM
@@ -98,6 +97,13 @@ ifeq ($(STB),yes)
 HOSTED += -DTIA_HAVE_STB
 else
 MISSING += "no libstb: built without textures from .jpg, .bmp, .tga and .gif files"
+endif
+# Only what has the terminal's display is linked with it.
+ifeq ($(CHAFA),yes)
+HOSTED += -DTIA_HAVE_CHAFA
+LIBS += -Wl,--as-needed -lchafa -lglib-2.0 -Wl,--no-as-needed
+else
+MISSING += "no libchafa: built without symbols, sixel and kitty's pictures on terminals"
 endif
 # Damaged pictures make its sums overflow, which is harmless where they wrap around.
 $(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
@@ -118,11 +124,12 @@ CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/levels/levels.mk
 # Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
-LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone read scene/bvh scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c
+LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone denoise read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
+             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
+without_coherence = $(filter-out src/render/span/coherence%,$(1)) src/render/span/no_coherence.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
-             $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
+             terminal/$(if $(filter yes,$(CHAFA)),,no-)chafa $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
 # What commands share, and the scenes and measures that commands, tests and benchmarks share.
 COMMON_SRC := $(call c_below,tools/common bench/corpus)
@@ -131,6 +138,9 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_
 
 obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
+LIBSPHERES := $(BUILD)/libtia-spheres.a
+LIBDEVICES := $(BUILD)/libtia-ports.a
+LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
@@ -139,7 +149,7 @@ LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
+all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
@@ -162,9 +172,10 @@ $(BUILD)/watched/%.o: %.c
 	$(call compile,CC obs,$(CORE) -DTIA_WATCHED)
 $(BUILD)/f32/%.o: %.c
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
+# Of a file of src/levels/.
+level_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
 $(BUILD)/levels/src/levels/%.o: src/levels/%.c
-	$(call compile,CC,$(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $*)) -fno-math-errno \
-	    -ffp-contract=$(if $(filter rays/%,$*),fast,off))
+	$(call compile,CC,$(call level_flags,$*))
 $(BUILD)/levels/port/levels/%.o: port/levels/%.c
 	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
 $(BUILD)/host/%.o: %.c
@@ -229,19 +240,25 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-arch check-matrix check-levels check-mutants fuzz
+.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-levels check-denoise check-rays-billion check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
 	@$(run_tests) $<
 prove:
 	@$(alone) tests/slow/prove
+check-accuracy: all tests
+	@ACCURACY_SCENES=100 $(run_tests) tests/slow/accuracy
 check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
 check-matrix: all
 	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
 check-levels: $(addprefix $(BUILD)/tests/test_,span_levels ray_levels ray_bounds)
 	@LEVEL_SCENES=100000 $(run_tests) tests/slow/levels
+check-denoise: all
+	@DENOISE_FULL=yes $(run_tests) tests/slow/denoise
+check-rays-billion: $(BUILD)/tests/test_ray_bounds
+	@$< --rays $(or $(RAYS),1000000000) $(PASS)
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
@@ -272,15 +289,17 @@ run: $(BUILD)/tia
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
 on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
+# With CHECK_QUICK set tests try fewer random cases, see check_count in tests/check.h; check tries all.
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
-LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy) $(BUILD)/tests/test_rays_accuracy
-QUICK := $(filter-out $(LONG),$(TESTS)) $(sort $(wildcard tests/quick/*))
+LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
+# tests/slow/accuracy runs the one that is left out.
+QUICK := $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS)) $(sort $(wildcard tests/quick/*))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
-	@$(on_all_cores) $(QUICK)
+	@CHECK_QUICK=yes $(on_all_cores) $(QUICK)
 check: all tests
 	@$(on_all_cores) $(QUICK) $(SLOW)
 
@@ -302,25 +321,7 @@ lint:
 	@if command -v clang-format >/dev/null; then clang-format --dry-run -Werror $(LINTED); \
 	else echo "lint: no clang-format (make deps installs it)"; fi
 
-# ---- installing ----
-INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
-# $(call put,mode,file,place below PREFIX)
-define put
-$(call say,INSTALL,$(DESTDIR)$(PREFIX)/$(3))install -D -m $(1) $(2) $(DESTDIR)$(PREFIX)/$(3)$(newline)
-endef
-install: all
-	@printf '%s\n' 'prefix=$(PREFIX)' 'Name: tia' 'Description: integer-only ray tracer' 'Version: $(VERSION)' \
-	    'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltia' >$(BUILD)/tia.pc
-	$(foreach p,$(INSTALLED),$(call put,755,$(BUILD)/$(p),bin/$(p))$(call put,644,man/$(p).1,share/man/man1/$(p).1))
-	$(call put,644,man/tia-scene.5,share/man/man5/tia-scene.5)
-	$(call put,644,$(LIBTIA),lib/libtia.a)
-	$(if $(BARE),,$(call put,644,$(LIBLEVELS),lib/libtia-levels.a))
-	$(foreach h,$(wildcard include/tia/*.h),$(call put,644,$(h),$(h)))
-	$(call put,644,$(BUILD)/tia.pc,lib/pkgconfig/tia.pc)
-uninstall:
-	$(call say,REMOVE,$(DESTDIR)$(PREFIX))rm -f $(addprefix $(DESTDIR)$(PREFIX)/,$(INSTALLED:%=bin/%) \
-	    $(INSTALLED:%=share/man/man1/%.1) share/man/man5/tia-scene.5 lib/libtia.a lib/libtia-levels.a lib/pkgconfig/tia.pc $(wildcard include/tia/*.h))
-	@rmdir $(DESTDIR)$(PREFIX)/include/tia 2>/dev/null || :
+include install.mk
 
 ifeq ($(BARE),)
 include port/boards/boards.mk
@@ -331,6 +332,16 @@ endif
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+	$(call draw,docs/gallery/marbles.png,scenes/marbles.tia --time 5 -s 400x300)
+	$(call draw,docs/gallery/cornell.png,scenes/cornell.tia --denoise -s 300x300)
+	$(call draw,docs/gallery/window.png,scenes/window.tia --spp 64 --denoise -s 400x300)
+	$(call draw,docs/gallery/caustic.png,scenes/caustic.tia --spp 128 --denoise -s 400x300)
+	$(call draw,docs/gallery/castle-openness.png,scenes/castle.tia --integrator ao=6 --spp 64 -s 400x300)
+	$(call draw,docs/light/noisy.png,scenes/cornell.tia -s 128x128 --spp 16)
+	$(call draw,docs/light/denoised.png,scenes/cornell.tia -s 128x128 --spp 16 --denoise)
+	$(foreach n,normal albedo,$(call draw,docs/light/$(n).png,scenes/cornell.tia -s 128x128 --spp 16 --guide $(n)))
+	$(call draw,docs/light/depth.png,scenes/cornell.tia -s 128x128 --spp 16 --guide depth --exposure -10.5)
+	$(call draw,docs/light/error.png,scenes/cornell.tia -s 128x128 --spp 16 --guide error --exposure 3)
 	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))
@@ -364,12 +375,14 @@ help:
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-arch check-matrix check-levels check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-arch check-matrix check-levels check-denoise check-vm fuzz   parts of check, for longer"
+	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
 	@echo "gallery            draws the pictures of docs again"
+	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
 	@echo "lint clean help"
 	@echo "The top of the Makefile tells of CC, CROSS, CFLAGS, BUILD and of leaving parts out."

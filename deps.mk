@@ -3,14 +3,14 @@
 # `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
 # any other goal: everything.
 DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
-DEPS_ALL := libstb-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_ALL := libstb-dev libchafa-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
-        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish \
+        qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish g++ cmake \
         wasi-libc libclang-rt-14-dev-wasm32 lld nodejs \
         gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
 ifneq ($(filter deps,$(MAKECMDGOALS)),)

@@ -1,7 +1,8 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
- * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, rays, raster,
- * tinygl, shadows or shadow-frames. */
+ * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
+ * ray-levels, paths, raster, tinygl, shadows or shadow-frames; of ray-levels, only scenes whose name contains a second
+ * argument. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,12 +10,15 @@
 
 #include "levels.h"
 #include "milliseconds.h"
+#include "paths.h"
 #include "plain.h"
 #include "raster.h"
+#include "ray_levels.h"
 #include "rays.h"
 #include "shadow_frames.h"
 #include "shadows.h"
 #include "tinygl.h"
+#include "two_threads.h"
 
 #define ROUNDS 15
 
@@ -101,18 +105,17 @@ static void measure_frames(void)
 static const struct part {
     const char *name;
     void (*run)(void);
-} parts[] = {{"thesis", measure_frames},
-             {"levels", bench_levels},
-             {"rays", bench_rays},
-             {"raster", bench_raster},
-             {"tinygl", bench_tinygl},
-             {"shadows", bench_shadows},
-             {"shadow-frames", bench_shadow_frames}};
+} parts[] = {{"thesis", measure_frames},       {"levels", bench_levels},
+             {"threads", bench_threads},       {"rays", bench_rays},
+             {"ray-levels", bench_ray_levels}, {"paths", bench_paths},
+             {"raster", bench_raster},         {"tinygl", bench_tinygl},
+             {"shadows", bench_shadows},       {"shadow-frames", bench_shadow_frames}};
 
 int main(int argc, char **argv)
 {
     bool found = false;
 
+    bench_scene = argc > 2 ? argv[2] : NULL;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         if (argc < 2 || strcmp(argv[1], parts[i].name) == 0) {
             parts[i].run();

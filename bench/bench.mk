@@ -18,8 +18,9 @@ $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
 $(BENCH): $(call obj,host,$(BENCH_SRC) $(if $(GL),bench/gl/raster.c)) \
-          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
+          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(LIBWATCHED)
 	$(link)
+$(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 # FORCE: another TINYGL may be meant than the last time.
 $(BUILD)/tinygl/%.o: %.c FORCE
 	$(call compile,CC,$(HOSTED) -DTIA_HAVE_TINYGL -isystem $(TINYGL)/include)

@@ -8,6 +8,7 @@
 
 #include "float_lanes.h"
 #include "milliseconds.h"
+#include "pixels/pages.h"
 #include "plain.h"
 
 #define ROUNDS 25
@@ -27,7 +28,7 @@ static void keep(struct best *best, double wall, double cpu)
 
 static void *memory(size_t size)
 {
-    void *p = malloc(size + 1);
+    void *p = pages_alloc(size + 1);
     if (!p) {
         (void)fprintf(stderr, "bench: out of memory\n");
         exit(1);
@@ -93,15 +94,13 @@ static void row(const struct picture *p, const char *name, const struct tia_leve
         free(part[i]);
 }
 
-static void pin(void)
+static void pin(const cpu_set_t *all)
 {
-    cpu_set_t all, one;
+    cpu_set_t one;
 
     CPU_ZERO(&one);
-    if (sched_getaffinity(0, sizeof all, &all))
-        return;
     for (size_t i = 0; i < CPU_SETSIZE; i++)
-        if (CPU_ISSET(i, &all))
+        if (CPU_ISSET(i, all))
             CPU_SET(i, &one), i = CPU_SETSIZE;
     (void)sched_setaffinity(0, sizeof one, &one);
 }
@@ -111,7 +110,11 @@ void bench_levels(void)
     static const uint16_t sizes[3][2] = {{640, 480}, {1920, 1080}, {3840, 2160}};
     static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
 
-    pin();
+    cpu_set_t all;
+    bool pinned = sched_getaffinity(0, sizeof all, &all) == 0;
+
+    if (pinned)
+        pin(&all);
     printf("\n| size | level | full, ms | CPU | relit, ms | CPU | float, ms | CPU | full/float | relit/float |\n");
     printf("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     for (int i = 0; i < 3; i++) {
@@ -131,4 +134,6 @@ void bench_levels(void)
         }
         free(p.surface.pixels);
     }
+    if (pinned)
+        (void)sched_setaffinity(0, sizeof all, &all);
 }

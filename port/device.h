@@ -16,6 +16,7 @@ struct port_wish {
     uint16_t width, height;
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
+    bool pointer;          /* of an input: report where its pointer is */
     char *why;             /* [PORT_WHY] */
 };
 

@@ -38,7 +38,7 @@ const struct port_display port_displays[] = {
     },
     {
         .name = "terminal",
-        .summary = "two pixels a character in the terminal of standard output",
+        .summary = "characters or pictures in the terminal of standard output",
         .ops = &port_terminal_display,
         .create = port_terminal_create,
         .destroy = port_terminal_destroy,
@@ -68,7 +68,7 @@ const struct port_display port_displays[] = {
 const struct port_input port_inputs[] = {
     {
         .name = "evdev",
-        .summary = "every keyboard of the machine, by /dev/input",
+        .summary = "every keyboard and mouse of the machine, by /dev/input",
         .ops = &port_evdev_input,
         .create = port_evdev_create,
         .destroy = port_evdev_destroy,

@@ -11,6 +11,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* With -fsanitize=address: OSMesa itself loses about 100 bytes with every context. */
@@ -41,6 +42,12 @@ static char check_why[500];
         intmax_t check_got = (intmax_t)(got), check_want = (intmax_t)(want);                                           \
         CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                         \
     } while (0)
+
+/* How many random cases a test tries, of a full run's: in make check-quick a quarter. */
+static inline unsigned check_count(unsigned full)
+{
+    return getenv("CHECK_QUICK") ? (full + 3) / 4 : full;
+}
 
 static inline void check_run(const char *name, void (*test)(void))
 {

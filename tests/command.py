@@ -13,6 +13,7 @@ import zlib
 from array import array
 from contextlib import contextmanager
 
+QUICK = "CHECK_QUICK" in os.environ  # make check-quick: fewer cases of those that take long
 TIA = os.path.abspath(os.path.join(os.environ.get("BUILD", "build"), "tia"))
 # What a script starts in the background, or nohup, has signals ignored; the command leaves that so.
 for ignored in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
@@ -38,8 +39,9 @@ def same(got, want, what):
 def tia(*args, **options):
     """Runs the command without a terminal; stdout and stderr are captured as bytes."""
     options.setdefault("stdout", subprocess.PIPE)
-    return subprocess.run([TIA, *args], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=LIMIT_S,
-                          start_new_session=True, **options)
+    options.setdefault("timeout", LIMIT_S)
+    return subprocess.run([TIA, *args], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True,
+                          **options)
 
 
 @contextmanager
@@ -175,7 +177,8 @@ def unfilter(kind, line, above):
         line[i] = (value + (0, a, b, (a + b) // 2, paeth(a, b, c))[kind]) & 255
 
 
-def read_png(data):
+def png_pixels(data):
+    """(width, height, bytes of 8-bit RGB)"""
     chunks = list(png_chunks(data))
     same((chunks[0][0], chunks[-1][0]), (b"IHDR", b"IEND"), "the first and last chunk")
     width, height, *form = struct.unpack(">IIBBBBB", chunks[0][1])
@@ -190,6 +193,11 @@ def read_png(data):
             unfilter(raw[start], line, above)
         rgb += line
         above = line
+    return width, height, rgb
+
+
+def read_png(data):
+    width, height, rgb = png_pixels(data)
     return width, height, pack(rgb)
 
 

@@ -15,19 +15,21 @@ import time
 
 from command import LIMIT_S, TIA, check, same
 
-TOKEN = re.compile(rb"\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
+# A sequence that another one cuts short is none.
+TOKEN = re.compile(rb"(?:\x1b\[[?0-9;]*(?=\x1b))?\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
 UNFINISHED = re.compile(rb"\x1b(\[[?0-9;]*)?$|\xe2\x96?$")
 GREYS = [(8 + 10 * i,) * 3 for i in range(24)]
 LEVELS = (0, 95, 135, 175, 215, 255)
 PALETTE = [None] * 16 + [(r, g, b) for r in LEVELS for g in LEVELS for b in LEVELS] + GREYS
-MODES = {"?1049": "alternate", "?25": "cursor", "?7": "wrap", "?2004": "paste", "?2026": "frame"}
+MODES = {"?1049": "alternate", "?25": "cursor", "?7": "wrap", "?2004": "paste", "?2026": "frame", "?1003": "mouse", "?1006": "numbers"}
+AS_BEFORE = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False, mouse=False, numbers=False)
 
 
 class Screen:
     """What a terminal shows: two colours (r, g, b) a cell."""
 
     def __init__(self, columns, rows):
-        self.mode = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False)
+        self.mode = dict(AS_BEFORE)
         self.fore, self.back = (255, 255, 255), (0, 0, 0)
         self.x = self.y = self.frames = self.cells_written = self.blocks = 0
         self.rest = b""
@@ -170,7 +172,7 @@ class Terminal:
 
     def restored(self):
         same(termios.tcgetattr(self.slave), self.before, "the terminal's modes")
-        want = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False)
+        want = AS_BEFORE
         same(self.screen.mode, want, "the state of the terminal's screen")
         same(self.screen.rest, b"", "the end of the output")
 

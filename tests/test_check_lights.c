@@ -208,7 +208,8 @@ TEST(tracks)
         set_track((enum tia_target)target);
         check_accepted();
         track.index = 1;
-        target < 2 ? check_accepted() : check_refused("track", 0, "index", "must be the index of a light or transform");
+        target < 2 ? check_accepted()
+                   : check_refused("track", 0, "index", "must be the index of a light, transform, shape or material");
         track.index = 0;
         track.key_count = 0;
         check_refused("track", 0, "keys", "must be one or more");
@@ -223,7 +224,7 @@ TEST(tracks)
         keys[0].time = ONE;
         check_refused("track", 0, "time", rule);
     }
-    track.target = (enum tia_target)7;
+    track.target = TIA_TARGETS;
     check_refused("track", 0, "target", "must be something that moves");
 }
 

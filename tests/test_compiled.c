@@ -10,7 +10,8 @@ enum { WIDTH = 72, HEIGHT = 54 };
 
 /* Each scene of the gallery, and one of everything: the Makefile compiles them. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
-    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell;
+    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell,
+    compiled_marbles, compiled_window, compiled_caustic;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -119,6 +120,23 @@ TEST(porch)
     CHECK_EQ(compiled_porch.shadows, TIA_SHADOWS_ZPASS);
 }
 
+TEST(marbles)
+{
+    compare("scenes/marbles.tia", &compiled_marbles);
+    CHECK_EQ(compiled_marbles.falling->count, 8);
+    CHECK_EQ(compiled_marbles.falling->end, 9 * TIA_Q16_ONE);
+}
+
+TEST(window)
+{
+    compare("scenes/window.tia", &compiled_window);
+}
+
+TEST(caustic)
+{
+    compare("scenes/caustic.tia", &compiled_caustic);
+}
+
 TEST(cornell)
 {
     compare("scenes/cornell.tia", &compiled_cornell);
@@ -126,6 +144,7 @@ TEST(cornell)
     CHECK_EQ(compiled_cornell.integration.spp, 64);
     CHECK_EQ(compiled_cornell.lights[0].emission_bits, 4);
 }
+
 TEST(shadow_volume)
 {
     compare("scenes/shadow-volume.tia", &compiled_shadow_volume);
@@ -146,7 +165,10 @@ int main(void)
     RUN(vase);
     RUN(orrery);
     RUN(porch);
+    RUN(window);
+    RUN(caustic);
     RUN(cornell);
+    RUN(marbles);
     RUN(shadow_volume);
     RUN(shadow_mapping);
     return check_status();

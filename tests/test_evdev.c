@@ -1,28 +1,33 @@
 /* test_evdev.c - what a keyboard's events mean. Devices themselves are tested in a guest. */
 #include "check.h"
 #include "evdev/keys.h"
+#include "evdev/pointer.h"
 
 /* Keys as text: letters and digits themselves, arrows L R U D, page up and down ^ v, Escape E,
- * Ctrl-C !, others ?, no key a dot. */
+ * Home H, Tab T, Space _, + and -, ? as /; Ctrl-C !, others ?, no key a dot. */
 static char letter(uint16_t key)
 {
     if (key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT)
         return key == TIA_KEY_ESCAPE ? 'E' : '!';
+    if (key == TIA_KEY_TAB || key == TIA_KEY_SPACE || key == TIA_KEY_HELP)
+        return key == TIA_KEY_TAB ? 'T' : key == TIA_KEY_SPACE ? '_' : '/';
     if (key >= TIA_KEY_LEFT && key <= TIA_KEY_OTHER)
-        return "LRUD^v?"[key - TIA_KEY_LEFT];
+        return "LRUD^vH?"[key - TIA_KEY_LEFT];
     return key ? (char)key : '.';
 }
 
 /* Positions as printed in linux/input-event-codes.h, code 0 first: 16 to a line. */
 TEST(keys_by_position)
 {
-    static const char want[] = ".E1234567890????"  /* reserved, ESC, digits, - = backspace tab */
-                               "qwertyuiop???.as"  /* letters, [ ] enter, left ctrl, letters */
-                               "dfghjkl???.?zxcv"  /* ; ' `, left shift, backslash */
-                               "bnm???.?.?.?????"  /* , . /, right shift, KP*, left alt, space, caps, F1.. */
-                               "?????..?????????"  /* F6.. F10, num lock, scroll lock, keypad */
+    static const char want[] = ".E1234567890-+?T" /* reserved, ESC, digits, - = backspace tab */
+                               "qwertyuiop???.as" /* letters, [ ] enter, left ctrl, letters */
+                               "dfghjkl???.?zxcv" /* ; ' `, left shift, backslash */
+                               "bnm?"
+                               "?/.?._.?????" /* , . /, right shift, KP*, left alt, space, caps, F1.. */
+                               "?????..??"
+                               "?-???+?"           /* F6.. F10, num lock, scroll lock, keypad */
                                "????.???????????"  /* keypad, 84 not used, 85 to 95: Asian, F11, F12 */
-                               "?.??.??U^LR?Dv??"; /* KP enter, right ctrl, KP/, SysRq, right alt, LF, Home .. */
+                               "?.??.?HU^LR?Dv??"; /* KP enter, right ctrl, KP/, SysRq, right alt, LF, Home .. */
     for (unsigned code = 0; code < 0x70; code++)
         CHECK_MSG(letter(key_at(code)) == want[code], "code %u is %c, not %c", code, letter(key_at(code)), want[code]);
 }
@@ -231,6 +236,71 @@ TEST(lost_events_are_made_up)
     CHECK_TOLD("+L+a-L+w+c-w-a");
 }
 
+/* ---- pointers ---- */
+
+static bool sent(struct pointer *pointer, uint16_t type, uint16_t code, int32_t value, struct tia_event *event)
+{
+    struct input_event input = {.type = type, .code = code, .value = value};
+
+    return pointer_take(pointer, &input, event);
+}
+
+TEST(a_mouse_tells_how_far_it_has_moved)
+{
+    struct pointer mouse = {.fd = -1};
+    struct tia_event event;
+
+    CHECK(!sent(&mouse, EV_REL, REL_X, 3, &event));
+    CHECK(!sent(&mouse, EV_REL, REL_Y, -5, &event));
+    CHECK(!sent(&mouse, EV_REL, REL_X, 4, &event));
+    CHECK(sent(&mouse, EV_SYN, SYN_REPORT, 0, &event));
+    CHECK(event.kind == TIA_EVENT_MOVE && event.x == 7 && event.y == -5 && !event.drag);
+    CHECK(!sent(&mouse, EV_SYN, SYN_REPORT, 0, &event)); /* it has not moved since */
+    CHECK(!sent(&mouse, EV_KEY, BTN_LEFT, 1, &event));
+    CHECK(!sent(&mouse, EV_KEY, BTN_RIGHT, 0, &event));
+    CHECK(!sent(&mouse, EV_REL, REL_X, INT32_MAX, &event));
+    CHECK(!sent(&mouse, EV_REL, REL_X, INT32_MAX, &event));
+    CHECK(sent(&mouse, EV_SYN, SYN_REPORT, 0, &event));
+    CHECK(event.drag && event.x == 32767 && event.y == 0);
+}
+
+TEST(a_wheel_zooms)
+{
+    struct pointer mouse = {.fd = -1};
+    struct tia_event event;
+
+    CHECK(!sent(&mouse, EV_REL, REL_WHEEL, -2, &event));
+    CHECK(!sent(&mouse, EV_SYN, SYN_REPORT, 0, &event));
+    for (int i = 0; i < 2; i++)
+        CHECK(pointer_wheel(&mouse, &event) && event.kind == TIA_EVENT_TAP && event.key == TIA_KEY_MINUS);
+    CHECK(!pointer_wheel(&mouse, &event));
+    CHECK(!sent(&mouse, EV_REL, REL_WHEEL, 1, &event));
+    CHECK(pointer_wheel(&mouse, &event) && event.key == TIA_KEY_PLUS);
+}
+
+/* A tablet from 100 to 300 across and from -10 to 10 down. */
+TEST(a_tablet_tells_where_it_is)
+{
+    struct pointer tablet = {.fd = -1, .absolute = true, .low = {100, -10}, .high = {300, 10}, .at = {100, -10}};
+    static const struct {
+        int32_t x, y, want_x, want_y;
+    } rows[] = {{100, -10, 0, 0}, {300, 10, 65535, 65535}, {200, 0, 32767, 32767}, {50, 99, 0, 65535}};
+    struct tia_event event;
+
+    for (unsigned i = 0; i < 4; i++) {
+        CHECK(!sent(&tablet, EV_ABS, ABS_X, rows[i].x, &event));
+        CHECK(!sent(&tablet, EV_ABS, ABS_Y, rows[i].y, &event));
+        CHECK(!sent(&tablet, EV_KEY, BTN_TOUCH, i & 1, &event));
+        CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event));
+        CHECK_MSG(event.kind == TIA_EVENT_POINT && event.x == rows[i].want_x && event.y == rows[i].want_y &&
+                      event.drag == (i & 1),
+                  "row %u: %d, %d", i, (int)event.x, (int)event.y);
+    }
+    tablet.high[0] = tablet.low[0]; /* an axis without a range */
+    CHECK(!sent(&tablet, EV_ABS, ABS_X, 5, &event));
+    CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && event.x == 32768);
+}
+
 int main(void)
 {
     RUN(keys_by_position);
@@ -245,5 +315,8 @@ int main(void)
     RUN(keys_held_at_the_start_are_nothing);
     RUN(an_unplug_releases_what_was_told);
     RUN(lost_events_are_made_up);
+    RUN(a_mouse_tells_how_far_it_has_moved);
+    RUN(a_wheel_zooms);
+    RUN(a_tablet_tells_where_it_is);
     return check_status();
 }

@@ -12,7 +12,7 @@
 static struct {
     char name[80];
     unsigned long crc;
-} pinned[128];
+} pinned[160];
 static size_t pinned_count, frame_count;
 
 static void read_pinned(void)

@@ -136,7 +136,7 @@ TEST(llvmpipe_breaks_ties_the_same_way)
 
 TEST(softpipe_has_the_same_states)
 {
-    compare_states("softpipe", 1, 200, true);
+    compare_states("softpipe", 1, (int)check_count(200), true);
 }
 
 static void by_llvmpipe(void)

@@ -284,13 +284,14 @@ static void compare_views(const char *driver)
 {
     struct gl_raster *gl = gl_opened(driver, WIDTH, HEIGHT);
     struct differences sum = {0};
+    int views = (int)check_count(VIEWS);
 
     if (!gl)
         return;
-    for (int i = 0; i < VIEWS; i++)
+    for (int i = 0; i < views; i++)
         compare(gl, &sum);
     printf("# %s: of %d pixels %zu see another face, %zu other light; %zu and %zu where edges are\n", driver,
-           VIEWS * PIXELS, sum.faces, sum.lights, sum.explained_faces, sum.explained_lights);
+           views * PIXELS, sum.faces, sum.lights, sum.explained_faces, sum.explained_lights);
     CHECK((sum.explained_faces + sum.explained_lights) * 100 >= (sum.faces + sum.lights) * 95);
     gl_raster_close(gl);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "level_integers.h"
 #include "level_runs.h"
 #include "levels/proved.h"
 
@@ -46,27 +47,18 @@ static void try_integers(const struct level_fine *f, int i)
     const struct span_sphere *sphere = &spans->spheres[f->sphere];
     const struct level_fine_light *light = &f->light[0];
     const struct level_lamp *lamp = light->lamp;
-    struct light_source source = {.sphere = sphere, .light = lamp->light};
-    struct light_line line;
-    struct lit lit;
-    num_u t, cosine;
-    int x = f->first + i;
+    struct level_integers o = level_integers_at(f, f->first + i);
     long double at = f->place.low + i, exact = per_t(f, at);
-
-    span_distances(spans, f->sphere, f->row->y, x, 1, &t);
     double unit = f->row->per_depth * level_power(spans->primary.exponent);
-    long double scaled = (long double)t * level_power(-sphere->t_exponent) / unit;
+    long double scaled = (long double)o.t * level_power(-sphere->t_exponent) / unit;
     note(INTEGER_T, scaled * exact - 1, f->depth.et);
-    light_line_prepare(&spans->primary, &source, x, f->row->y, &line);
-    line.count = 1;
-    if (!spans->kernels->light(&line, &t, &lit))
+    if (!o.lit)
         return;
-    spans->kernels->lambert(&lit, sphere->inverse, 1, &cosine);
     long double vv = f->place.v0 + at * (f->place.v1 + at * (long double)f->place.v2);
     long double w = (lamp->qq * exact + light->q[0] + light->q[1] * at) * exact + vv;
     long double facing = lamp->k * exact + light->g[0] + light->g[1] * at;
-    note(SQUARE, lit.square[0] * (long double)lamp->ud * exact * exact / w - 1, light->bounds.square);
-    note(LAMBERT, cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
+    note(SQUARE, o.light.square[0] * (long double)lamp->ud * exact * exact / w - 1, light->bounds.square);
+    note(LAMBERT, o.cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
 }
 
 static void try_run(const struct level_fine *run)

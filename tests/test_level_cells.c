@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "level_integers.h"
 #include "level_runs.h"
 #include "levels/proved.h"
 #include "vector_floats.h"
@@ -13,8 +14,9 @@
 
 typedef long double real;
 
-enum { FIRST, SECOND, SAG, LINE, BOUNDS };
-static const char *const names[BOUNDS] = {"|P'|", "|P''|", "D below two samples", "a line between samples"};
+enum { FIRST, SECOND, SAG, LINE, LEVELS_31, LEVELS_63, BOUNDS };
+static const char *const names[BOUNDS] = {
+    "|P'|", "|P''|", "D below two samples", "a line between samples", "a level of 31", "a level of 63"};
 static double worst[BOUNDS];
 static unsigned long tried[BOUNDS], lit, dark, flat;
 
@@ -60,6 +62,50 @@ static bool is_dark(const struct level_fine_light *light, real x, const struct t
     real w = form(light->lamp->qq, light->q, x, o), a = form(cast->a[0], cast->a + 1, x, o);
 
     return a > 0 && a < w && a * a > w * form(cast->k[0], cast->k + 1, x, o) * (1 + light->lamp->swell);
+}
+
+/* ---- levels ---- */
+
+/* A channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of what the integers make of
+ * their cosine, and of what they would make of one that is as far from the kernels' as its bound lets it be. */
+static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
+                      real bound)
+{
+    num_u product = num_colour_product(num_colour(part[1]), num_colour(part[2]));
+    num_u channel = num_clamp(num_colour(part[0]) + num_colour_product(whole, product));
+
+    CHECK(fabsl(y - levels * (real)channel * 0x1p-30L) <= .5L - near);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        real off = fminl(fmaxl(cosine + (real)sign * bound, 0), 1);
+        off = fminl(((real)part[0] + off * (real)product) * 0x1p-30L, 1);
+        note(which, y - levels * off, .5L - near);
+    }
+}
+
+/* Of pixels that one light shines on and nothing shades. */
+static void try_levels(const struct level_fine *f, const struct level_run *r, const struct body *k, int first)
+{
+    const struct tia_scene *scene = f->view->scene;
+    const struct tia_material *material = &scene->materials[scene->spheres[f->sphere].material];
+    const struct tia_rgb *own = &material->emission, *colour = &material->colour, *light = &f->view->lights[0].emission;
+    const tia_q30 red[3] = {own->r, colour->r, light->r}, green[3] = {own->g, colour->g, light->g};
+    const struct level_light *q = &r->light[0];
+    F x = f_add(f_iota(), f_set(r->x0 + (float)first)), half = f_set(r->threshold[0]);
+    F sum[3] = {f_set(r->emission[0]), f_set(r->emission[1]), f_set(r->emission[2])};
+    struct value o = value_at(k, x);
+    F cosine = lambert_of(q, x, &o, square_of(q, x, &o));
+    M good = m_and(o.good, add_light(q, x, &o, sum, 3, 0));
+    F y31 = f_fma(sum[0], f_set(31), half), y63 = f_fma(sum[1], f_set(63), half);
+
+    for (int i = 0; i < N && first + i < r->count; i++) {
+        struct level_integers at = level_integers_at(f, f->first + first + i);
+        num_u whole = at.lit ? at.cosine : 0;
+        if (!(m_bits(good) >> i & 1))
+            continue;
+        try_level(LEVELS_31, (real)y31[i] - half[i], 31, r->near31, red, whole, cosine[i], f->light[0].bounds.lambert);
+        try_level(LEVELS_63, (real)y63[i] - half[i], 63, r->near63, green, whole, cosine[i],
+                  f->light[0].bounds.lambert);
+    }
 }
 
 /* ---- cells ---- */
@@ -134,10 +180,15 @@ static void try_run(const struct level_fine *run)
     int size = run->end - run->first, count = ((size < LEVEL_BLOCK ? size : LEVEL_BLOCK) - 1) / LEVEL_CELL;
 
     fine = *run;
-    if (count < 1 || !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, NULL))
+    if (!tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, NULL))
         return;
     tia_level_dither(false, fine.row->y, &dither);
     tia_level_run(&fine, &dither, &r);
+    const struct body k = body_of(&r);
+    for (int i = 0; r.lights == 1 && r.light[0].casts == 0 && i < r.count; i += 5 * N)
+        try_levels(&fine, &r, &k, i);
+    if (count < 1)
+        return;
     cells.start = 0;
     cells.x0 = r.x0;
     try_cells(&fine, &r, &cells, count);

@@ -248,6 +248,21 @@ TEST(parts_make_the_whole)
     check_parts(TIA_PATHS);
 }
 
+/* A picture takes at most 16 bytes a pixel beside the view, which does not grow with it. */
+TEST(memory_of_a_picture)
+{
+    static const enum tia_integrator integrators[] = {TIA_OCCLUSION, TIA_PATHS};
+    const struct tia_tile small = {0, 0, 1, 1}, large = {0, 0, 4096, 2048};
+
+    for (unsigned i = 0; i < 2; i++) {
+        world_room();
+        world.integration.integrator = integrators[i];
+        CHECK(tia_hits_size(&world, large) - tia_hits_size(&world, small) <= 16 * 4096 * 2048);
+        struct world_view v = world_open(&tia_core_q16, &tia_estimator_q16, 4096, 2048);
+        world_close(&v);
+    }
+}
+
 TEST(whitted_has_no_samples)
 {
     struct tia_sum sum;
@@ -278,6 +293,7 @@ int main(void)
     RUN(cavity_of_nine_tenths);
     RUN(cavity_of_nineteen_twentieths);
     RUN(parts_make_the_whole);
+    RUN(memory_of_a_picture);
     RUN(whitted_has_no_samples);
     return check_status();
 }

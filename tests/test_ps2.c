@@ -4,7 +4,7 @@
 #include "random.h"
 
 /* Feeds bytes, collects events as text: "+a -a" is a press and a release, "!" a tap. */
-static struct ps2 keyboard;
+static struct tia_ps2 keyboard;
 static char told[256];
 
 static const char *name(uint16_t key)
@@ -46,9 +46,9 @@ static const char *feed(const uint8_t *bytes, size_t count)
     struct tia_event event;
     told[0] = 0;
     for (size_t i = 0; i < count; i++) {
-        if (ps2_feed(&keyboard, bytes[i], &event))
+        if (tia_ps2_feed(&keyboard, bytes[i], &event))
             tell(&event);
-        while (ps2_owed(&keyboard, &event))
+        while (tia_ps2_owed(&keyboard, &event))
             tell(&event);
     }
     return told;
@@ -160,15 +160,15 @@ TEST(noise)
     struct tia_event event;
     START();
     for (int i = 0; i < 200000; i++) {
-        int told_one = ps2_feed(&keyboard, (uint8_t)random_bits(), &event);
-        for (; told_one; told_one = ps2_owed(&keyboard, &event)) {
+        int told_one = tia_ps2_feed(&keyboard, (uint8_t)random_bits(), &event);
+        for (; told_one; told_one = tia_ps2_owed(&keyboard, &event)) {
             CHECK(event.key <= TIA_KEY_OTHER);
             if (event.key == TIA_KEY_OTHER || event.key == TIA_KEY_INTERRUPT || event.key == 'c')
                 continue; /* many keys in one, or a name that Ctrl changes */
             balance[event.key] += event.kind == TIA_EVENT_PRESS ? 1 : -1;
             CHECK(balance[event.key] == 0 || balance[event.key] == 1);
         }
-        while (ps2_owed(&keyboard, &event))
+        while (tia_ps2_owed(&keyboard, &event))
             if (event.key < TIA_KEY_OTHER)
                 balance[event.key]--;
     }

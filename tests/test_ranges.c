@@ -32,7 +32,7 @@ TEST(random_scenes_keep_their_ranges)
 {
     struct corpus_scene scene;
 
-    for (unsigned i = 0; i < scene_count; i++) {
+    for (unsigned i = 0; i < check_count(scene_count); i++) {
         corpus_random(&scene, 17, i);
         draw_both(&scene.scene, 40 + 3 * i, 150 - 2 * i, i % 3 == 0);
     }
@@ -42,7 +42,7 @@ TEST(random_general_scenes_keep_their_ranges)
 {
     static struct corpus_rays scene;
 
-    for (unsigned i = 0; i < scene_count; i++) {
+    for (unsigned i = 0; i < check_count(scene_count); i++) {
         corpus_random_rays(&scene, 3, i);
         draw_both(&scene.scene, 32, 24, i % 2 == 1);
     }

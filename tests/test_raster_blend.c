@@ -10,17 +10,20 @@ static void random_values(tia_q16 a[3])
 
 static int wrong, tried;
 
+static void try_values(const struct oracle_image *image, const struct tia_corners *corners,
+                       const struct tia_raster_vertex v[3], int x, int y, const tia_q16 a[3])
+{
+    wrong += tia_corners_blend(corners, x, y, a) != oracle_blend(image, v, x, y, a);
+    tried++;
+}
+
 static void try_pixel(const struct oracle_image *image, const struct tia_corners *corners,
                       const struct tia_raster_vertex v[3], int x, int y)
 {
-    tia_q16 a[3], got;
-    int32_t want;
+    tia_q16 a[3];
 
     random_values(a);
-    got = tia_corners_blend(corners, x, y, a);
-    want = oracle_blend(image, v, x, y, a);
-    wrong += got != want;
-    tried++;
+    try_values(image, corners, v, x, y, a);
 }
 
 /* Pixels before which the plane is, in the triangle or far outside, where the weights cancel. */
@@ -74,6 +77,35 @@ TEST(values_beyond_the_range_are_clamped_at_the_right_end)
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 
+/* The side between two corners is almost what the pixel looks along, so the weights are large and their sum is small:
+ * what was cut off them would move values that differ by little by more than half. */
+TEST(thin_sums_are_exact)
+{
+    const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};
+    const int64_t most = INT64_C(1) << 37;
+    struct tia_lattice l;
+    struct tia_corners corners;
+
+    wrong = tried = 0;
+    CHECK_EQ(tia_lattice_init(&l, image.projection, 640, 480, 1, 0, 20), TIA_OK);
+    for (int n = 0; n < 4000; n++) {
+        int x = (int)random_below(640), y = (int)random_below(480);
+        int64_t k = random_size(1 << 25), off = INT64_C(1) << random_below(24);
+        tia_q16 base = (tia_q16)random_size(1 << 30), a[3];
+        struct tia_raster_vertex v[3];
+        for (int i = 0; i < 3; i++) {
+            v[i] = (struct tia_raster_vertex){random_size(most), random_size(most), random_size(most), 1};
+            a[i] = base + (tia_q16)random_size(9);
+        }
+        v[1].x = v[0].x + k * (l.x + x * (int64_t)l.right) + random_size(off);
+        v[1].y = v[0].y + k * (l.y - y * (int64_t)l.down) + random_size(off);
+        v[1].w = v[0].w + k * l.w + random_size(off);
+        if (tia_corners_init(&corners, &l, v) && oracle_nearness(&image, v, x, y, 1) > 0)
+            try_values(&image, &corners, v, x, y, a);
+    }
+    CHECK_MSG(wrong == 0 && tried > 1500, "%d of %d are wrong", wrong, tried);
+}
+
 /* A quarter of the way from one corner to another, where the image has the middle. */
 TEST(means_are_those_of_space_not_of_the_image)
 {
@@ -119,6 +151,7 @@ int main(void)
 {
     RUN(values_are_rounded_to_nearest);
     RUN(values_beyond_the_range_are_clamped_at_the_right_end);
+    RUN(thin_sums_are_exact);
     RUN(halves_are_rounded_up);
     RUN(almost_halves_are_not_taken_for_halves);
     RUN(means_are_those_of_space_not_of_the_image);

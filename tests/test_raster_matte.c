@@ -140,7 +140,7 @@ static size_t differing(const struct tia_scene *scene, bool dither)
 
 TEST(matte_faces_have_the_colours_of_rays)
 {
-    for (int round = 0; round < 150; round++) {
+    for (int round = 0; round < (int)check_count(150); round++) {
         struct tia_scene scene = make_scene();
         size_t wrong = differing(&scene, round % 2);
         CHECK_MSG(wrong == 0, "scene %d: %zu pixels differ", round, wrong);

@@ -2,7 +2,9 @@
  * measured. None may be exceeded; the largest part of each is told.
  *
  *     test_ray_bounds            as many scenes as seconds allow
- *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/levels) */
+ *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/levels)
+ *     test_ray_bounds --rays N [PASS]    the gallery, the databases and random scenes, larger with each pass, until N
+ * rays are compared: make check-rays-billion */
 #include <math.h>
 #include <stdlib.h>
 
@@ -20,7 +22,7 @@ enum { ORIGIN, DIRECTION, DISTANCE, POINT, GEOMETRIC, NORMAL, OWN, COLOUR, BOUND
 static const char *const names[BOUNDS] = {"origin",           "direction", "distance",           "point",
                                           "geometric normal", "normal",    "light of a surface", "colour of a sample"};
 static double used[BOUNDS];
-static unsigned long compared, differing;
+static unsigned long compared, differing, rays;
 
 static void use(int what, double gap, double bound)
 {
@@ -86,6 +88,7 @@ static void check_met(const struct rays *r, const struct query *q)
     double object = hit.light != TIA_NO_OBJECT    ? LIGHT_ID + hit.light
                     : hit.object != TIA_NO_OBJECT ? (double)hit.object
                                                   : -1;
+    rays++;
     bool same = object == q->id && (object < 0 || object >= LIGHT_ID || q->element == hit.element);
     differing += !same;
     if (object >= 0)
@@ -141,6 +144,11 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
 
     CHECK_EQ(tia_view_init(&prepared, memory, size, scene, scene->light_count, width, height), TIA_OK);
     prepared->level_memory = constants;
+    if (prepared->renderer->part != LEVEL_RAYS) {
+        free(constants);
+        free(memory);
+        return;
+    }
     view = prepared->prepared;
     tia_sure_prepare(prepared);
     tia_sure_set_lights(prepared);
@@ -196,8 +204,81 @@ TEST(random_corpus)
     check_bounds("random scenes");
 }
 
+/* ---- as many rays as are asked for ---- */
+
+static uint64_t rays_asked;
+static unsigned first_pass;
+
+static void check_file(const char *name, unsigned width, unsigned height)
+{
+    struct scene_file file;
+
+    CHECK_MSG(scene_open(&file, name, scene_format_of(name), false) == TIA_OK, "%s", name);
+    if (file.scene.bvh)
+        check_scene(&file.scene, width, height);
+    scene_close(&file);
+}
+
+static void check_random(unsigned pass, unsigned index)
+{
+    static struct corpus_rays c;
+
+    corpus_random_rays(&c, 1000 + pass, index);
+    size_t size = tia_bvh_size(&c.scene);
+    void *memory = malloc(size);
+    CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene), TIA_OK);
+    check_scene(&c.scene, 64, 48);
+    c.scene.bvh = NULL;
+    free(memory);
+}
+
+static bool has_enough(const char *what)
+{
+    bool exceeded = differing != 0;
+
+    for (int i = 0; i < BOUNDS; i++)
+        exceeded = exceeded || !(used[i] <= 1);
+    if (exceeded)
+        CHECK_MSG(false, "%s: %lu of %lu rays differ, or a bound is exceeded", what, differing, rays);
+    return check_failed || rays >= rays_asked;
+}
+
+TEST(many_rays)
+{
+    static const char *const files[] = {"scenes/castle.tia",      "scenes/nff/balls_3.nff",   "scenes/chess.tia",
+                                        "scenes/nff/gears_1.nff", "scenes/flake.tia",         "scenes/nff/jacks_3.nff",
+                                        "scenes/glass.tia",       "scenes/nff/lattice_3.nff", "scenes/orrery.tia",
+                                        "scenes/nff/mount_3.nff", "scenes/vase.tia",          "scenes/nff/rings_3.nff",
+                                        "scenes/porch.tia",       "scenes/nff/teapot_3.nff",  "scenes/cornell.tia",
+                                        "scenes/nff/tetra_4.nff", "scenes/nff/shells_2.nff",  "scenes/nff/tree_4.nff"};
+    const unsigned count = sizeof files / sizeof *files;
+    bool enough = false;
+
+    for (unsigned pass = first_pass; !enough; pass++) {
+        unsigned width = 96 + 8 * (pass % 64);
+        for (unsigned i = 0; i < count && !enough; i++) {
+            check_file(files[i], width, width / 4 * 3);
+            enough = has_enough(files[i]);
+        }
+        for (unsigned i = 0; i < 50 && !enough; i++) {
+            check_random(pass, i);
+            enough = has_enough("random scenes");
+        }
+        printf("# pass %u: %lu rays, %lu differ\n", pass, rays, differing);
+        (void)fflush(stdout);
+    }
+    for (int i = 0; i < BOUNDS; i++)
+        printf("# %.3f of the bound of the %s\n", used[i], names[i]);
+}
+
 int main(int argc, char **argv)
 {
+    if (argc > 2 && strcmp(argv[1], "--rays") == 0) {
+        rays_asked = strtoull(argv[2], NULL, 10);
+        first_pass = argc > 3 ? (unsigned)strtoul(argv[3], NULL, 10) : 0;
+        RUN(many_rays);
+        return check_status();
+    }
     if (argc > 1)
         random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
     RUN(scene_files);

@@ -63,7 +63,7 @@ TEST(random_corpus)
     static struct corpus_rays c;
 
     samples = unsure = 0;
-    for (unsigned i = 0; i < random_scenes; i++) {
+    for (unsigned i = 0; i < check_count(random_scenes); i++) {
         corpus_random_rays(&c, 11, i);
         with_hierarchy(&c.scene, compare_random, i);
         if (i % 3)

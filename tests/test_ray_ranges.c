@@ -53,7 +53,7 @@ TEST(random_scenes_by_their_hierarchies)
 {
     static struct corpus_rays random;
 
-    for (unsigned i = 0; i < 30; i++) {
+    for (unsigned i = 0; i < check_count(30); i++) {
         corpus_random_rays(&random, 29, i);
         draw_all(&random.scene, 20, 15);
         random.scene.bvh = NULL;

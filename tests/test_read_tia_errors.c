@@ -19,7 +19,7 @@ static void read_bytes(const char *bytes, size_t length)
 #define M "material m\n"
 #define STATEMENTS                                                                                                     \
     "sphere, plane, disc, cylinder, cone, box, triangle, instance, mesh, grid, material, texture, light, key, "        \
-    "animate, group, end, include, define, camera, background, samples, depth, shadows, "                              \
+    "animate, fall, gravity, group, end, include, define, camera, background, samples, depth, shadows, "               \
     "integrator, spp, tone or exposure"
 
 TEST(statements)
@@ -91,9 +91,9 @@ TEST(shapes)
     check_refused(M "plane point 0 0 0 normal 0 0 0 material m",
                   "2:26: '0' begins a direction of no length, expected three numbers that are not all 0");
     check_refused(M "plane point 0 0 0 normal 0 1 0 material m at 0 0 0",
-                  "2:43: 'at' is nothing that a plane has, expected material, point or normal");
-    check_refused(M "box min 0 0 0 max 1 1 1 1 material m",
-                  "2:25: '1' is nothing that a box has, expected material, name, at, rotate, scale, min or max");
+                  "2:43: 'at' is nothing that a plane has, expected material, appears, vanishes, point or normal");
+    check_refused(M "box min 0 0 0 max 1 1 1 1 material m", "2:25: '1' is nothing that a box has, expected material, "
+                                                            "appears, vanishes, name, at, rotate, scale, min or max");
     check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 material m",
                   "2:35: 'material' is no number, expected a number from -32768 to below 32768");
 }
@@ -137,8 +137,8 @@ TEST(lights)
     check_refused("light", "1:6: the line ends here, expected at");
     check_refused("light ambient emission 16384",
                   "1:24: '16384' is out of range, expected a number from 0 to below 16384");
-    check_refused("light ambient at 0 0 0",
-                  "1:15: 'at' is nothing that an ambient light has, expected name, emission, occlusion or samples");
+    check_refused("light ambient at 0 0 0", "1:15: 'at' is nothing that an ambient light has, expected name, appears, "
+                                            "vanishes, emission, occlusion or samples");
     check_refused("light spot at 0 0 0 direction 0 1 0", "1:36: the line ends here, expected outer");
     check_refused("light disc at 0 5 0 direction 0 1 0 radius 1 samples 257",
                   "1:54: '257' is out of range, expected a whole number from 1 to 256");

@@ -72,9 +72,9 @@ TEST(names_for_numbers_refused)
     check_refused("define R 1\ndefine R 2", "2:8: 'R' is defined for a second time, expected another name");
     check_refused(M "sphere radius R material m",
                   "2:15: 'R' is no number, expected a number from -32768 to below 32768");
-    check_refused(
-        M "define R 1 2\nsphere radius R material m",
-        "3:15: '2' is nothing that a sphere has, expected material, name, at, rotate, scale, centre or radius");
+    check_refused(M "define R 1 2\nsphere radius R material m",
+                  "3:15: '2' is nothing that a sphere has, expected material, appears, vanishes, name, at, rotate, "
+                  "scale, centre or radius");
     check_refused(M "define R 40000\nsphere radius R material m",
                   "3:15: '40000' is out of range, expected a number from -32768 to below 32768");
     check_refused("define N 1.5\ndepth N", "2:7: '1.5' is no whole number, expected a whole number from 1 to 16");
@@ -150,8 +150,10 @@ TEST(errors_name_the_innermost_file)
                                      "\nsphere radius 0 material m\n", "", "include fro", "include to"}};
     check_refused("include a", "a:2:11: 'a' is being read already, expected a file that does not include itself");
     check_refused("include to", "fro:1:9: 'to' is being read already, expected a file that does not include itself");
-    check_refused("\ninclude b", "b:1:8: 'x' is nothing that a sphere has, expected material, name, at, rotate, scale, "
-                                 "centre or radius");
+    check_refused(
+        "\ninclude b",
+        "b:1:8: 'x' is nothing that a sphere has, expected material, appears, vanishes, name, at, rotate, scale, "
+        "centre or radius");
     check_refused("include d/e", "d/e:1:9: 'f': no such file, expected a scene's file");
     check_refused("include g\nend", "g:2:1: the text ends within a group, expected end");
     check_refused("group\ninclude bad", "bad:1:1: 'end' ends nothing, expected a group before it, in the same file");

@@ -153,7 +153,7 @@ TEST(no_scene_is_refused_for_its_unit)
 {
     unsigned accepted = 0, finer = 0;
 
-    for (int i = 0; i < 20000; i++) {
+    for (unsigned i = 0; i < check_count(20000); i++) {
         struct reading r;
         make_text();
         read_string(&r, TIA_FORMAT_TIA, whole);
@@ -169,7 +169,8 @@ TEST(no_scene_is_refused_for_its_unit)
         finer += r.scene.scale_bits > 0;
         read_end(&r);
     }
-    CHECK_MSG(accepted > 2000 && finer > 1000, "%u accepted, %u of them finer", accepted, finer);
+    CHECK_MSG(accepted > check_count(2000) && finer > check_count(1000), "%u accepted, %u of them finer", accepted,
+              finer);
 }
 
 int main(void)

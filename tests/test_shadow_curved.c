@@ -178,7 +178,7 @@ TEST(area_lights_agree_there)
     unsigned differ = 0, pixels = 0;
     struct world w;
 
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < (int)check_count(4); i++) {
         make_world(&w, make_camera((enum tia_projection)(i % 3)));
         w.scene.lights = area;
         w.scene.light_count = 2;
@@ -256,7 +256,7 @@ TEST(samples_are_averaged)
                                 .direction = {0, TIA_Q30(-1), 0},
                                 .emission = {1 << 28, 1 << 28, 1 << 28},
                                 .samples = 5};
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < (int)check_count(6); i++) {
         make_world(&w, make_camera((enum tia_projection)(i % 3)));
         w.scene.lights = all;
         w.scene.light_count = 4;
@@ -275,7 +275,7 @@ static unsigned count_differences(double error)
     struct world w;
 
     random_state = 5;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < (int)check_count(3); i++) {
         make_world(&w, make_camera((enum tia_projection)(i % 3)));
         draw(&w.scene, WIDTH, HEIGHT, &one);
         w.scene.tessellated = (tia_q16)(error * 65536);
@@ -296,7 +296,7 @@ TEST(tessellation_converges)
     unsigned coarse = count_differences(0.04), fine = count_differences(0.008), finest = count_differences(0.0016);
 
     CHECK_MSG(coarse > 2 * fine && fine > 2 * finest, "%u, %u and %u of %d pixels differ", coarse, fine, finest,
-              3 * PIXELS);
+              (int)check_count(3) * PIXELS);
 }
 
 int main(void)

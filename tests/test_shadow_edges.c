@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <tia/scene.h>
+
 #include "check.h"
 #include "math/sort.h"
 #include "random.h"
@@ -154,11 +156,35 @@ TEST(many_faces_at_an_edge)
     CHECK(closed > 200 && closed < 1500);
 }
 
+/* A tetrahedron whose faces have corners of their own, at the same places. */
+TEST(meshes_close_by_place)
+{
+    static const struct tia_vec3 vertices[12] = {
+        {0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 0}, {0, 0, 9}, {9, 0, 0},
+        {9, 0, 0}, {0, 0, 9}, {0, 9, 0}, {0, 0, 0}, {0, 9, 0}, {0, 0, 9},
+    };
+    static struct tia_face faces[4];
+    struct tia_mesh mesh = {.vertices = vertices, .faces = faces, .vertex_count = 12, .face_count = 4};
+
+    for (uint32_t i = 0; i < 12; i++)
+        faces[i / 3].corner[i % 3] = (struct tia_corner){i, TIA_NO_INDEX, TIA_NO_INDEX};
+    void *room = malloc(tia_shadow_mesh_room(&mesh));
+    CHECK(tia_shadow_mesh_closes(&mesh, room));
+    mesh.face_count = 3;
+    CHECK(!tia_shadow_mesh_closes(&mesh, room));
+    mesh.face_count = 4;
+    faces[2].corner[0].vertex = 7; /* turned round */
+    faces[2].corner[1].vertex = 6;
+    CHECK(!tia_shadow_mesh_closes(&mesh, room));
+    free(room);
+}
+
 int main(void)
 {
     RUN(ids_are_sorted_and_equal_keys_keep_their_order);
     RUN(points_of_one_place_become_one);
     RUN(solids_close);
     RUN(many_faces_at_an_edge);
+    RUN(meshes_close_by_place);
     return check_status();
 }

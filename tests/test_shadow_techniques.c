@@ -115,7 +115,7 @@ static void check_worlds(enum tia_projection projection, enum contents contents,
     struct tally t = {0};
     struct world w;
 
-    for (int round = 0; round < 100; round++) {
+    for (unsigned round = 0; round < check_count(100); round++) {
         begin(&w, projection);
         make(&w, contents, range, step);
         end(&w, range, step);
@@ -130,7 +130,7 @@ static void check_worlds(enum tia_projection projection, enum contents contents,
     }
     for (size_t i = 0; i < TECHNIQUES; i++)
         CHECK_MSG(!t.wrong[i], "%s: %u pixels differ", tia_shadows_name(techniques[i]), t.wrong[i]);
-    CHECK_MSG(t.dark > t.seen / 8 && t.dark < t.seen - 300, "%u of %u are dark", t.dark, t.seen);
+    CHECK_MSG(t.dark > t.seen / 8 && t.dark < t.seen - check_count(300), "%u of %u are dark", t.dark, t.seen);
 }
 
 static void check_both(enum contents contents, bool lattice)

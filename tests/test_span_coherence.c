@@ -308,6 +308,38 @@ TEST(constructed_scenes)
     }
 }
 
+/* Two samples whose light is a share of the slack from where a level of 63 begins, above it or below: what is between
+ * them may have either level when that share is less than the whole, and has one when it is more. */
+TEST(levels_within_the_slack)
+{
+    static const struct tia_rgb white = {NUM_ONE, NUM_ONE, NUM_ONE}, black = {0, 0, 0};
+    static const double shares[] = {-1.9, -1.1, -.9, -.5, -.15, .15, .5, .9, 1.1, 1.9};
+    struct corpus_scene s;
+    struct drawing d;
+
+    CHECK_EQ(corpus_thesis(&s, "", 64, 48), TIA_OK);
+    s.scene.light_count = 1;
+    s.lights[0].emission = white;
+    size_t size = tia_view_size(&s.scene, 1);
+    void *memory = malloc(size);
+    struct tia_view *view;
+    CHECK_EQ(tia_view_init(&view, memory, size, &s.scene, 1, 64, 48), TIA_OK);
+    colouring_prepare(view, &(struct tia_material){.colour = white, .emission = black}, NUM_ROUND, &d.colouring);
+    for (unsigned level = 1; level < 63; level++)
+        for (int bits = 4; bits < 17; bits += 3)
+            for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
+                for (int apart = 0; apart < 2; apart++) {
+                    double slack = ldexp(1, bits), begins = ldexp(level - .5, 30) / 63;
+                    num_u at = (num_u)(begins + shares[i] * slack), away = (num_u)(apart * slack * 4);
+                    num_u other = shares[i] < 0 ? at - away : at + away;
+                    struct coherence_sample a = {.lambert = apart ? other : at}, b = {.lambert = at};
+                    b.slack = (num_u)slack;
+                    CHECK_MSG(same_between(&d, &a, &b) == (fabs(shares[i]) > 1), "level %u, %g of a slack of %g", level,
+                              shares[i], slack);
+                }
+    free(memory);
+}
+
 /* Rows of 1 to 130 pixels. */
 TEST(rows_of_any_width)
 {
@@ -335,6 +367,7 @@ int main(void)
 {
     RUN(random_scenes);
     RUN(constructed_scenes);
+    RUN(levels_within_the_slack);
     RUN(rows_of_any_width);
     RUN(bounds_hold_and_are_not_ten_times_too_wide);
     printf("# %lu pixels compared, %lu left to others\n", compared, left);

@@ -61,6 +61,27 @@ TEST(thesis)
         thesis_at(sizes[i][0], sizes[i][1]);
 }
 
+/* So large that rows are written past the caches; then a tile at odd places. */
+TEST(large_pictures)
+{
+    enum { W = 8192, H = 520, GAP = GUARD / 2 };
+    const struct tia_tile odd = {1, 201, W - 4, 3};
+    struct corpus_scene s;
+    struct level_frames f;
+
+    CHECK_EQ(corpus_thesis(&s, "a", W, H), TIA_OK);
+    compare("large", 0, &s.scene, W, H, false);
+    CHECK(level_frames_open(&f, level, &s.scene, W, H));
+    memset(f.want, GUARDED, f.bytes);
+    memset(f.got, GUARDED, f.bytes);
+    struct tia_surface want = level_frames_surface(f.want + (GAP + 2), f.pitch),
+                       got = level_frames_surface(f.got + (GAP + 2), f.pitch);
+    CHECK_EQ(tia_render(f.plain, f.hits[0], odd, &want, NULL), TIA_OK);
+    CHECK_EQ(tia_render(f.level, f.hits[1], odd, &got, NULL), TIA_OK);
+    CHECK(memcmp(f.want, f.got, f.bytes) == 0);
+    level_frames_close(&f);
+}
+
 TEST(random_corpus)
 {
     static struct corpus_scene s;
@@ -187,6 +208,7 @@ static void run_all(const struct tia_level *tested, const char *name)
     level_name = name;
 #define RUN_LEVEL(test) ((void)snprintf(title, sizeof title, "%s: %s", name, #test), check_run(title, test))
     RUN_LEVEL(thesis);
+    RUN_LEVEL(large_pictures);
     RUN_LEVEL(random_corpus);
     RUN_LEVEL(edge_scenes_of_any_magnitude);
     RUN_LEVEL(tiles_and_turned_surfaces);

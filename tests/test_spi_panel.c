@@ -32,13 +32,13 @@ static struct model {
 static void put_pixel(tia_rgb565 pixel)
 {
     unsigned column = model.column, row = model.row;
-    if (model.madctl & SPI_PANEL_SWAP_AXES) {
+    if (model.madctl & TIA_SPI_PANEL_SWAP_AXES) {
         unsigned other = column;
         column = row, row = other;
     }
-    if (model.madctl & SPI_PANEL_FLIP_COLUMNS)
+    if (model.madctl & TIA_SPI_PANEL_FLIP_COLUMNS)
         column = MEMORY_WIDTH - 1 - column;
-    if (model.madctl & SPI_PANEL_FLIP_ROWS)
+    if (model.madctl & TIA_SPI_PANEL_FLIP_ROWS)
         row = MEMORY_HEIGHT - 1 - row;
     if (column < MEMORY_WIDTH && row < MEMORY_HEIGHT)
         model.memory[row * MEMORY_WIDTH + column] = pixel;
@@ -157,15 +157,15 @@ static uint64_t now_us(void *ctx)
     return model.now_us += 100;
 }
 
-static const struct spi_panel_bus bus = {bus_command, bus_data};
+static const struct tia_spi_panel_bus bus = {bus_command, bus_data};
 static const struct tia_clock clock_of_model = {now_us};
 static tia_rgb565 strips[2 * 10 * MEMORY_HEIGHT];
 
-static struct spi_panel make_panel(uint16_t width, uint16_t height, uint8_t orientation)
+static struct tia_spi_panel make_panel(uint16_t width, uint16_t height, uint8_t orientation)
 {
     memset(&model, 0, sizeof model);
     model.fails_after = -1;
-    struct spi_panel panel = {
+    struct tia_spi_panel panel = {
         .ops = &bus,
         .clock = &clock_of_model,
         .width = width,
@@ -182,19 +182,19 @@ static tia_rgb565 pattern(unsigned x, unsigned y)
     return (tia_rgb565)(x * 331 + y * 7919 + 5);
 }
 
-static int draw_tile(struct spi_panel *panel, struct tia_tile tile)
+static int draw_tile(struct tia_spi_panel *panel, struct tia_tile tile)
 {
     struct tia_surface surface;
-    int status = spi_panel_display.acquire(panel, tile, &surface);
+    int status = tia_spi_panel_display.acquire(panel, tile, &surface);
     for (unsigned y = 0; y < tile.height && !status; y++)
         for (unsigned x = 0; x < tile.width; x++)
             *(tia_rgb565 *)((char *)surface.pixels + (ptrdiff_t)y * surface.pitch + (ptrdiff_t)x * surface.step) =
                 pattern(tile.x + x, tile.y + y);
-    return !status ? spi_panel_display.submit(panel, tile) : status;
+    return !status ? tia_spi_panel_display.submit(panel, tile) : status;
 }
 
 /* The picture in tiles of at most the given size, from top to bottom. */
-static int draw(struct spi_panel *panel, unsigned tile_width, unsigned tile_height)
+static int draw(struct tia_spi_panel *panel, unsigned tile_width, unsigned tile_height)
 {
     int status = TIA_OK;
     for (unsigned y = 0; y < panel->height; y += tile_height)
@@ -204,10 +204,10 @@ static int draw(struct spi_panel *panel, unsigned tile_width, unsigned tile_heig
                                     (uint16_t)(h < tile_height ? h : tile_height)};
             status = draw_tile(panel, tile);
         }
-    return !status ? spi_panel_display.present(panel) : status;
+    return !status ? tia_spi_panel_display.present(panel) : status;
 }
 
-static unsigned wrong_pixels(const struct spi_panel *panel)
+static unsigned wrong_pixels(const struct tia_spi_panel *panel)
 {
     unsigned wrong = 0;
     finish_dma();
@@ -219,18 +219,18 @@ static unsigned wrong_pixels(const struct spi_panel *panel)
 
 TEST(picture_reaches_the_glass)
 {
-    struct spi_panel panel = make_panel(240, 320, SPI_PANEL_BGR);
+    struct tia_spi_panel panel = make_panel(240, 320, TIA_SPI_PANEL_BGR);
     struct tia_mode mode;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(mode.width, 240);
     CHECK_EQ(mode.height, 320);
     CHECK_EQ(mode.tile_height, 13); /* 10 rows of 320 */
     CHECK(!model.on);
     CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
     CHECK_EQ(wrong_pixels(&panel), 0);
-    CHECK(model.on && !model.asleep && model.colmod == 0x55 && model.madctl == SPI_PANEL_BGR);
+    CHECK(model.on && !model.asleep && model.colmod == 0x55 && model.madctl == TIA_SPI_PANEL_BGR);
     CHECK_EQ(model.early, 0);
-    spi_panel_display.close(&panel);
+    tia_spi_panel_display.close(&panel);
     CHECK(!model.on && model.asleep);
 }
 
@@ -240,9 +240,9 @@ TEST(tiles_of_any_size)
         unsigned width, height;
     } tiles[] = {{240, 1}, {1, 13}, {7, 5}, {64, 13}, {239, 12}};
     for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
-        struct spi_panel panel = make_panel(240, 320, 0);
+        struct tia_spi_panel panel = make_panel(240, 320, 0);
         struct tia_mode mode;
-        CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+        CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
         CHECK_EQ(draw(&panel, tiles[i].width, tiles[i].height), TIA_OK);
         CHECK_EQ(wrong_pixels(&panel), 0);
     }
@@ -256,13 +256,13 @@ TEST(orientations)
         uint16_t width, height;
         unsigned corner; /* of the memory, where pixel (0, 0) goes */
     } cases[] = {{0, 240, 320, 0},
-                 {SPI_PANEL_FLIP_COLUMNS | SPI_PANEL_SWAP_AXES, 320, 240, 239},
-                 {SPI_PANEL_FLIP_COLUMNS | SPI_PANEL_FLIP_ROWS, 240, 320, MEMORY - 1},
-                 {SPI_PANEL_FLIP_ROWS | SPI_PANEL_SWAP_AXES, 320, 240, MEMORY - 240}};
+                 {TIA_SPI_PANEL_FLIP_COLUMNS | TIA_SPI_PANEL_SWAP_AXES, 320, 240, 239},
+                 {TIA_SPI_PANEL_FLIP_COLUMNS | TIA_SPI_PANEL_FLIP_ROWS, 240, 320, MEMORY - 1},
+                 {TIA_SPI_PANEL_FLIP_ROWS | TIA_SPI_PANEL_SWAP_AXES, 320, 240, MEMORY - 240}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct spi_panel panel = make_panel(cases[i].width, cases[i].height, cases[i].orientation);
+        struct tia_spi_panel panel = make_panel(cases[i].width, cases[i].height, cases[i].orientation);
         struct tia_mode mode;
-        CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+        CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
         CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
         finish_dma();
         CHECK_EQ(model.memory[cases[i].corner], pattern(0, 0));
@@ -272,10 +272,10 @@ TEST(orientations)
 
 TEST(small_glass_in_a_large_memory)
 {
-    struct spi_panel panel = make_panel(80, 160, 0);
+    struct tia_spi_panel panel = make_panel(80, 160, 0);
     struct tia_mode mode;
     panel.left = 26, panel.top = 1; /* the 0.96 inch ST7735 */
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
     CHECK_EQ(wrong_pixels(&panel), 0);
     CHECK_EQ(model.memory[0], 0);
@@ -285,37 +285,37 @@ TEST(small_glass_in_a_large_memory)
 TEST(setup_table)
 {
     static const uint8_t setup[] = {0x38, 0, 0xb1, 3, 1, 2, 0x2d};
-    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_spi_panel panel = make_panel(240, 320, 0);
     struct tia_mode mode;
     panel.setup = setup, panel.setup_size = sizeof setup, panel.inverted = true;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
-    spi_panel_display.close(&panel);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
+    tia_spi_panel_display.close(&panel);
     CHECK(model.gamma[0] == 1 && model.gamma[1] == 2 && model.gamma[2] == 0x2d && model.inverted);
 
     panel = make_panel(240, 320, 0);
     panel.setup = setup, panel.setup_size = sizeof setup - 1;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
     CHECK(strstr(panel.why, "setup table"));
 }
 
 TEST(bad_sizes_and_tiles)
 {
-    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_spi_panel panel = make_panel(240, 320, 0);
     struct tia_mode mode;
     struct tia_surface surface;
     panel.strips_size = 2 * 2 * 240 - 1;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_ERR_ARGUMENT);
     CHECK(strstr(panel.why, "strips_size"));
-    spi_panel_display.close(&panel);
+    tia_spi_panel_display.close(&panel);
     CHECK_EQ(model.commands, 0);
 
     panel.strips_size++;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(mode.tile_height, 1);
-    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 240, 2}, &surface), TIA_ERR_ARGUMENT);
-    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){1, 0, 240, 1}, &surface), TIA_ERR_ARGUMENT);
-    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 320, 240, 1}, &surface), TIA_ERR_ARGUMENT);
-    CHECK_EQ(spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 240, 2}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){1, 0, 240, 1}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 320, 240, 1}, &surface), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
 }
 
 /* Wherever the bus fails, the port says so, goes no further, and can be closed. */
@@ -323,24 +323,24 @@ TEST(bus_failures)
 {
     int calls = 0;
     for (int status = TIA_ERR_DEVICE; status && calls < 1000; calls++) {
-        struct spi_panel panel = make_panel(240, 320, 0);
+        struct tia_spi_panel panel = make_panel(240, 320, 0);
         struct tia_mode mode;
         model.fails_after = calls;
-        status = spi_panel_display.open(&panel, &mode);
+        status = tia_spi_panel_display.open(&panel, &mode);
         if (!status)
             status = draw(&panel, mode.tile_width, mode.tile_height);
         CHECK(!status || status == TIA_ERR_DEVICE);
         CHECK(!status || strstr(panel.why, "spi panel: the bus refused") == panel.why);
-        spi_panel_display.close(&panel);
-        spi_panel_display.close(&panel);
+        tia_spi_panel_display.close(&panel);
+        tia_spi_panel_display.close(&panel);
     }
     CHECK(calls > 100 && calls < 1000);
 }
 
 TEST(closing_an_unopened_panel)
 {
-    struct spi_panel panel = make_panel(240, 320, 0);
-    spi_panel_display.close(&panel);
+    struct tia_spi_panel panel = make_panel(240, 320, 0);
+    tia_spi_panel_display.close(&panel);
     CHECK_EQ(model.commands, 0);
 }
 
@@ -359,7 +359,7 @@ TEST(viewer_on_the_panel)
     const uint16_t keys[] = {'d'};
     const struct tia_tile all = {0, 0, 240, 320};
     const struct tia_surface surface = {picture, 2, 2 * 240};
-    struct spi_panel panel = make_panel(240, 320, 0);
+    struct tia_spi_panel panel = make_panel(240, 320, 0);
     struct tia_light light;
     struct tia_viewer viewer = {.scene = &tia_thesis_scene,
                                 .lights = &light,
@@ -367,13 +367,13 @@ TEST(viewer_on_the_panel)
                                 .frame_limit = 1,
                                 .keys = keys,
                                 .key_count = 1,
-                                .display = &spi_panel_display,
+                                .display = &tia_spi_panel_display,
                                 .display_ctx = &panel,
                                 .memory = take_memory};
     struct tia_mode mode;
     struct tia_view *view;
     struct tia_hits *hits;
-    CHECK_EQ(spi_panel_display.open(&panel, &mode), TIA_OK);
+    CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(tia_viewer_run(&viewer), TIA_OK);
     CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 240, 320), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_OK);

@@ -6,7 +6,8 @@
 #include <tia/port.h>
 
 /* The keys of `bytes`, then (with `silence`) of the silence after them, as text: letters and
- * digits themselves, arrows L R U D, page up and down ^ v, Escape E, Ctrl-C !, others ?. */
+ * digits themselves, arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !,
+ * others ?, the mouse M. */
 static const char *typed(const char *bytes, size_t count, bool silence)
 {
     static char text[64];
@@ -18,7 +19,11 @@ static const char *typed(const char *bytes, size_t count, bool silence)
         if (key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT)
             text[n++] = key == TIA_KEY_ESCAPE ? 'E' : '!';
         else if (key >= TIA_KEY_LEFT && key <= TIA_KEY_OTHER)
-            text[n++] = "LRUD^v?"[key - TIA_KEY_LEFT];
+            text[n++] = "LRUD^vH?"[key - TIA_KEY_LEFT];
+        else if (key == TIA_KEY_TAB || key == TIA_KEY_SPACE || key == TIA_KEY_HELP)
+            text[n++] = key == TIA_KEY_TAB ? 'T' : key == TIA_KEY_SPACE ? '_' : '/';
+        else if (key == DECODED_POINTER)
+            text[n++] = 'M';
         else if (key)
             text[n++] = (char)key;
     }
@@ -49,7 +54,8 @@ TEST(letters_and_digits_are_themselves)
         {"0189", "0189"},
         {"ADSW", "adsw"},
         {"\x01\x13\x17\x04", "aswd"},
-        {" !,\t\r\n\b\x7f~", "?????????"},
+        {" !,\t\r\n\b\x7f~", "_??T?????"},
+        {"+=-_?/", "++--//"},
         {"\x1a", "z"},
         {"\x03", "!"},
         {"\x1c\x1d\x1f", "???"},
@@ -82,7 +88,8 @@ TEST(other_keys_are_one_event_each)
         {"\033OP\033OQ\033OS", "???"},        /* F1, F2, F4 */
         {"\033[15~\033[24~\033[1;5P", "???"}, /* F5, F12, Ctrl-F1 */
         {"\033[[A\033[[Ea", "??a"},           /* F1 and F5 of the Linux console */
-        {"\033[H\033[F\033[2~\033[3~\033[Z", "?????"},
+        {"\033[F\033[2~\033[3~\033[4~\033[Z", "?????"},
+        {"\033[H\033OH\033[1~\033[7~\033[1;2H", "HHHHH"},
         {"\033[27;5;97~a", "?a"}, /* xterm's modifyOtherKeys */
         {"\033OMa", "?a"},        /* Enter of the keypad */
         {"\xc3\xa9"
@@ -191,6 +198,63 @@ TEST(any_bytes_at_all)
     }
 }
 
+/* The last byte's result, and what the decoder knows then. */
+static uint16_t decoded(const char *bytes, struct decoder *d)
+{
+    uint16_t key = 0;
+
+    *d = (struct decoder){0};
+    for (; *bytes; bytes++)
+        key = decode_byte(d, (uint8_t)*bytes);
+    return key;
+}
+
+TEST(shift_is_told_with_keys_that_move)
+{
+    static const struct {
+        const char *bytes;
+        uint16_t key;
+        bool shift;
+    } rows[] = {
+        {"\033[A", TIA_KEY_UP, false},          {"\033[1;2A", TIA_KEY_UP, true},
+        {"\033[1;5D", TIA_KEY_LEFT, false},     {"\033[1;6D", TIA_KEY_LEFT, true},
+        {"\033[5;2~", TIA_KEY_PAGE_UP, true},   {"\033[6~", TIA_KEY_PAGE_DOWN, false},
+        {"\033[1;2A\033[A", TIA_KEY_UP, false}, {"\033[1;2Aa", 'a', false},
+    };
+    struct decoder d;
+
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        CHECK_MSG(decoded(rows[i].bytes, &d) == rows[i].key && d.shift == rows[i].shift, "row %u", i);
+}
+
+/* As xterm's ctlseqs describes SGR mouse reports. */
+TEST(the_mouse_in_sgr_reports)
+{
+    static const struct {
+        const char *bytes;
+        uint16_t result, column, row;
+        bool drag;
+    } rows[] = {
+        {"\033[<35;10;20M", DECODED_POINTER, 10, 20, false},      /* moved, no button */
+        {"\033[<0;1;1M", DECODED_POINTER, 1, 1, true},            /* the left one is pressed */
+        {"\033[<32;80;24M", DECODED_POINTER, 80, 24, true},       /* moved with it */
+        {"\033[<36;300;1000M", DECODED_POINTER, 300, 1000, true}, /* and with Shift */
+        {"\033[<0;80;24m", DECODED_POINTER, 80, 24, false},       /* let go */
+        {"\033[<2;80;24M", DECODED_POINTER, 80, 24, false},       /* the right one */
+        {"\033[<64;8;9M", TIA_KEY_PLUS, 8, 9, false},             /* the wheel */
+        {"\033[<65;8;9M", TIA_KEY_MINUS, 8, 9, false},
+        {"\033[<66;8;9M", 0, 8, 9, false},
+        {"\033[<35;0;4M", 0, 0, 4, false}, /* no place */
+        {"\033[<35M", 0, 0, 0, false},
+    };
+    struct decoder d;
+
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++)
+        CHECK_MSG(decoded(rows[i].bytes, &d) == rows[i].result && d.column == rows[i].column && d.row == rows[i].row &&
+                      d.drag == rows[i].drag,
+                  "row %u: %u, %u", i, d.column, d.row);
+}
+
 int main(void)
 {
     RUN(letters_and_digits_are_themselves);
@@ -203,5 +267,7 @@ int main(void)
     RUN(a_bracketed_paste_is_no_typing);
     RUN(a_broken_sequence_ends);
     RUN(any_bytes_at_all);
+    RUN(shift_is_told_with_keys_that_move);
+    RUN(the_mouse_in_sgr_reports);
     return check_status();
 }

@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <time.h>
 
 #include "check.h"
 
@@ -61,6 +62,53 @@ TEST(every_job_runs_once_on_2_threads)
 TEST(every_job_runs_once_on_7_threads)
 {
     every_job_once_on(7);
+}
+
+static void sleep_us(long us)
+{
+    (void)nanosleep(&(struct timespec){0, us * 1000}, NULL);
+}
+
+static void slow_job(void *arg, unsigned index)
+{
+    (void)arg;
+    sleep_us(index * 40);
+    atomic_fetch_add(&done[index], 1u);
+}
+
+/* Some rounds begin while threads still look for them, others when all sleep; some end like that. */
+TEST(every_job_runs_once_after_pauses)
+{
+    struct threads *pool = threads_create(2);
+    for (unsigned i = 0; i < 4; i++)
+        atomic_store(&done[i], 0u);
+    for (unsigned round = 1; round <= 200; round++) {
+        threads_workers.run(pool, round % 3 == 0 ? slow_job : count_job, NULL, 4);
+        for (unsigned i = 0; i < 4; i++)
+            CHECK_EQ(atomic_load(&done[i]), round);
+        sleep_us(round % 5 * 60);
+    }
+    threads_destroy(pool);
+}
+
+static long cpu_us(void)
+{
+    struct timespec t;
+    (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (long)t.tv_sec * 1000000 + t.tv_nsec / 1000;
+}
+
+/* What a display at 60 Hz leaves them between two frames, and a viewer that waits for a key. */
+TEST(idle_threads_take_no_processor)
+{
+    struct threads *pool = threads_create(2);
+    long start = cpu_us();
+    for (unsigned round = 0; round < 12; round++) {
+        threads_workers.run(pool, count_job, NULL, 4);
+        sleep_us(16000);
+    }
+    CHECK(cpu_us() - start < 12 * 16000 / 20);
+    threads_destroy(pool);
 }
 
 TEST(one_thread_is_the_caller)
@@ -158,6 +206,8 @@ int main(void)
     RUN(every_job_runs_once_on_1_thread);
     RUN(every_job_runs_once_on_2_threads);
     RUN(every_job_runs_once_on_7_threads);
+    RUN(every_job_runs_once_after_pauses);
+    RUN(idle_threads_take_no_processor);
     RUN(one_thread_is_the_caller);
     RUN(threads_come_and_go);
     RUN(the_number_of_threads_is_limited);

@@ -198,7 +198,7 @@ static const struct tia_input world_input = {.poll = world_poll, .wait = world_w
 
 static inline void world_event(struct world *w, uint64_t at_us, enum tia_event_kind kind, uint16_t key)
 {
-    w->events[w->event_count++] = (struct world_event){at_us, {kind, key, at_us}};
+    w->events[w->event_count++] = (struct world_event){at_us, {.kind = kind, .key = key, .time_us = at_us}};
 }
 
 /* ---- the rest ---- */

@@ -45,10 +45,9 @@ static void flatten_light(struct tia_light *light)
         light->samples = SAMPLES;
 }
 
-void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index)
+/* Nothing is transparent, and what a light has for each pixel is what it has for all. */
+static void simplify(struct corpus_rays *out)
 {
-    corpus_random_rays(out, seed, index);
-    flatten_shapes(out);
     out->scene.camera.samples = 1;
     for (uint32_t i = 0; i < out->scene.material_count; i++) {
         out->materials[i].transmission = (struct tia_rgb){0, 0, 0};
@@ -56,4 +55,17 @@ void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index)
     }
     for (uint32_t i = 0; i < out->scene.light_count; i++)
         flatten_light(&out->lights[i]);
+}
+
+void corpus_random_opaque(struct corpus_rays *out, uint64_t seed, unsigned index)
+{
+    corpus_random_rays(out, seed, index);
+    simplify(out);
+}
+
+void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index)
+{
+    corpus_random_rays(out, seed, index);
+    flatten_shapes(out);
+    simplify(out);
 }

@@ -9,4 +9,7 @@
  * at most 9 samples. tia_scene_check accepts it with every technique. */
 void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index);
 
+/* The same scene with its curved shapes, which are left to rays or tessellated. */
+void corpus_random_opaque(struct corpus_rays *out, uint64_t seed, unsigned index);
+
 #endif

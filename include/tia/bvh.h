@@ -8,6 +8,10 @@
 
 #include <tia/scene.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_BVH_DEPTH_MAX 48 /* levels below the root */
 
 struct tia_bounds {
@@ -49,8 +53,19 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx);
 
+/* The same for a scene that tia_scene_at made of `standing`, which has a hierarchy: only what moved gets new boxes. The
+ * hierarchy shares what stands still with standing->bvh, which must stay. `memory` is aligned likewise and of
+ * tia_bvh_move_size(scene) bytes; `stop` as above. What rays meet is the same as with a hierarchy built anew. */
+size_t tia_bvh_move_size(const struct tia_scene *scene);
+int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
+                 const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx);
+
 /* World bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to the
  * range of Q16.16. Empty for a plane and for a mesh without faces. Takes time proportional to a mesh's faces. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

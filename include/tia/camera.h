@@ -25,6 +25,10 @@
 
 #include <tia/vec.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_FOV_MIN TIA_Q16(1) /* degrees */
 #define TIA_FOV_MAX TIA_Q16(170)
 #define TIA_SAMPLES_MAX 16
@@ -47,5 +51,9 @@ struct tia_camera {
     struct tia_window window;  /* TIA_FRUSTUM and TIA_ORTHOGRAPHIC only */
     uint32_t samples;          /* per pixel: 1, 4 or 16; 0 means 1 */
 };
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,6 +15,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef int32_t tia_q16;
 typedef int32_t tia_q30;
 typedef uint16_t tia_rgb565;
@@ -37,5 +41,9 @@ enum tia_status {
     TIA_ERR_DEVICE = -4,     /* a port's device failed; the port keeps the reason */
     TIA_ERR_UNSUPPORTED = -5 /* the device cannot do this */
 };
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -32,6 +32,10 @@
 
 #include <tia/fixed.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum tia_integrator { TIA_WHITTED, TIA_OCCLUSION, TIA_PATHS };
 
 /* "whitted", "ao", "path"; NULL beyond the last. */
@@ -72,6 +76,22 @@ struct tia_sum {
     int64_t rgb[3];
 };
 
+/* What a pixel's samples see first, past mirrors and glass, added up like them. A denoiser goes by it, see denoise.h.
+ */
+struct tia_guide {
+    int64_t normal[3]; /* of length 1, on the side that is seen, 2^-24; 0 of the background */
+    int64_t depth;     /* the way to it, 2^-16; 0 of the background */
+    int64_t albedo[3]; /* what it reflects of light, all lobes together, and what it or a light there shines; 2^-24 */
+};
+
+/* Where samples are added. */
+struct tia_gathered {
+    struct tia_sum *sums;
+    struct tia_guide *guides; /* or NULL */
+    uint64_t *squares;        /* or NULL: the squares of (red + 2 green + blue)/4, in units of 2^-32, up to 2^64 - 1 */
+    size_t pitch;             /* from one row of the tile to the next, in each of them */
+};
+
 struct tia_view;
 struct tia_tile;
 
@@ -85,6 +105,14 @@ struct tia_estimator {
      */
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
+
+    /* The same, and what else is to be known of the samples. */
+    int (*gather)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                  const struct tia_gathered *gathered);
+
+    /* The opaque object that encloses light number `light` of the view, so that it lights nothing else, but not the
+     * eye; TIA_NO_OBJECT: none, or a scene without samples. From the light 14 rays are asked. */
+    uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 };
 
 extern const struct tia_estimator tia_estimator_q16;
@@ -111,5 +139,9 @@ uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t 
 
 /* The nearest of 2^bits levels to that value, ties up: exact. For srgb the bits are 5, 6 or 8. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -18,6 +18,10 @@
 
 #include <tia/render.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The widest level that this library has and this processor too; NULL when there is none, or QEMU emulates it. */
 const struct tia_level *tia_level_best(void);
 
@@ -41,5 +45,9 @@ const struct tia_raster_runs *tia_level_raster(const struct tia_level *level);
 
 /* The name of the level that draws the view, or "plain". */
 const char *tia_view_level(const struct tia_view *view);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

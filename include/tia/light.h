@@ -17,6 +17,10 @@
 
 #include <tia/vec.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum tia_light_kind {
     TIA_POINT_LIGHT,       /* shines from its centre; looks like a sphere of its radius */
     TIA_DIRECTIONAL_LIGHT, /* infinitely far away, shines along `direction` */
@@ -57,5 +61,9 @@ struct tia_light {
  * and the angle 2 pi v, measured from A towards B, where with the disc's normal N
  *
  *     A = normalise(e x N), B = N x A, e the unit vector of N's smallest coordinate in size (the first of equals). */
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -60,6 +60,10 @@
 
 #include <tia/vec.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_EXPONENT_MAX TIA_Q16(10000)
 #define TIA_INDEX_MIN TIA_Q16(0.25) /* of refraction */
 #define TIA_INDEX_MAX TIA_Q16(4)
@@ -105,5 +109,9 @@ struct tia_texture {
 };
 
 #define TIA_TEXTURE_MAX 16384
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

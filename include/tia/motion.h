@@ -1,8 +1,12 @@
-/* motion.h - animation: keyframes for the camera, lights and transforms. */
+/* motion.h - animation: keyframes, what appears and vanishes, and balls that fall. */
 #ifndef TIA_MOTION_H
 #define TIA_MOTION_H
 
 #include <tia/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 enum tia_target {
     TIA_MOVES_EYE,       /* the camera's eye */
@@ -11,7 +15,17 @@ enum tia_target {
     TIA_ROTATES_LIGHT,   /* a light's direction, normalised after interpolation */
     TIA_MOVES_TRANSFORM, /* a transform's position */
     TIA_ROTATES_TRANSFORM,
-    TIA_SCALES_TRANSFORM
+    TIA_SCALES_TRANSFORM,
+    TIA_SHOWS_SHAPE, /* 1 in x: it is there, 0: it is not; from its keyframe on, without anything in between */
+    TIA_SHOWS_LIGHT,
+    TIA_SETS_COLOUR, /* of a material, and so on: red, green and blue, Q2.30 in 0..1 */
+    TIA_SETS_TRANSMISSION,
+    TIA_SETS_EMISSION, /* before its bits */
+    TIA_SETS_SPECULAR,
+    TIA_SETS_MIRROR,
+    TIA_SETS_REFRACTION,
+    TIA_SETS_FACING,
+    TIA_TARGETS
 };
 
 struct tia_keyframe {
@@ -25,22 +39,50 @@ struct tia_keyframe {
  *
  * Every keyframe must keep the range of the field that it sets: lights, reference points and transforms stay
  * within 32768 of every eye position, and directions are not 0. tia_scene_check cannot see in advance where a
- * transform carries its shapes, or how far a smooth curve overshoots: check the scene of each time as well. */
+ * transform carries its shapes, or how far a smooth curve overshoots: check the scene of each time as well. Colours
+ * that overshoot are cut off.
+ *
+ * A shape that is not there keeps its number, but has become an instance of the scene's last mesh, which must have no
+ * faces. Colours other than those three that all renderers draw need that mesh as well: the renderer then is the same
+ * at all times. A light that is not there has no emission and no size. */
 struct tia_track {
     enum tia_target target;
-    uint32_t index; /* of the light or transform; unused for the camera */
+    uint32_t index; /* of the light, transform, shape or material; unused for the camera */
     bool smooth;
     const struct tia_keyframe *keys;
     uint32_t key_count; /* 1 or more */
+};
+
+/* A ball that falls. Between contacts its centre moves along a parabola. Balls bounce off planes, boxes and each other,
+ * but for those whose transform has tracks; they do not spin, nothing rubs, and all else lets them through. What falls
+ * or is bounced off must be there, see TIA_SHOWS_SHAPE: before, a ball waits where it is, afterwards it is gone. So is
+ * one whose centre gets 2^14 away from 0 along an axis, or that becomes faster than 2^15.
+ *
+ * At a contact the speed with which the two approach becomes the speed with which they part, times the restitution; of
+ * two balls the smaller one. What approaches slower than gravity makes it in 2/256 s rests, and what rests carries
+ * others. Contacts are found to 2^-20 s, if balls go less than 16 times their diameter in 1/256 s. */
+struct tia_fall {
+    uint32_t shape;           /* a sphere with a transform of its own, scaled evenly, that no track moves */
+    struct tia_vec3 velocity; /* at the beginning, units of length a second, each within +-1024 */
+    tia_q16 restitution;      /* 0..1 */
+    tia_q16 mass;             /* 2^-10..1024 */
+};
+
+struct tia_falling {
+    const struct tia_fall *balls;
+    uint32_t count;          /* at most TIA_FALLS_MAX */
+    struct tia_vec3 gravity; /* units of length a second^2, each within +-1024 */
+    tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: then all stay where they are */
 };
 
 /* Bytes of memory that tia_scene_at needs. The memory must be aligned for uint64_t. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
- * are shared with `scene`. *out has no tracks, no bvh, since objects moved: build a new one, and no `fine`
- * if there were tracks.
- * TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
+ * are shared with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and
+ * no `fine` if there were any. It depends on nothing but the scene and the time, to the bit, so the way of balls is
+ * computed from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of
+ * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time);
 
 /* The same, asking `stop` now and then, which may be NULL. Once it says true, returns TIA_STOPPED, and *out may be
@@ -48,7 +90,15 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
 int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                        bool (*stop)(void *ctx), void *ctx);
 
-/* The time of the last keyframe, seconds; 0 when nothing moves. */
+/* Whether the scene of another time may be another scene. */
+bool tia_scene_moves(const struct tia_scene *scene);
+
+/* The time of the last keyframe or, if there are balls that fall, of their end, whichever is later, seconds; 0 when
+ * nothing moves. */
 tia_q16 tia_scene_duration(const struct tia_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

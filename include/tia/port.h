@@ -8,29 +8,45 @@
 
 #include <tia/render.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Keys by their position on a US keyboard. Letters and digits have their lower-case ASCII codes. */
 enum tia_key {
     TIA_KEY_INTERRUPT = 3, /* Ctrl-C */
+    TIA_KEY_TAB = 9,
     TIA_KEY_ESCAPE = 27,
+    TIA_KEY_SPACE = ' ',
+    TIA_KEY_PLUS = '+',  /* and = */
+    TIA_KEY_MINUS = '-', /* and _ */
+    TIA_KEY_HELP = '?',  /* and / */
     TIA_KEY_LEFT = 0x100,
     TIA_KEY_RIGHT,
     TIA_KEY_UP,
     TIA_KEY_DOWN,
     TIA_KEY_PAGE_UP,
     TIA_KEY_PAGE_DOWN,
+    TIA_KEY_HOME,
     TIA_KEY_OTHER /* any other key that types; modifiers and locks cause no events */
 };
 
 enum tia_event_kind {
     TIA_EVENT_PRESS, /* a key went down; a release event follows */
     TIA_EVENT_RELEASE,
-    TIA_EVENT_TAP /* a key was typed on a device that does not report releases, such as a terminal */
+    TIA_EVENT_TAP,   /* a key was typed on a device that does not report releases, such as a terminal */
+    TIA_EVENT_POINT, /* a pointer is at x, y */
+    TIA_EVENT_MOVE   /* a mouse has moved by x, y */
 };
 
 struct tia_event {
     enum tia_event_kind kind;
     uint16_t key;     /* enum tia_key or ASCII */
+    bool shift;       /* of a key that moves something: it was typed with Shift */
+    bool drag;        /* of a pointer: its left button is down, or a finger */
     uint64_t time_us; /* by struct tia_clock; 0 when the device does not report times */
+    int32_t x, y;     /* of a pointer, to the right and down: 0..65535, 2^-16 of the display's width and height; or by
+                         how much it has moved, about a pixel a unit, -32767..32767 */
 };
 
 /* A display's size and limits. */
@@ -82,5 +98,9 @@ struct tia_workers {
     bool (*enter)(void *ctx);
     void (*leave)(void *ctx);
 };
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -33,6 +33,10 @@
 
 #include <tia/render.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_RASTER_CORNERS 8   /* the most corners of a polygon */
 #define TIA_NO_FACE UINT32_MAX /* nothing was drawn there */
 
@@ -145,7 +149,7 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 #define TIA_DISTANCE_BITS 45
 
 /* How far from the eye what pixel (x, y) of the image sees of a plane is, measured along the line of sight: w, or in
- * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-57 and half a unit, at most 2^62; 0
+ * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most 2^62; 0
  * where the plane is not before the eye. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
@@ -185,5 +189,9 @@ bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lat
  * sees of the plane: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
  * that is a direction has no value. 0 where the plane is not before the eye. */
 tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 #include <tia/motion.h>
 #include <tia/scene.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum tia_format {
     TIA_FORMAT_TIA, /* tia-scene(5) */
     TIA_FORMAT_NFF, /* the Standard Procedural Databases' neutral file format */
@@ -85,5 +89,9 @@ struct tia_reader {
  * TIA_ERR_MEMORY, and a second call with *need bytes succeeds. TIA_ERR_RANGE when the text is not a valid
  * scene: reader->error says where and why. */
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

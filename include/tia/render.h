@@ -14,6 +14,10 @@
 
 #include <tia/scene.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_SIZE_MAX 8192        /* the largest width and height of an image */
 #define TIA_NO_OBJECT UINT32_MAX /* the background */
 
@@ -172,5 +176,9 @@ extern const struct tia_core tia_core_chk;     /* q16 that reports values out of
 /* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
  * result on from row to row. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,7 +7,7 @@
  * An object's index counts the spheres first, then the shapes.
  *
  * Two renderers draw scenes; the scene alone decides which one. The span renderer is the fast one for scenes
- * of at most TIA_SPAN_SPHERES spheres and no other shapes, whose materials have only colour, transmission and
+ * of at most TIA_SPAN_SPHERES spheres and no other shapes or meshes, whose materials have only colour, transmission and
  * emission, with point lights without attenuation and a camera that looks along -z with one sample per pixel.
  * The ray renderer draws all other scenes.
  *
@@ -25,10 +25,16 @@
 #include <tia/shadow.h>
 #include <tia/shape.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_SPAN_SPHERES 256
 #define TIA_DEPTH 5 /* the default */
 #define TIA_DEPTH_MAX 16
 #define TIA_SCALE_BITS_MAX 16
+#define TIA_FALLS_MAX 256
+#define TIA_FALL_END_MAX (INT32_C(1024) * TIA_Q16_ONE)
 #define TIA_OBJECTS_MAX (UINT32_C(1) << 24) /* spheres and shapes; also a mesh's faces */
 
 /* A key that sets a light: pressing it sets light number `light` to `state`, or adds the light at the end
@@ -86,9 +92,10 @@ struct tia_scene {
     const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
     const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
-    /* Keyframes, see motion.h. Rendering ignores them; tia_scene_at applies them. */
+    /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;
     uint32_t track_count;
+    const struct tia_falling *falling; /* NULL: none */
 };
 
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
@@ -106,5 +113,9 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 /* The default scene, scenes/thesis.tia: a ball on a ground sphere, without lights; the keys a, d, s and w put
  * a light above left, above right, near the eye and far from it. */
 extern const struct tia_scene tia_thesis_scene;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -19,9 +19,14 @@
 
 #include <tia/fixed.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_SHADOW_SAMPLES 64
 
 struct tia_scene;
+struct tia_mesh;
 
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
@@ -96,5 +101,15 @@ struct tia_shadow_map {
  * "5x5", "7x7", "poisson", "pcss" for TIA_FILTER_NONE and what follows. NULL for others. */
 const char *tia_bias_name(unsigned bias);
 const char *tia_filter_name(unsigned filter);
+
+/* Whether each edge of a mesh has a face on its other side, whose corners run the other way. A mesh that does not close
+ * casts the same shadow face by face: volumes have more sides then. `room` has tia_shadow_mesh_room(mesh) bytes and is
+ * aligned for uint32_t; the mesh is one that tia_scene_check accepts. */
+size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
+bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -36,6 +36,10 @@
 
 #include <tia/vec.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_RADIUS_MIN 64       /* the smallest radius and cell: 2^-10 as Q16.16 */
 #define TIA_NO_INDEX UINT32_MAX /* a corner without a normal or uv */
 #define TIA_SCALE_MIN TIA_RADIUS_MIN
@@ -177,5 +181,9 @@ struct tia_grid {
     uint16_t size[3];       /* cells along x, y, z: each 1..TIA_GRID_MAX, at most TIA_GRID_CELLS_MAX in all */
     const uint8_t *cells;   /* 0: empty; n: material number shape.material + n - 1 */
 };
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 
 #include <tia/render.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_TEXT_WIDTH 6
 #define TIA_TEXT_HEIGHT 8
 
@@ -24,5 +28,9 @@ struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsig
 
 /* Draws what is in `tile`, onto its pixels; others stay. */
 void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,7 @@
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
  *   shadow.h  techniques for shadows
  *   integrator.h    how light is summed up
+ *   denoise.h       pictures of samples without noise
  *   scene.h   the scene
  *   bvh.h     bounding volume hierarchy for scenes of many objects
  *   motion.h  keyframe animation
@@ -13,6 +14,8 @@
  *   levels.h  vector units
  *   raster.h  polygons: depth, stencil and colour buffers
  *   port.h    display, input and clock, as a board or an OS provides them
+ *   gaze.h    where the eye looks
+ *   orbit.h   moving a camera
  *   text.h    small text on pictures
  *   viewer.h  the interactive loop
  */
@@ -22,8 +25,10 @@
 #define TIA_VERSION "0.1.0"
 
 #include <tia/bvh.h>
+#include <tia/denoise.h>
 #include <tia/levels.h>
 #include <tia/motion.h>
+#include <tia/orbit.h>
 #include <tia/raster.h>
 #include <tia/read.h>
 #include <tia/text.h>

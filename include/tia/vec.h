@@ -4,6 +4,10 @@
 
 #include <tia/fixed.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A position or a displacement, Q16.16. Right-handed: +x right, +y up, the camera looks along -z. */
 struct tia_vec3 {
     tia_q16 x, y, z;
@@ -32,5 +36,9 @@ struct tia_rgb {
     {                                                                                                                  \
         TIA_Q30(r), TIA_Q30(g), TIA_Q30(b)                                                                             \
     }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,13 +15,24 @@
  * needs a `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of frames that take 250
  * ms.
  *
+ * Where a gaze is given and rays draw, pixels are left out that the eye would not see, and the gaze follows a pointer.
+ *
+ * With `pace`, every frame of something that moves, a scene that plays or a key that is held, is as fine as there is
+ * time for: so many of its passes are drawn as fit the period by what the pixels before have cost. When nothing moves,
+ * the rest follows.
+ *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
  */
 #ifndef TIA_VIEWER_H
 #define TIA_VIEWER_H
 
+#include <tia/gaze.h>
 #include <tia/port.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define TIA_HOLD_DELAY_US 250000u
 #define TIA_HOLD_STEP_US 33333u
@@ -34,6 +45,8 @@ struct tia_frame {
     uint32_t number;          /* from 0 */
     uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels */
     uint16_t done;            /* of a coarse picture: the share of its pixels that are drawn, 2^-16 */
+    uint32_t pixels;          /* that were drawn; each of the others shows what one of these does */
+    bool moving;              /* with `pace`: something moves */
     uint64_t left_us;         /* and how long the rest will take, by what it has taken so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
@@ -42,6 +55,36 @@ struct tia_frame {
                                  0 when there was none, its time is unknown, or the frame is not shown yet; of
                                  coarse pictures only the first tells it */
     const char *level;        /* what drew it: see tia_view_level */
+};
+
+/* What an event does. */
+enum tia_effect {
+    TIA_EFFECT_NONE,
+    TIA_EFFECT_PICTURE, /* the picture is shown again, since what is drawn over it has changed */
+    TIA_EFFECT_CAMERA,  /* the scene is seen from elsewhere */
+    TIA_EFFECT_HOME,    /* or as it was at first */
+    TIA_EFFECT_END      /* the loop ends */
+};
+
+/* What keys and pointers do beyond moving lights. A scene's own keys come first, then those that move lights, unless
+ * typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses a scene
+ * that plays and lets it go on. */
+struct tia_control {
+    /* What the event would do; changes nothing. It is asked like the viewer's `stop`. */
+    enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
+    /* Does it, *camera first being what the scene is seen by; also told of keys for lights where there is none to move.
+     * A camera that tia_scene_check refuses is not taken. For TIA_EFFECT_END it is called when the loop is over. */
+    enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
+};
+
+/* What keys have changed. */
+struct tia_viewer_state {
+    bool goes_on; /* the caller's: begin with what follows, and with the viewer's lights, not with the scene's */
+    bool moved;   /* the camera is not the scene's */
+    bool paused;
+    struct tia_camera camera;
+    uint32_t light_count, light; /* how many there are; which one keys move, unless ambient the next */
+    tia_q16 time;                /* seconds */
 };
 
 struct tia_viewer {
@@ -59,6 +102,11 @@ struct tia_viewer {
     tia_q16 time;     /* of the first frame, seconds, for scenes with tracks */
     uint32_t rate[2]; /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a
                          frame_limit; 0: frames follow the clock */
+    uint32_t pace[2]; /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000; 0: none */
+    struct tia_gaze gaze;
+    const struct tia_control *control; /* NULL, or what other keys do than end the loop; needs `variant` */
+    void *control_ctx;
+    struct tia_viewer_state *state; /* NULL, or is kept up to date */
 
     /* `input` may be NULL with a frame_limit: frames are then drawn one after the other. `clock` may be NULL:
      * held keys then do not repeat. `workers` may be NULL: tiles are then drawn one after the other. */
@@ -108,5 +156,9 @@ enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 /* The time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per second,
  * each 1..1000000: rounded to nearest, at most INT32_MAX. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

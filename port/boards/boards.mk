@@ -15,7 +15,7 @@ BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections 
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
 # Those without the flash for coherence.c.
 TIGHT_BOARDS := atmega1284p
-small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(filter-out src/render/span/coherence%,$(SMALL_SRC)) src/render/span/no_coherence.c,$(SMALL_SRC))
+small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(call without_coherence,$(SMALL_SRC)),$(SMALL_SRC))
 # The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
 # bytes, 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of it is used.
 small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
@@ -94,9 +94,10 @@ rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3)
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)),,$(CORE_SRC))))
-$(BUILD)/boards/shadows: tests/boards/shadows.c $(LIBTIA)
+$(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k,,$(CORE_SRC))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
@@ -116,8 +117,8 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
 .PHONY: boards check-boards size-boards count
-boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(BUILD)/boards/example $(BUILD)/boards/shadows \
-        $(if $(filter mps2-an385,$(BOARDS)),$(BUILD)/boards/mps2-an385/example.elf $(BUILD)/boards/microbit/mul64.elf)
+boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
+        $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
 check: boards
 check-boards: all boards
 	@$(run_tests) tests/slow/boards

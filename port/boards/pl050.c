@@ -15,7 +15,7 @@ enum {
     ANSWER_LIMIT_US = 10000000
 };
 
-static struct ps2 ps2;
+static struct tia_ps2 ps2;
 
 static volatile uint32_t *kmi(uintptr_t offset)
 {
@@ -33,16 +33,16 @@ static bool wait_for(uint32_t status, int64_t limit_us)
 
 static int keyboard_open(void *ctx)
 {
-    ps2 = (struct ps2){0};
+    ps2 = (struct tia_ps2){0};
     *kmi(KMI_CLKDIV) = CLOCK_DIVISOR;
     *kmi(KMI_CR) = CR_ENABLE;
     while (*kmi(KMI_STAT) & STAT_RXFULL)
         (void)*kmi(KMI_DATA);
     bool answered = wait_for(STAT_TXEMPTY, ANSWER_LIMIT_US);
-    *kmi(KMI_DATA) = PS2_ENABLE;
+    *kmi(KMI_DATA) = TIA_PS2_ENABLE;
     do
         answered = answered && wait_for(STAT_RXFULL, ANSWER_LIMIT_US);
-    while (answered && *kmi(KMI_DATA) != PS2_ACKNOWLEDGE);
+    while (answered && *kmi(KMI_DATA) != TIA_PS2_ACKNOWLEDGE);
     if (answered)
         return TIA_OK;
     *kmi(KMI_CR) = 0;
@@ -53,9 +53,9 @@ static int keyboard_open(void *ctx)
 static int keyboard_poll(void *ctx, struct tia_event *event)
 {
     (void)ctx;
-    int found = ps2_owed(&ps2, event);
+    int found = tia_ps2_owed(&ps2, event);
     while (!found && *kmi(KMI_STAT) & STAT_RXFULL)
-        found = ps2_feed(&ps2, (uint8_t)*kmi(KMI_DATA), event) || ps2_owed(&ps2, event);
+        found = tia_ps2_feed(&ps2, (uint8_t)*kmi(KMI_DATA), event) || tia_ps2_owed(&ps2, event);
     if (found)
         event->time_us = board_clock.now_us(NULL);
     return found;

@@ -110,7 +110,7 @@ static int map(int fd, struct card_buffer *b)
 
     if (drmIoctl(fd, DRM_IOCTL_MODE_MAP_DUMB, &where) != 0)
         return -1;
-    memory = mmap(NULL, b->size, PROT_READ | PROT_WRITE, MAP_SHARED, fd, (off_t)where.offset);
+    memory = mmap(NULL, b->size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_POPULATE, fd, (off_t)where.offset);
     if (memory == MAP_FAILED)
         return -1;
     b->map = memory;

@@ -1,4 +1,4 @@
-/* evdev.c - the keyboards of /dev/input as one input. */
+/* evdev.c - the keyboards and pointers of /dev/input as one input. */
 #include "evdev.h"
 
 #include <dirent.h>
@@ -12,9 +12,11 @@
 #include "clock.h"
 #include "console/console.h"
 #include "keyboard.h"
+#include "pointer.h"
 
 #define DIRECTORY "/dev/input"
 #define KEYBOARDS 32
+#define DESCRIPTORS (KEYBOARDS + POINTERS + 1)
 
 /* How long close waits for a held key, usually the one that quits, to be released: a keyboard that repeats by itself
  * (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
@@ -28,6 +30,7 @@ struct evdev {
     struct console_listener listener;
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
+    struct pointers pointers;
     char failure[PORT_WHY]; /* of the first node that should have worked and did not */
 };
 
@@ -51,6 +54,8 @@ static void try_node(struct evdev *evdev, const char *path)
     if (evdev->count == KEYBOARDS || is_used(evdev, path))
         return;
     status = keyboard_open(keyboard, path, why);
+    if (status == TIA_ERR_UNSUPPORTED && !evdev->device)
+        pointers_try(&evdev->pointers, path);
     if (!status) {
         evdev->count++;
         if (console_state() == CONSOLE_OURS)
@@ -111,9 +116,9 @@ static bool any_pressed(struct evdev *evdev)
     return false;
 }
 
-static nfds_t list_descriptors(const struct evdev *evdev, struct pollfd fds[KEYBOARDS + 1])
+static nfds_t list_descriptors(const struct evdev *evdev, struct pollfd fds[DESCRIPTORS])
 {
-    nfds_t count = 0;
+    nfds_t count = pointers_list(&evdev->pointers, fds);
 
     for (unsigned i = 0; i < evdev->count; i++)
         if (!evdev->keyboards[i].unplugged)
@@ -127,11 +132,12 @@ static void discard(struct evdev *evdev)
 {
     for (unsigned i = 0; i < evdev->count; i++)
         keyboard_discard(&evdev->keyboards[i]);
+    pointers_discard(&evdev->pointers);
 }
 
 static void await_release(struct evdev *evdev)
 {
-    struct pollfd fds[KEYBOARDS + 1];
+    struct pollfd fds[DESCRIPTORS];
     uint64_t now = clock_now_us(), end = now + RELEASE_MS * 1000u;
 
     for (; now < end && any_pressed(evdev); now = clock_now_us()) {
@@ -163,6 +169,7 @@ static void evdev_close(void *ctx)
     await_release(evdev);
     for (; evdev->count > 0; drop_keyboard(evdev, 0))
         keyboard_release(&evdev->keyboards[0]);
+    pointers_close(&evdev->pointers);
     if (evdev->watch >= 0)
         (void)close(evdev->watch);
     evdev->watch = -1;
@@ -197,24 +204,25 @@ static bool is_reported(const struct evdev *evdev, unsigned code)
     return false;
 }
 
+static struct key_modifiers modifiers(const struct evdev *evdev)
+{
+    struct key_modifiers found = {false, false, false};
+
+    for (unsigned i = 0; i < evdev->count; i++)
+        key_state_modifiers(&evdev->keyboards[i].state, &found);
+    return found;
+}
+
 static bool report(const struct evdev *evdev, const struct key_change *change, uint64_t time_us,
                    struct tia_event *event)
 {
     if (!change->press && is_reported(evdev, change->code))
         return false;
-    event->kind = change->press ? TIA_EVENT_PRESS : TIA_EVENT_RELEASE;
-    event->key = change->key;
-    event->time_us = time_us;
+    *event = (struct tia_event){.kind = change->press ? TIA_EVENT_PRESS : TIA_EVENT_RELEASE,
+                                .key = change->key,
+                                .time_us = time_us,
+                                .shift = modifiers(evdev).shift};
     return true;
-}
-
-static struct key_modifiers modifiers(const struct evdev *evdev)
-{
-    struct key_modifiers found = {false, false};
-
-    for (unsigned i = 0; i < evdev->count; i++)
-        key_state_modifiers(&evdev->keyboards[i].state, &found);
-    return found;
 }
 
 /* Events that are still to be reported after an unplug, a switch or an overflow. */
@@ -279,7 +287,7 @@ static int evdev_poll(void *ctx, struct tia_event *event)
         }
         keyboard = oldest_event(evdev);
         if (!keyboard)
-            return 0;
+            return pointers_poll(&evdev->pointers, event);
         if (take(evdev, keyboard, event))
             return 1;
     }
@@ -289,8 +297,10 @@ static int evdev_poll(void *ctx, struct tia_event *event)
 static int evdev_wait(void *ctx, int timeout_ms)
 {
     struct evdev *evdev = ctx;
-    struct pollfd fds[KEYBOARDS + 1];
+    struct pollfd fds[DESCRIPTORS];
 
+    if (pointers_wait_not(&evdev->pointers))
+        timeout_ms = 0;
     for (unsigned i = 0; i < evdev->count; i++)
         if (evdev->keyboards[i].next < evdev->keyboards[i].count)
             timeout_ms = 0;

@@ -40,10 +40,21 @@ static uint16_t named_at(unsigned code)
         unsigned code;
         uint16_t key;
     } names[] = {
-        {KEY_ESC, TIA_KEY_ESCAPE},         {KEY_LEFT, TIA_KEY_LEFT},
-        {KEY_RIGHT, TIA_KEY_RIGHT},        {KEY_UP, TIA_KEY_UP},
-        {KEY_DOWN, TIA_KEY_DOWN},          {KEY_PAGEUP, TIA_KEY_PAGE_UP},
+        {KEY_ESC, TIA_KEY_ESCAPE},
+        {KEY_LEFT, TIA_KEY_LEFT},
+        {KEY_RIGHT, TIA_KEY_RIGHT},
+        {KEY_UP, TIA_KEY_UP},
+        {KEY_DOWN, TIA_KEY_DOWN},
+        {KEY_PAGEUP, TIA_KEY_PAGE_UP},
         {KEY_PAGEDOWN, TIA_KEY_PAGE_DOWN},
+        {KEY_HOME, TIA_KEY_HOME},
+        {KEY_TAB, TIA_KEY_TAB},
+        {KEY_SPACE, TIA_KEY_SPACE},
+        {KEY_EQUAL, TIA_KEY_PLUS},
+        {KEY_KPPLUS, TIA_KEY_PLUS},
+        {KEY_MINUS, TIA_KEY_MINUS},
+        {KEY_KPMINUS, TIA_KEY_MINUS},
+        {KEY_SLASH, TIA_KEY_HELP},
     };
 
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
@@ -108,6 +119,7 @@ void key_state_modifiers(const struct key_state *state, struct key_modifiers *mo
     const struct key_set *held = &state->held;
 
     modifiers->ctrl |= key_set_has(held, KEY_LEFTCTRL) || key_set_has(held, KEY_RIGHTCTRL);
+    modifiers->shift |= key_set_has(held, KEY_LEFTSHIFT) || key_set_has(held, KEY_RIGHTSHIFT);
     modifiers->alt |= key_set_has(held, KEY_LEFTALT) || key_set_has(held, KEY_RIGHTALT);
 }
 

@@ -1,7 +1,7 @@
 /* keys.h - turns the kernel's key events into tia's. Uses no device and no clock.
  *
  * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard. Modifiers and locks are
- * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console.
+ * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console, and Shift is told with a key.
  */
 #ifndef PORT_EVDEV_KEYS_H
 #define PORT_EVDEV_KEYS_H
@@ -51,7 +51,7 @@ struct key_change {
 
 /* Which modifiers are down, on any keyboard. */
 struct key_modifiers {
-    bool ctrl, alt;
+    bool ctrl, alt, shift;
 };
 
 /* Adds those of this keyboard. */

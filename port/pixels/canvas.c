@@ -3,10 +3,12 @@
 
 #include <stdlib.h>
 
+#include "pages.h"
+
 int canvas_resize(struct canvas *canvas, uint16_t width, uint16_t height)
 {
     canvas_free(canvas);
-    canvas->pixels = calloc((size_t)width * height, sizeof *canvas->pixels);
+    canvas->pixels = pages_alloc_cleared((size_t)width * height * sizeof *canvas->pixels);
     if (!canvas->pixels)
         return TIA_ERR_MEMORY;
     canvas->width = width;

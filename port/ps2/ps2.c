@@ -16,7 +16,7 @@ enum {
 /* clang-format on */
 
 /* Keys without a prefix; 0 is any other key that types. */
-static const uint8_t plain[PS2_CODES] = {
+static const uint8_t plain[TIA_PS2_CODES] = {
     /* clang-format off */
     [0x1c] = 'a', [0x32] = 'b', [0x21] = 'c', [0x23] = 'd', [0x24] = 'e', [0x2b] = 'f', [0x34] = 'g',
     [0x33] = 'h', [0x43] = 'i', [0x3b] = 'j', [0x42] = 'k', [0x4b] = 'l', [0x3a] = 'm', [0x31] = 'n',
@@ -58,12 +58,12 @@ static uint16_t extended_key(uint8_t code)
     }
 }
 
-static bool is_held(const struct ps2 *ps2, bool extended, uint8_t code)
+static bool is_held(const struct tia_ps2 *ps2, bool extended, uint8_t code)
 {
     return ps2->held[extended][code / 8] >> (code % 8) & 1;
 }
 
-static uint16_t key_of(const struct ps2 *ps2, bool extended, uint8_t code)
+static uint16_t key_of(const struct tia_ps2 *ps2, bool extended, uint8_t code)
 {
     if (extended)
         return extended_key(code);
@@ -73,16 +73,16 @@ static uint16_t key_of(const struct ps2 *ps2, bool extended, uint8_t code)
 }
 
 /* Notes that a key went down or came up; 1 if that is a change, and not of a silent key. */
-static int change(struct ps2 *ps2, bool extended, uint8_t code, bool down, struct tia_event *event)
+static int change(struct tia_ps2 *ps2, bool extended, uint8_t code, bool down, struct tia_event *event)
 {
     if (is_held(ps2, extended, code) == down)
         return 0;
-    ps2->held[extended][code / 8] ^= (uint8_t)(1u << (code % 8));
-    *event = (struct tia_event){down ? TIA_EVENT_PRESS : TIA_EVENT_RELEASE, key_of(ps2, extended, code), 0};
+    ps2->held[extended][code / 8] = (uint8_t)(ps2->held[extended][code / 8] ^ 1u << code % 8);
+    *event = (struct tia_event){.kind = down ? TIA_EVENT_PRESS : TIA_EVENT_RELEASE, .key = key_of(ps2, extended, code)};
     return event->key != SILENT;
 }
 
-static int feed_code(struct ps2 *ps2, uint8_t code, struct tia_event *event)
+static int feed_code(struct tia_ps2 *ps2, uint8_t code, struct tia_event *event)
 {
     bool extended = ps2->extended, down = !ps2->released;
     ps2->extended = ps2->released = false;
@@ -93,12 +93,12 @@ static int feed_code(struct ps2 *ps2, uint8_t code, struct tia_event *event)
     return change(ps2, extended, code, down, event);
 }
 
-int ps2_feed(struct ps2 *ps2, uint8_t byte, struct tia_event *event)
+int tia_ps2_feed(struct tia_ps2 *ps2, uint8_t byte, struct tia_event *event)
 {
     if (ps2->pause) {
         if (--ps2->pause)
             return 0;
-        *event = (struct tia_event){TIA_EVENT_TAP, TIA_KEY_OTHER, 0};
+        *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = TIA_KEY_OTHER};
         return 1;
     }
     switch (byte) {
@@ -116,11 +116,11 @@ int ps2_feed(struct ps2 *ps2, uint8_t byte, struct tia_event *event)
     }
 }
 
-int ps2_owed(struct ps2 *ps2, struct tia_event *event)
+int tia_ps2_owed(struct tia_ps2 *ps2, struct tia_event *event)
 {
-    for (unsigned i = 0; ps2->forget && i < 2 * PS2_CODES; i++) {
-        bool extended = i >= PS2_CODES;
-        if (change(ps2, extended, (uint8_t)(i % PS2_CODES), false, event))
+    for (unsigned i = 0; ps2->forget && i < 2 * TIA_PS2_CODES; i++) {
+        bool extended = i >= TIA_PS2_CODES;
+        if (change(ps2, extended, (uint8_t)(i % TIA_PS2_CODES), false, event))
             return 1;
     }
     ps2->forget = false;

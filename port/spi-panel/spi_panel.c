@@ -19,33 +19,33 @@ enum {
     WAKE_MS = 120   /* from SLPOUT until the supplies are stable */
 };
 
-static int failed(struct spi_panel *panel, const char *why)
+static int failed(struct tia_spi_panel *panel, const char *why)
 {
     panel->why = why;
     return TIA_ERR_DEVICE;
 }
 
-static int send_command(struct spi_panel *panel, uint8_t command)
+static int send_command(struct tia_spi_panel *panel, uint8_t command)
 {
     if (panel->ops->command(panel->bus, command) != 0)
         return failed(panel, "spi panel: the bus refused a command (check its wiring)");
     return TIA_OK;
 }
 
-static int send_data(struct spi_panel *panel, const uint8_t *bytes, size_t count)
+static int send_data(struct tia_spi_panel *panel, const uint8_t *bytes, size_t count)
 {
     if (count && panel->ops->data(panel->bus, bytes, count) != 0)
         return failed(panel, "spi panel: the bus refused data (check its wiring)");
     return TIA_OK;
 }
 
-static int send(struct spi_panel *panel, uint8_t command, const uint8_t *parameters, size_t count)
+static int send(struct tia_spi_panel *panel, uint8_t command, const uint8_t *parameters, size_t count)
 {
     int status = send_command(panel, command);
     return !status ? send_data(panel, parameters, count) : status;
 }
 
-static void pause_ms(const struct spi_panel *panel, unsigned ms)
+static void pause_ms(const struct tia_spi_panel *panel, unsigned ms)
 {
     uint64_t start = panel->clock->now_us(panel->clock_ctx);
     while (panel->clock->now_us(panel->clock_ctx) - start < (uint64_t)ms * 1000) {
@@ -55,7 +55,7 @@ static void pause_ms(const struct spi_panel *panel, unsigned ms)
 /* CASET and PASET take the first and the last column or row, high byte first. The bytes are in *panel, not on the
  * stack, because the bus may still be sending them when this returns. They are changed only after `command`, which
  * waits for the previous data. */
-static int send_range(struct spi_panel *panel, uint8_t command, unsigned first, unsigned count)
+static int send_range(struct tia_spi_panel *panel, uint8_t command, unsigned first, unsigned count)
 {
     unsigned last = first + count - 1;
     int status = send_command(panel, command);
@@ -68,7 +68,7 @@ static int send_range(struct spi_panel *panel, uint8_t command, unsigned first, 
     return send_data(panel, panel->range, sizeof panel->range);
 }
 
-static int send_setup(struct spi_panel *panel)
+static int send_setup(struct tia_spi_panel *panel)
 {
     const uint8_t *next = panel->setup, *end = next + panel->setup_size;
     int status = TIA_OK;
@@ -83,7 +83,7 @@ static int send_setup(struct spi_panel *panel)
     return status;
 }
 
-static int wake(struct spi_panel *panel)
+static int wake(struct tia_spi_panel *panel)
 {
     static const uint8_t format = COLMOD_RGB565;
     int status = send(panel, SWRESET, NULL, 0);
@@ -102,7 +102,7 @@ static int wake(struct spi_panel *panel)
 
 static int panel_mode(void *ctx, struct tia_mode *mode)
 {
-    const struct spi_panel *panel = ctx;
+    const struct tia_spi_panel *panel = ctx;
     *mode = (struct tia_mode){
         .width = panel->width,
         .height = panel->height,
@@ -115,7 +115,7 @@ static int panel_mode(void *ctx, struct tia_mode *mode)
 
 static int panel_open(void *ctx, struct tia_mode *mode)
 {
-    struct spi_panel *panel = ctx;
+    struct tia_spi_panel *panel = ctx;
     size_t rows = panel->width ? panel->strips_size / 2 / (2u * panel->width) : 0;
     if (rows == 0 || panel->height == 0) {
         panel->why = "spi panel: no room for two rows (give more strips_size)";
@@ -129,12 +129,12 @@ static int panel_open(void *ctx, struct tia_mode *mode)
     return !status ? panel_mode(ctx, mode) : status;
 }
 
-static tia_rgb565 *strip(const struct spi_panel *panel)
+static tia_rgb565 *strip(const struct tia_spi_panel *panel)
 {
     return panel->strips + (size_t)panel->strip * panel->rows * panel->width;
 }
 
-static bool inside(const struct spi_panel *panel, struct tia_tile tile)
+static bool inside(const struct tia_spi_panel *panel, struct tia_tile tile)
 {
     return tile.width && tile.height && tile.x + tile.width <= panel->width && tile.height <= panel->rows &&
            tile.y + tile.height <= panel->height;
@@ -142,12 +142,12 @@ static bool inside(const struct spi_panel *panel, struct tia_tile tile)
 
 static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
-    struct spi_panel *panel = ctx;
+    struct tia_spi_panel *panel = ctx;
     if (!inside(panel, tile)) {
         panel->why = "spi panel: the tile is larger than a strip or leaves the picture";
         return TIA_ERR_ARGUMENT;
     }
-    *surface = (struct tia_surface){strip(panel), 2, 2 * tile.width};
+    *surface = (struct tia_surface){strip(panel), 2, (ptrdiff_t)(2u * tile.width)};
     return TIA_OK;
 }
 
@@ -166,7 +166,7 @@ static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
 /* The first command waits until the previous strip has been sent, so that one is free for the next acquire. */
 static int panel_submit(void *ctx, struct tia_tile tile)
 {
-    struct spi_panel *panel = ctx;
+    struct tia_spi_panel *panel = ctx;
     size_t count = (size_t)tile.width * tile.height;
     const uint8_t *bytes = wire_order(strip(panel), count);
     int status = send_range(panel, CASET, (unsigned)panel->left + tile.x, tile.width);
@@ -181,7 +181,7 @@ static int panel_submit(void *ctx, struct tia_tile tile)
 /* Switches the panel on once it has a whole frame. */
 static int panel_present(void *ctx)
 {
-    struct spi_panel *panel = ctx;
+    struct tia_spi_panel *panel = ctx;
     if (panel->shown)
         return TIA_OK;
     panel->shown = true;
@@ -190,7 +190,7 @@ static int panel_present(void *ctx)
 
 static void panel_close(void *ctx)
 {
-    struct spi_panel *panel = ctx;
+    struct tia_spi_panel *panel = ctx;
     if (!panel->awake)
         return;
     panel->awake = false;
@@ -198,5 +198,5 @@ static void panel_close(void *ctx)
     (void)send(panel, SLPIN, NULL, 0);
 }
 
-const struct tia_display spi_panel_display = {panel_open,   panel_mode,    panel_acquire,
-                                              panel_submit, panel_present, panel_close};
+const struct tia_display tia_spi_panel_display = {panel_open,   panel_mode,    panel_acquire,
+                                                  panel_submit, panel_present, panel_close};

@@ -10,7 +10,7 @@
 #include <tia/port.h>
 
 /* The bus. Both functions return 0, or anything else on failure. */
-struct spi_panel_bus {
+struct tia_spi_panel_bus {
     /* Waits until previous data has been sent, then sends a command byte, D/C low. */
     int (*command)(void *bus, uint8_t command);
     /* Sends the last command's data, D/C high. It may return while DMA is still sending: the bytes do not change
@@ -20,15 +20,15 @@ struct spi_panel_bus {
 
 /* The panel's register 36h, MADCTL: how its memory maps to the glass. */
 enum {
-    SPI_PANEL_FLIP_ROWS = 0x80,    /* MY */
-    SPI_PANEL_FLIP_COLUMNS = 0x40, /* MX */
-    SPI_PANEL_SWAP_AXES = 0x20,    /* MV: landscape on a portrait panel */
-    SPI_PANEL_BGR = 0x08           /* most panels have red and blue swapped */
+    TIA_SPI_PANEL_FLIP_ROWS = 0x80,    /* MY */
+    TIA_SPI_PANEL_FLIP_COLUMNS = 0x40, /* MX */
+    TIA_SPI_PANEL_SWAP_AXES = 0x20,    /* MV: landscape on a portrait panel */
+    TIA_SPI_PANEL_BGR = 0x08           /* most panels have red and blue swapped */
 };
 
-struct spi_panel {
+struct tia_spi_panel {
     /* Set by the caller before open. */
-    const struct spi_panel_bus *ops;
+    const struct tia_spi_panel_bus *ops;
     void *bus;
     const struct tia_clock *clock; /* for the pauses that the controller needs */
     void *clock_ctx;
@@ -49,7 +49,7 @@ struct spi_panel {
     uint8_t range[4]; /* CASET's or PASET's parameters, being sent */
 };
 
-/* The context is a struct spi_panel. */
-extern const struct tia_display spi_panel_display;
+/* The context is a struct tia_spi_panel. */
+extern const struct tia_display tia_spi_panel_display;
 
 #endif

@@ -1,6 +1,8 @@
 /* decode.c - a state machine after ECMA-48 and the xterm control sequences. */
 #include "decode.h"
 
+#include <stddef.h>
+
 #include <tia/port.h>
 
 enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
@@ -18,6 +20,28 @@ static bool is_ctrl_letter(uint8_t byte)
     return byte >= 1 && byte <= 26 && byte != '\b' && byte != '\t' && byte != '\n' && byte != '\r';
 }
 
+/* As on a US keyboard, with or without Shift. */
+static uint16_t sign_key(uint8_t byte)
+{
+    switch (byte) {
+    case '\t':
+        return TIA_KEY_TAB;
+    case ' ':
+        return TIA_KEY_SPACE;
+    case '+':
+    case '=':
+        return TIA_KEY_PLUS;
+    case '-':
+    case '_':
+        return TIA_KEY_MINUS;
+    case '?':
+    case '/':
+        return TIA_KEY_HELP;
+    default:
+        return TIA_KEY_OTHER;
+    }
+}
+
 static uint16_t plain_key(uint8_t byte)
 {
     if (byte == TIA_KEY_INTERRUPT)
@@ -28,12 +52,14 @@ static uint16_t plain_key(uint8_t byte)
         return (uint16_t)(byte - 1 + 'a');
     if ((byte >= 'a' && byte <= 'z') || (byte >= '0' && byte <= '9'))
         return byte;
-    return TIA_KEY_OTHER;
+    return sign_key(byte);
 }
 
 static uint16_t arrow_key(uint8_t final)
 {
     switch (final) {
+    case 'H':
+        return TIA_KEY_HOME;
     case 'A':
         return TIA_KEY_UP;
     case 'B':
@@ -47,6 +73,20 @@ static uint16_t arrow_key(uint8_t final)
     }
 }
 
+/* A button's number: 0 is the left one, 3 none; 32 is added while it moves, 64 to those of the wheel, and 4, 8, 16 for
+ * Shift, Alt and Ctrl. */
+static uint16_t mouse_report(struct decoder *d, uint8_t final)
+{
+    unsigned button = d->number & 0x43u;
+
+    d->column = d->more[0];
+    d->row = d->more[1];
+    if (d->number & 64)
+        return final == 'M' && button <= 65 ? (uint16_t)(button == 64 ? TIA_KEY_PLUS : TIA_KEY_MINUS) : 0;
+    d->drag = button == 0 && final == 'M';
+    return d->column && d->row ? DECODED_POINTER : 0;
+}
+
 static uint16_t csi_key(struct decoder *d, uint8_t final)
 {
     bool focus = (final == 'I' || final == 'O') && d->number == 0 && !d->more_parameters;
@@ -55,8 +95,13 @@ static uint16_t csi_key(struct decoder *d, uint8_t final)
         d->in_paste = d->number == PASTE_BEGIN;
         return 0;
     }
+    if (d->private_mark == '<' && (final == 'M' || final == 'm'))
+        return mouse_report(d, final);
     if (d->private_mark || focus)
         return 0;
+    d->shift = d->more[0] > 1 && ((d->more[0] - 1) & 1);
+    if (final == '~' && (d->number == 1 || d->number == 7))
+        return TIA_KEY_HOME;
     if (final == '~' && d->number == 5)
         return TIA_KEY_PAGE_UP;
     if (final == '~' && d->number == 6)
@@ -68,6 +113,8 @@ static void begin_sequence(struct decoder *d, uint8_t state)
 {
     d->state = state;
     d->number = 0;
+    d->more[0] = d->more[1] = 0;
+    d->parameters = 0;
     d->private_mark = 0;
     d->more_parameters = false;
 }
@@ -114,16 +161,26 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
     }
 }
 
+/* After a mark such as < the first parameter begins. */
+static void add_digit(struct decoder *d, uint8_t digit)
+{
+    uint16_t *number = d->parameters == 0 ? &d->number : d->parameters < 3 ? &d->more[d->parameters - 1] : NULL;
+    bool first = d->parameters == 0 && d->more_parameters && d->private_mark != '<';
+
+    if (number && !first && *number < 6000)
+        *number = (uint16_t)(*number * 10 + digit - '0');
+}
+
 static uint16_t after_csi(struct decoder *d, uint8_t byte)
 {
     if (byte >= '0' && byte <= '9') {
-        if (!d->more_parameters && d->number < 1000)
-            d->number = (uint16_t)(d->number * 10 + byte - '0');
+        add_digit(d, byte);
         return 0;
     }
     if (byte >= 0x20 && byte <= 0x3f) {
         if (byte >= '<')
             d->private_mark = byte;
+        d->parameters = (uint8_t)(d->parameters + (byte == ';' && d->parameters < 3));
         d->more_parameters = true;
         return 0;
     }
@@ -190,6 +247,7 @@ uint16_t decode_byte(struct decoder *d, uint8_t byte)
         return 0;
     }
     d->skip = 0;
+    d->shift = false;
     uint16_t key = step(d, byte);
     return pasted && key != TIA_KEY_INTERRUPT ? 0 : key;
 }

@@ -21,9 +21,12 @@
 #include "console/node.h"
 #include "descriptor.h"
 #include "encode.h"
+#include "pictures.h"
 #include "pixels/canvas.h"
 #include "signals.h"
+#include "symbols.h"
 #include "terminal.h"
+#include "ways.h"
 
 #define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
@@ -45,6 +48,10 @@ struct terminal {
     bool clear;             /* the next frame begins on an empty window */
     int resumes;            /* of signals.h, when the window was last drawn */
     unsigned columns, rows; /* of the window */
+    struct way way;         /* as the user wants it */
+    enum pictures pictures;
+    struct symbols symbols;
+    struct cell cell; /* where there are pictures */
     struct canvas canvas;
     struct grid grid;
     struct text text; /* what is to be sent: [sent, text.count) */
@@ -113,6 +120,17 @@ static unsigned pixels_down(const struct terminal *t, unsigned rows)
     return t->grid.spaces ? rows : 2 * rows;
 }
 
+static void draw_picture(struct terminal *t)
+{
+    const struct cell *cell = &t->cell;
+
+    if (t->pictures == PICTURES_SYMBOLS)
+        symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, t->grid.direct, &t->text);
+    else
+        pictures_draw(t->pictures, t->canvas.pixels, t->canvas.width, t->canvas.height, cell->width, cell->height,
+                      &t->text);
+}
+
 /* Adapts to the window's current size. */
 static int fit_window(struct terminal *t)
 {
@@ -123,7 +141,12 @@ static int fit_window(struct terminal *t)
         return TIA_OK;
     uint16_t width = (uint16_t)smallest(pixels_across(t, columns), t->max_width);
     uint16_t height = (uint16_t)smallest(pixels_down(t, rows), t->max_height);
-    if (canvas_resize(&t->canvas, width, height) || grid_resize(&t->grid, width, height, columns, rows)) {
+    if (t->pictures) {
+        width = pictures_width(&t->cell, columns, t->max_width);
+        height = pictures_height(t->pictures, &t->cell, rows, t->max_height);
+    }
+    if (canvas_resize(&t->canvas, width, height) ||
+        (!t->pictures && grid_resize(&t->grid, width, height, columns, rows))) {
         t->columns = t->rows = 0;
         (void)failed(t, "out of memory");
         return TIA_ERR_MEMORY;
@@ -139,6 +162,8 @@ static int open_window(struct terminal *t)
     if (!t->device && !isatty(STDOUT_FILENO))
         return failed(t, "standard output is no terminal");
     t->fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
+    if (t->fd < 0 && errno == ENOENT && t->device && !strchr(t->device, '/'))
+        return failed(t, "is no device, nor " WAYS_NAMES);
     if (t->fd < 0)
         return failed_with(t, errno);
     return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
@@ -170,6 +195,23 @@ static int look_at_environment(struct terminal *t)
     t->grid.direct = colour_is_direct(term, getenv("COLORTERM"));
     t->grid.spaces = !locale_is_utf8();
     return TIA_OK;
+}
+
+/* Symbols need UTF-8. */
+static int choose_pictures(struct terminal *t)
+{
+    const char *why = NULL;
+
+    t->pictures = t->way.pictures;
+    if (t->way.chosen)
+        why = pictures_need(t->fd, t->pictures, &t->cell);
+    else
+        t->pictures = pictures_find(t->fd, &t->cell);
+    if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !t->way.chosen)
+        t->pictures = PICTURES_HALF_BLOCKS;
+    else if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !why)
+        why = "symbols need a locale with UTF-8";
+    return why ? failed(t, why) : TIA_OK;
 }
 
 static void enter(struct terminal *t)
@@ -206,6 +248,7 @@ static void terminal_close(void *ctx)
     t->sent = 0;
     text_free(&t->text);
     grid_free(&t->grid);
+    symbols_free(&t->symbols);
     canvas_free(&t->canvas);
 }
 
@@ -215,8 +258,12 @@ static int draw(struct terminal *t)
     if (t->clear) {
         text_add(&t->text, t->grid.direct ? clear_direct : clear_256);
         grid_forget(&t->grid);
+        symbols_forget(&t->symbols);
     }
-    grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->text);
+    if (t->pictures)
+        draw_picture(t);
+    else
+        grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->text);
     t->clear = t->text.failed;
     if (t->text.failed) {
         t->text.failed = false;
@@ -241,7 +288,7 @@ static void describe(const struct terminal *t, struct tia_mode *mode)
         .width = t->canvas.width,
         .height = t->canvas.height,
         .concurrent = true,
-        .format = t->grid.direct ? "24-bit colours" : "256 colours",
+        .format = ways_format(t->pictures, t->grid.direct),
     };
 }
 
@@ -263,6 +310,8 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
 
     if (!status)
         status = look_at_environment(t);
+    if (!status)
+        status = choose_pictures(t);
     if (!status)
         status = fit_window(t);
     if (!status) {
@@ -312,7 +361,7 @@ void *port_terminal_create(const struct port_wish *wish)
         (void)snprintf(wish->why, PORT_WHY, "terminal: out of memory");
         return NULL;
     }
-    t->device = wish->device;
+    t->device = ways_find(wish->device, &t->way) ? NULL : wish->device;
     t->why = wish->why;
     t->max_width = wish->width ? wish->width : TIA_SIZE_MAX;
     t->max_height = wish->height ? wish->height : TIA_SIZE_MAX;

@@ -1,17 +1,18 @@
-/* terminal.h - a terminal as a display (half blocks) and as a keyboard. */
+/* terminal.h - a terminal as a display and as a keyboard. */
 #ifndef PORT_TERMINAL_H
 #define PORT_TERMINAL_H
 
 #include "device.h"
 
-/* The terminal of standard output. wish.device may name another one. */
+/* The terminal of standard output. wish.device may name another one, or one of the
+ * ways of ways.h. */
 extern const struct tia_display port_terminal_display;
 void *port_terminal_create(const struct port_wish *wish);
 void port_terminal_destroy(void *ctx);
 void port_terminal_list(port_line *line, void *arg);
 
 /* The terminal of standard input or, if that is no terminal, the controlling one; wish.device may name another. Keys
- * are reported as TIA_EVENT_TAP, without a time. */
+ * are reported as TIA_EVENT_TAP, without a time; with wish.pointer, its mouse as TIA_EVENT_POINT, where it has one. */
 extern const struct tia_input port_tty_input;
 void *port_tty_create(const struct port_wish *wish);
 void port_tty_destroy(void *ctx);

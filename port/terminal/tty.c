@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -21,6 +22,7 @@
 #include "descriptor.h"
 #include "signals.h"
 #include "terminal.h"
+#include "typed.h"
 
 /* How long after an ESC the rest of a sequence may take. The bytes of one key are sent at once;
  * 50 ms allow for a network's packets, and are too short for a person's next key. */
@@ -29,16 +31,21 @@
 /* Bracketed paste: pasted text can be told from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
+/* And the mouse: all of its movements, in numbers of any size. */
+static const char mouse_on[] = "\033[?2004h\033[?1003h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1003l\033[?2004l";
+
 struct tty {
     const char *device;
     char *why;
-    int fd;   /* -1: closed */
-    bool raw; /* `before` holds what close puts back */
+    const char *on, *off; /* what is sent first and last */
+    int fd;               /* -1: closed */
+    bool controlling;     /* it is the process's, which the display may have asked */
+    bool raw;             /* `before` holds what close puts back */
     struct termios before, now;
     int resumes; /* of signals.h, when `now` was last set */
     struct decoder decoder;
-    uint64_t last_us;   /* when the last byte came */
-    uint8_t bytes[256]; /* read and not yet decoded: [next, count) */
+    uint64_t last_us;          /* when the last byte came */
+    uint8_t bytes[TYPED_MOST]; /* read and not yet decoded: [next, count) */
     size_t next, count;
 };
 
@@ -83,7 +90,7 @@ static int make_raw(struct tty *tty)
     raw->c_cc[VMIN] = 1;
     raw->c_cc[VTIME] = 0;
     (void)guardian_keep_terminal(tty->fd, raw);
-    (void)guardian_keep_text(tty->fd, paste_off);
+    (void)guardian_keep_text(tty->fd, tty->off);
     terminal_signals_begin();
     tty->resumes = terminal_resumes();
     tty->raw = true;
@@ -108,8 +115,8 @@ static void tty_close(void *ctx)
         return;
     if (tty->raw) {
         /* If it cannot be sent now, the guardian sends it later. */
-        if (send(tty, paste_off))
-            guardian_forget_text(tty->fd, paste_off);
+        if (send(tty, tty->off))
+            guardian_forget_text(tty->fd, tty->off);
         (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
         (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
         terminal_signals_end();
@@ -131,10 +138,24 @@ static int tty_open(void *ctx)
         tty_close(tty);
         return status;
     }
-    (void)send(tty, paste_on);
+    (void)send(tty, tty->on);
+    tty->controlling = tcgetpgrp(tty->fd) != -1;
     tty->decoder = (struct decoder){0};
     tty->next = tty->count = 0;
     return TIA_OK;
+}
+
+static bool has_typed(const struct tty *tty)
+{
+    return tty->controlling && typed_any();
+}
+
+static int take_typed(struct tty *tty)
+{
+    tty->next = 0;
+    tty->count = typed_take(tty->bytes);
+    tty->last_us = clock_now_us();
+    return 1;
 }
 
 /* Reads what is there: 1, or 0 if that is nothing. */
@@ -142,6 +163,8 @@ static int read_bytes(struct tty *tty)
 {
     struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
 
+    if (has_typed(tty))
+        return take_typed(tty);
     if (poll(&ready, 1, 0) <= 0)
         return 0;
     ssize_t n = read(tty->fd, tty->bytes, sizeof tty->bytes);
@@ -173,7 +196,29 @@ static void after_stop(struct tty *tty)
         return;
     tty->resumes = terminal_resumes();
     (void)tcsetattr(tty->fd, TCSANOW, &tty->now);
-    (void)send(tty, paste_on);
+    (void)send(tty, tty->on);
+}
+
+static int32_t part_of(unsigned at, unsigned count)
+{
+    return at <= count ? (int32_t)((2 * at - 1) * UINT32_C(32768) / count) : 65535;
+}
+
+/* The middle of the cell. */
+static void set_event(const struct tty *tty, uint16_t key, struct tia_event *event)
+{
+    const struct decoder *d = &tty->decoder;
+    struct winsize size = {.ws_col = 0};
+
+    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key, .shift = d->shift};
+    if (key != DECODED_POINTER)
+        return;
+    if (ioctl(tty->fd, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
+        size = (struct winsize){.ws_col = d->column, .ws_row = d->row};
+    *event = (struct tia_event){.kind = TIA_EVENT_POINT,
+                                .drag = d->drag,
+                                .x = part_of(d->column, size.ws_col),
+                                .y = part_of(d->row, size.ws_row)};
 }
 
 static int tty_poll(void *ctx, struct tia_event *event)
@@ -193,7 +238,7 @@ static int tty_poll(void *ctx, struct tia_event *event)
     }
     if (key == 0 && decode_pending(&tty->decoder) && clock_now_us() - tty->last_us >= SILENCE_US)
         key = decode_silence(&tty->decoder);
-    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key};
+    set_event(tty, key, event);
     return key != 0;
 }
 
@@ -211,7 +256,7 @@ static int tty_wait(void *ctx, int timeout_ms)
 {
     struct tty *tty = ctx;
     struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
-    bool decoded = tty->next == tty->count;
+    bool decoded = tty->next == tty->count && !has_typed(tty);
 
     return console_wait(&ready, 1, decoded ? limit_ms(tty, timeout_ms) : 0) < 0 ? TIA_ERR_DEVICE : TIA_OK;
 }
@@ -233,6 +278,8 @@ void *port_tty_create(const struct port_wish *wish)
     }
     tty->device = wish->device;
     tty->why = wish->why;
+    tty->on = wish->pointer ? mouse_on : paste_on;
+    tty->off = wish->pointer ? mouse_off : paste_off;
     tty->fd = -1;
     return tty;
 }

@@ -1,5 +1,6 @@
 /* avx2.c - 8 floats: AVX2 and FMA. */
 #include "avx2.h"
+#include "stream_x86.h"
 
 #include "kernel.h"
 #include "level.h"

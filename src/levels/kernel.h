@@ -10,6 +10,7 @@
  *   f_add_root(a, x) f_over_root(a, x)            a + sqrt(x), a/sqrt(x)
  *   f_gt f_ge m_and m_or m_not m_any m_bits f_sel(m, a, b)   false where an argument is NaN
  *   i_pack(r, g, b, out)                          N pixels of whole levels
+ *   STREAM                                        stream and settle of run.h, where there is such a thing
  *
  * A run is drawn in cells of 16 pixels: everything is computed at their ends and in the middle, and in between
  * r N.w/(r |w|) is interpolated, where its second derivative allows that and shadows keep clear. Where all of a cell
@@ -312,6 +313,10 @@ static void fill(uint16_t *out, int count, uint16_t pixel)
         out[i] = pixel;
 }
 
-static const struct level_kernels kernels = {shade, nearer, fill};
+#ifndef STREAM /* a level may have it */
+#define STREAM NULL, NULL
+#endif
+
+static const struct level_kernels kernels = {shade, nearer, fill, STREAM};
 
 #endif

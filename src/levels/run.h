@@ -21,6 +21,7 @@
 #define TIA_LEVELS_RUN_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define LEVEL_LIGHTS 4
@@ -95,6 +96,11 @@ struct level_kernels {
     void (*nearer)(const struct level_pair *pair, uint64_t *nearer, uint64_t *open);
 
     void (*fill)(uint16_t *out, int count, uint16_t pixel);
+
+    /* Copies pixels past the caches, for pictures that do not fit into them; what follows `settle` is seen after it.
+     * Both NULL where there is no such thing. */
+    void (*stream)(uint16_t *out, const uint16_t *from, int count);
+    void (*settle)(void);
 };
 
 #endif

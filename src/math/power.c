@@ -1,16 +1,18 @@
-/* power.c - d^f = 2^(-f y) with y = -log2 d, 0 < f < 1.
+/* power.c - d^f = 2^(-f y) with y = -log2 d.
  *
  * With d = m 2^-n, m in [1/2, 1), and a table's r near 1/m, m r = 1 + x has |x| < 1/113, and
  *
  *     y = n + log2 r - log2(1 + x).
  *
  * Eight terms of the series leave less than 2^-63. y has 56 fraction bits: with the table's rounding it is off by less
- * than 2^-56, so f y too, and d^f by 0.7 times that. 2^-v is a shift, a table's 2^(-i/64) and six terms of the series
- * for the rest, below 1/64: what is left out is below 2^-57. A dozen roundings of 2^-62 are nothing beside this. All of
- * it is multiplied by `whole`, at most 1. */
+ * than 2^-56, so for f < 1 f y too, and d^f by 0.7 times that. 2^-v is a shift, a table's 2^(-i/64) and six terms of
+ * the series for the rest, below 1/64: what is left out is below 2^-57. A dozen roundings of 2^-62 are nothing beside
+ * this. */
 #include "power.h"
 
 #include "wide.h"
+
+#define ONE (INT64_C(1) << 62)
 
 static int64_t times(int64_t a, int64_t b)
 {
@@ -27,23 +29,28 @@ static int64_t series(const int64_t *c, int count, int64_t x)
     return times(sum, x);
 }
 
-/* -log2 d, Q8.56. */
-static int64_t logarithm(int64_t d)
+int64_t tia_log2(int64_t d)
 {
-    const int64_t one = INT64_C(1) << 62;
+    if (d >= ONE)
+        return 0;
     unsigned n = tia_clz64((uint64_t)d) - 2;
     int64_t m = d << n;
     unsigned i = (unsigned)(m >> 55) & 63;
-    int64_t x = wide_round(wide_product(m, tia_log_inverses[i]), 9) - one;
+    int64_t x = wide_round(wide_product(m, tia_log_inverses[i]), 9) - ONE;
+    int64_t y = ((int64_t)n << 56) + tia_logs[i] - tia_round_shift(series(tia_log_series, 8, x), 6);
 
-    return ((int64_t)n << 56) + tia_logs[i] - tia_round_shift(series(tia_log_series, 8, x), 6);
+    return y < 0 ? 0 : y; /* a rounding below it, next to 1 */
+}
+
+int64_t tia_exp2(int64_t whole, int64_t v)
+{
+    int64_t rest = (v & ((INT64_C(1) << 50) - 1)) << 6, k = v >> 56;
+    int64_t part = tia_exps[v >> 50 & 63];
+
+    return k > 62 ? 0 : times(whole, (part + times(part, series(tia_exp_series, 6, rest))) >> k);
 }
 
 int64_t tia_power_near(int64_t whole, int64_t d, uint32_t fraction)
 {
-    int64_t v = wide_round(wide_product(logarithm(d), (int64_t)fraction), 16);
-    int64_t rest = (v & ((INT64_C(1) << 50) - 1)) << 6;
-    int64_t part = tia_exps[v >> 50 & 63];
-
-    return times(whole, (part + times(part, series(tia_exp_series, 6, rest))) >> (v >> 56));
+    return tia_exp2(whole, wide_round(wide_product(tia_log2(d), (int64_t)fraction), 16));
 }

@@ -1,8 +1,7 @@
 #include "forms_wide.h"
 #include "halves.h"
+#include "ranges.h"
 
-#define FINE 20 /* fraction bits of a first quotient */
-#define UNSURE 4
 #define QUOTIENT_BITS 42 /* of quotients that are made: far beyond the range of values */
 
 /* What a pixel sees is a sum of the corners, in proportion to det(D, q, q) of the other two; the value is their values'
@@ -62,14 +61,14 @@ static int quotient_bits(wide over, int64_t under)
     return wide_bits(wide_size(over)) - (64 - (int)tia_clz64((uint64_t)under)) + 1;
 }
 
-/* over/under of at most QUOTIENT_BITS: with FINE fraction bits, below 2^31 within 2^-8 of a unit and 1. */
+/* over/under of at most QUOTIENT_BITS: with BLEND_BITS fraction bits, below 2^31 within 2^-8 of a unit and 1. */
 static int64_t fine_quotient(wide over, int64_t under)
 {
     wide size = wide_size(over);
     int bits = wide_bits(size), excess = bits > 63 ? bits - 63 : 0;
     unsigned zeros = tia_clz64((uint64_t)under);
     int64_t top = excess ? wide_down(size, (unsigned)excess) : (int64_t)wide_low(size);
-    int shift = 126 - (int)zeros - FINE - excess;
+    int shift = 126 - (int)zeros - BLEND_BITS - excess;
     wide product = wide_product(top, wide_reciprocal((uint64_t)under << zeros));
     int64_t quotient = shift > 126 ? 0 : wide_down(product, (unsigned)shift);
 
@@ -77,7 +76,8 @@ static int64_t fine_quotient(wide over, int64_t under)
 }
 
 /* The upper 60 bits of the weights, cut to the same place: each errs by less than 1 of at least 2^59. So where their
- * sum is at least 2^55 the quotient errs by less than 2^-21, and only close to a half the exact sum must be asked. */
+ * sum is at least 2^BLEND_LEAST the quotient errs little (ranges.h; tests/proofs/raster_blend.g), and only close to a
+ * half the exact sum must be asked. */
 tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3])
 {
     wide weight[3], over = wide_product(0, 0), sum = over;
@@ -99,12 +99,13 @@ tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const
         over = wide_sum(over, wide_product(upper, a[i]));
         under += upper;
     }
-    if (bits > 60 && under < INT64_C(1) << 55)
+    if (bits > 60 && under < INT64_C(1) << BLEND_LEAST)
         return search(weight, a);
     if (quotient_bits(over, under) > QUOTIENT_BITS)
         return wide_is_negative(over) ? INT32_MIN : INT32_MAX;
-    int64_t shifted = fine_quotient(over, under) + (INT64_C(1) << (FINE - 1)) + UNSURE, nearest = shifted >> FINE;
-    if ((shifted & ((INT64_C(1) << FINE) - 1)) < 2 * UNSURE)
+    int64_t shifted = fine_quotient(over, under) + (INT64_C(1) << (BLEND_BITS - 1)) + BLEND_UNSURE,
+            nearest = shifted >> BLEND_BITS;
+    if ((shifted & ((INT64_C(1) << BLEND_BITS) - 1)) < 2 * BLEND_UNSURE)
         nearest -= !is_at_least(weight, a, nearest);
     return (tia_q16)(nearest > INT32_MAX ? INT32_MAX : nearest < INT32_MIN ? INT32_MIN : nearest);
 }

@@ -1,6 +1,5 @@
 #include "polygon.h"
-
-#define MARGIN 16 /* 2^-12 pixel; the errors below sum up to less than 1.5 * 2^-16 */
+#include "ranges.h"
 
 struct reach {
     int32_t x0, x1, y0, y1; /* 2^-16 pixel, from the centre of pixel (0, 0) */
@@ -8,7 +7,7 @@ struct reach {
 
 /* Half the image's width or height times a/w, in 2^-16 pixel, clamped to just outside the image. w > 0. `reciprocal` is
  * 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29, that is up to half of
- * the result's unit; and the result is cut: it errs by less than 1.5 units. */
+ * the result's unit; and the result is cut: tests/proofs/raster_rows.g. */
 static int32_t along(int64_t a, int64_t w, unsigned zeros, uint32_t reciprocal, int32_t size)
 {
     uint64_t n = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, quotient;
@@ -35,7 +34,7 @@ static void include_corner(struct reach *r, const struct tia_lattice *l, const s
 
 static void narrow_to(int *low, int *high, int32_t from, int32_t to, int more)
 {
-    int first = (int)((from - MARGIN + 65535) >> 16) - more, end = (int)((to + MARGIN) >> 16) + 1 + more;
+    int first = (int)((from - BOX_MARGIN + 65535) >> 16) - more, end = (int)((to + BOX_MARGIN) >> 16) + 1 + more;
 
     *low = first > *low ? first : *low;
     *high = end < *high ? end : *high;

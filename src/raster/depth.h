@@ -5,9 +5,10 @@
  * no larger than in perspective, and a step from one end to the other is again at most 2^62.
  *
  * f/2^cut loses less than one unit of nearness, for 2^cut <= det/2^scale. The reciprocal's relative error is below
- * 2^-59.9, that is 5 units of 2^62; with what the shift drops nearness errs by less than 7. A step errs by less than
- * 2, and along a run the relative error of all steps together is again 5: over at most 8191 steps less than 2^14 + 12
- * in all. Two such values that differ by more than DEPTH_UNSURE are ordered as the exact ones. Clamping moves
+ * 1.13 2^-60, that is 5 units of 2^62; with what the shift drops nearness errs by less than 7. A step errs by less than
+ * 2, and along a run the relative error of all steps together is again 5: over at most 8191 steps less than DEPTH_ERROR
+ * in all (ranges.h; proved in tests/proofs/raster_depth.g). Two such values that differ by more than DEPTH_UNSURE are
+ * ordered as the exact ones. Clamping moves
  * no two values apart, so clamped values that differ so much are sure as well; but steps are taken only where neither
  * end of a run is clamped.
  */
@@ -15,9 +16,9 @@
 #define TIA_RASTER_DEPTH_H
 
 #include "polygon.h"
+#include "ranges.h"
 
 #define DEPTH_MOST (INT64_C(1) << 62)
-#define DEPTH_UNSURE ((INT32_C(1) << 15) + 32)
 
 struct depth_run {
     uint64_t z, step; /* modulo 2^64: the step after the last pixel is not used */

@@ -1,10 +1,9 @@
 #include <tia/raster.h>
 
 #include "math/integer.h"
+#include "ranges.h"
 
 #define SMALL_BITS 25
-#define LARGE_BITS 40
-#define ORTHOGRAPHIC_BITS 29
 #define SMALL_FRACTION 18
 #define RANGE_MAX 20
 
@@ -48,14 +47,12 @@ static uint64_t reach(const struct tia_lattice *l)
     return (uint64_t)(x + y + l->w);
 }
 
-/* With coordinates up to m a normal has at most 2 m^2 in each component. N has twice that: without directions it is
- * twice the area of a triangle in a square of side 2 m, at most 4 m^2; with them, points being below m/2, less. So f is
- * at most 4 m^2 reach, to be below 2^63; and 2 m^2 below 2^61 so that normals and sums of two of them fit. */
+/* m of NARROW_SQUARE in ranges.h; and 2 m^2 below 2^61 so that normals and sums of them fit. */
 static int64_t narrow_limit(const struct tia_lattice *l)
 {
     if (l->projection == TIA_ORTHOGRAPHIC)
         return 0;
-    uint64_t limit = tia_sqrt64((UINT64_C(1) << 61) / reach(l));
+    uint64_t limit = tia_sqrt64((UINT64_C(1) << NARROW_SQUARE) / reach(l));
     return (int64_t)(limit < UINT64_C(1) << 30 ? limit : UINT64_C(1) << 30) - 1;
 }
 
@@ -64,12 +61,12 @@ static void choose_format(struct tia_lattice *l, int range)
     int w = bits_of((uint64_t)l->w);
 
     if (l->projection == TIA_ORTHOGRAPHIC) {
-        l->fraction = ORTHOGRAPHIC_BITS - (range ? range : 1); /* w = 1 is a coordinate too */
-        l->scale = 61 - range - w;                             /* h w/2^fraction is 1/t: at most 2^61 for 2^range */
+        l->fraction = FLAT_POINT - (range ? range : 1); /* w = 1 is a coordinate too */
+        l->scale = 61 - range - w;                      /* h w/2^fraction is 1/t: at most 2^61 for 2^range */
         return;
     }
     bool small = SMALL_BITS - range >= SMALL_FRACTION && reach(l) < 65536;
-    l->fraction = (small ? SMALL_BITS : LARGE_BITS) - range;
+    l->fraction = (small ? SMALL_BITS : RASTER_POINT) - range;
     l->scale = 62 + l->fraction - 4 - w;
 }
 

@@ -1,5 +1,7 @@
 #include "polygon.h"
 
+#include "ranges.h"
+
 #define FORM(name) narrow_##name
 #include "setup.h"
 #undef FORM
@@ -16,7 +18,7 @@ static inline int64_t size_of(int64_t a)
 static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vertex *v, unsigned count)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
-    int64_t most = 0, limit = INT64_C(1) << (flat ? 29 : 40), far = flat ? 2 * limit : 1;
+    int64_t most = 0, limit = INT64_C(1) << (flat ? FLAT_POINT : RASTER_POINT), far = flat ? 2 * limit : 1;
 
     for (unsigned i = 0; i < count; i++) {
         bool direction = flat ? v[i].w == 0 : v[i].h == 0;

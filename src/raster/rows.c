@@ -2,14 +2,12 @@
  * point, and where that comes too close to a pixel the edge itself is asked. So the runs are exact, and no row needs a
  * division or more than 64 bits.
  *
- * The first value is at most 2^30 with a relative error below 2^-59.9, the step at most 2^17: after 8192 rows the error
- * is below 2 * 8192 + 8 units of 2^-31. Steeper ones, seldom and nearly horizontal, are found by bisection. */
+ * ranges.h has how far the values may be off, and tests/proofs/raster_rows.g why. Steeper ones, seldom and nearly
+ * horizontal, are found by bisection. */
 #include "rows.h"
 
-#define FIXED 31
-#define UNSURE ((INT32_C(1) << 14) + 16)
-#define FIRST_BITS 29
-#define STEP_BITS 16
+#include "ranges.h"
+
 #define SMALL_AREA 64 /* of a box in which each pixel is asked */
 
 struct walker {
@@ -49,7 +47,7 @@ static struct block block_of_narrow(int64_t a)
 /* -a/b as fixed point; `reciprocal` is 2^126/b.top. */
 static int64_t quotient(struct block a, struct block b, int64_t reciprocal)
 {
-    int shift = 125 - FIXED + b.bits - a.bits;
+    int shift = 125 - WALKER_BITS + b.bits - a.bits;
 
     if (shift > 126)
         return 0;
@@ -59,13 +57,13 @@ static int64_t quotient(struct block a, struct block b, int64_t reciprocal)
 
 static void add_edge(struct walkers *w, unsigned edge, struct block x, struct block y, struct block first)
 {
-    if (!x.bits || first.bits - x.bits > FIRST_BITS || y.bits - x.bits > STEP_BITS) {
+    if (!x.bits || first.bits - x.bits > WALKER_FIRST || y.bits - x.bits > WALKER_STEP) {
         w->bisect[w->bisected++] = edge;
         return;
     }
     int64_t reciprocal = wide_reciprocal(x.top);
     struct walker *walker = x.negative ? &w->right[w->rights++] : &w->left[w->lefts++];
-    *walker = (struct walker){quotient(first, x, reciprocal) + UNSURE, quotient(y, x, reciprocal), edge};
+    *walker = (struct walker){quotient(first, x, reciprocal) + WALKER_ERROR, quotient(y, x, reciprocal), edge};
 }
 
 static void start(struct walkers *w, const struct polygon *p)
@@ -86,13 +84,13 @@ static void start(struct walkers *w, const struct polygon *p)
  * below the value or the one above. */
 static inline bool is_sure(int64_t at)
 {
-    return (at & ((INT64_C(1) << FIXED) - 1)) > 2 * UNSURE;
+    return (at & ((INT64_C(1) << WALKER_BITS) - 1)) > INT32_C(2) * WALKER_ERROR;
 }
 
 static void ask_left(const struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     for (unsigned i = 0; i < w->lefts; i++) {
-        int64_t x = (w->left[i].at >> FIXED) + is_sure(w->left[i].at);
+        int64_t x = (w->left[i].at >> WALKER_BITS) + is_sure(w->left[i].at);
         if (!is_sure(w->left[i].at) && x >= *x0 && x < x1)
             x += !polygon_edge_covers(p, w->left[i].edge, (int)x, y);
         if (x > *x0)
@@ -103,7 +101,7 @@ static void ask_left(const struct walkers *w, const struct polygon *p, int y, in
 static void ask_right(const struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     for (unsigned i = 0; i < w->rights; i++) {
-        int64_t x = (w->right[i].at >> FIXED) + is_sure(w->right[i].at);
+        int64_t x = (w->right[i].at >> WALKER_BITS) + is_sure(w->right[i].at);
         if (!is_sure(w->right[i].at) && x >= x0 && x < *x1)
             x += polygon_edge_covers(p, w->right[i].edge, (int)x, y);
         if (x < *x1)
@@ -119,7 +117,7 @@ static inline void step_left(struct walkers *w, const struct polygon *p, int y, 
 
     for (unsigned i = 0; i < w->lefts; i++)
         most = w->left[i].at > most ? w->left[i].at : most;
-    int64_t x = (most >> FIXED) + 1;
+    int64_t x = (most >> WALKER_BITS) + 1;
     if (w->lefts && !is_sure(most))
         ask_left(w, p, y, x0, x1);
     else if (x > *x0)
@@ -135,7 +133,7 @@ static inline void step_right(struct walkers *w, const struct polygon *p, int y,
 
     for (unsigned i = 0; i < w->rights; i++)
         least = w->right[i].at < least ? w->right[i].at : least;
-    int64_t x = (least >> FIXED) + 1;
+    int64_t x = (least >> WALKER_BITS) + 1;
     if (w->rights && !is_sure(least))
         ask_right(w, p, y, x0, x1);
     else if (x < *x1)

@@ -43,9 +43,9 @@ struct renderer {
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-    /* NULL, or adds samples first..end - 1 to the sums of a tile's pixels, see struct tia_estimator. */
+    /* NULL, or adds samples first..end - 1 of a tile's pixels, see struct tia_estimator. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                   struct tia_sum *sums, size_t pitch);
+                   const struct tia_gathered *gathered);
 };
 
 /* What draws in place of one renderer's plain C, on a processor with vector units: the same bits. */

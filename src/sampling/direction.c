@@ -1,7 +1,7 @@
 #include "direction.h"
 
+#include "math/power.h"
 #include "math/wide.h"
-#include "power.h"
 
 #define ONE (INT64_C(1) << 62)
 #define TURN INT64_C(0x6487ed5110b4611a) /* 2 pi 2^60 */
@@ -70,7 +70,7 @@ void tia_sample_disc(const uint32_t u[2], int64_t place[2])
 /* cos t = u^(1/(n + 1)) */
 void tia_sample_phong(const uint32_t u[2], tia_q16 exponent, int64_t direction[3])
 {
-    int64_t s, c, z = tia_exp2(wide_quotient(tia_log2(unit_of(u[0])), (int64_t)exponent + TIA_Q16_ONE, 16));
+    int64_t s, c, z = tia_exp2(ONE, wide_quotient(tia_log2(unit_of(u[0])), (int64_t)exponent + TIA_Q16_ONE, 16));
 
     z = z < ONE ? z : ONE - 1;
     int64_t r = rest_of_circle(z);

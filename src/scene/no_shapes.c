@@ -44,6 +44,16 @@ int tia_check_track(const struct check *check)
     return tia_check_refuse(check, "count", RULE);
 }
 
+int tia_check_falling(const struct check *check)
+{
+    return check->scene->falling ? tia_check_refuse(check, "falling", RULE) : TIA_OK;
+}
+
+int tia_check_fall(const struct check *check)
+{
+    return tia_check_refuse(check, "count", RULE);
+}
+
 int tia_check_uses(struct check *check)
 {
     (void)check;
@@ -85,6 +95,18 @@ int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, s
     return TIA_ERR_UNSUPPORTED;
 }
 
+size_t tia_bvh_move_size(const struct tia_scene *scene)
+{
+    return tia_bvh_size(scene);
+}
+
+int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
+                 const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
+{
+    (void)standing;
+    return tia_bvh_build_until(bvh, memory, size, NULL, scene, stop, ctx);
+}
+
 size_t tia_scene_at_size(const struct tia_scene *scene)
 {
     (void)scene;
@@ -105,7 +127,12 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
     (void)stop;
     (void)ctx;
     *out = *scene;
-    return scene->track_count ? TIA_ERR_UNSUPPORTED : TIA_OK;
+    return tia_scene_moves(scene) ? TIA_ERR_UNSUPPORTED : TIA_OK;
+}
+
+bool tia_scene_moves(const struct tia_scene *scene)
+{
+    return scene->track_count > 0 || scene->falling;
 }
 
 tia_q16 tia_scene_duration(const struct tia_scene *scene)

@@ -1,10 +1,9 @@
 #include "occluder.h"
 
+#include "ranges.h"
 #include "raster/forms_wide.h"
 #include "raster/halves.h"
 
-#define UNSURE 32            /* 2^62 times 2^-58 and 2^-61, and a unit for each of three numbers rounded down */
-#define UNSURE_CUT (1 << 14) /* more where M.D is rounded down three times, twice for each of 2^13 pixels */
 #define NOTHING (-(1 << 14)) /* the exponent of 0: lower than of anything else */
 
 /* a = m 2^exponent, m in 2^61..2^62 in size, rounded towards 0. */
@@ -118,7 +117,7 @@ static void prepare(struct tia_occluder_plane *p, const struct plane *plane, con
     p->m = mantissa(plane->d, &m_unit);
     p->unit = (int16_t)unit;
     p->m_unit = (int16_t)m_unit;
-    p->unsure = UNSURE + (unit ? UNSURE_CUT : 0);
+    p->unsure = OCCLUDER_UNSURE + (unit ? OCCLUDER_CUT : 0);
 }
 
 /* ---- sides ---- */

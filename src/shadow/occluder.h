@@ -11,7 +11,8 @@
  * are compared, for their sides lie in the same planes, so both find the same, and neither needs a bias.
  *
  * The products have up to 243 bits. A filter comes first: s with a relative error below 2^-58, m with one of 2^-61,
- * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. */
+ * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. ranges.h has what the difference of both
+ * is then off by, and tests/proofs/shadow_occluder.g proves it. */
 #ifndef TIA_SHADOW_OCCLUDER_H
 #define TIA_SHADOW_OCCLUDER_H
 

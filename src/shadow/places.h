@@ -3,27 +3,27 @@
 #define TIA_SHADOW_PLACES_H
 
 #include "lights.h"
+#include "ranges.h"
 
-#define TIA_PLACE_BITS 8   /* behind those of vertices; what is seen errs by less than 2^-6 of a vertex's unit */
-#define TIA_ACROSS_BITS 27 /* of all corners across a light that is a direction */
-
+/* Coordinates of vertices with SEEN_BITS more. */
 struct tia_places {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     bool parallel;
     int64_t origin[3]; /* of a point light */
-    int axis, scale; /* a direction's largest; across it the unit is that of places times 2^(TIA_PLACE_BITS - scale) */
+    int axis, scale;   /* a direction's largest; across it the unit is that of places times 2^(SEEN_BITS - scale) */
     int64_t slope[3], middle[3]; /* Q.60: how much light moves along the axis; the middle of all corners across it */
 };
 
 void tia_places_init(struct tia_places *p, const struct tia_flat_scene *flat, const tia_flat_light *light);
 
-/* Of a vertex, exact; and of what pixel (x, y) sees of a face: false when it is too far away. */
+/* Of a vertex, exact; and of what pixel (x, y) sees of a face, off by less than SEEN_OFF: false when it is too far
+ * away. */
 void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_vertex *v, int64_t at[3]);
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3]);
 
 /* Where a place gets when all moves along the light to a plane across the axis. Those of corners are below
- * 2^TIA_ACROSS_BITS in size and rounded by less than 4. */
+ * 2^ACROSS_BITS in size and off by less than ACROSS_OFF. */
 void tia_place_across(const struct tia_places *p, const int64_t at[3], int64_t out[2]);
 
 static inline int64_t place_size(int64_t a)

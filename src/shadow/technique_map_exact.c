@@ -1,18 +1,26 @@
 /* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
  * the points that the pixels of a tile see. They are filed by the cell of the light's view that they fall into, faces
  * are drawn into it a cell too large, and a face is asked exactly about all that is filed where it comes: see
- * occluder.h. So the answer is that of exact rays, and the number of cells changes the cost only. */
+ * occluder.h. So the answer is that of exact rays, and the number of cells changes the cost only.
+ *
+ * Why no face is missed. Let a face hide the light from a point P that a pixel sees. The segment between them meets the
+ * face, so seen from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is
+ * filed by a rounded place; the centre of that cell is less than a column and a row from P
+ * (tests/proofs/shadow_map_exact.g, with the numbers of ranges.h; larger cells are off by a smaller part of
+ * themselves). A face is drawn with each edge moved outwards by a column and a row: what is e(x, y) >= 0 at P is at
+ * least -(|e.x| + |e.y|) at the centre. So that is covered, and the face is asked about P. To a point light the image
+ * is exact, and P too near is asked about all faces. To a direction, corners are rounded, and P's image with them,
+ * being their mean; thin faces are a box; and P beyond all corners can be hidden by planes alone. Nor is anything
+ * hidden that should not be: the integers that are asked are those of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
+#include "ranges.h"
 #include "raster/rows.h"
 #include "raster/target.h"
 #include "technique.h"
 
-#define VIEWS 6                 /* of a point; a direction has one */
-#define SIDE_BITS 13            /* of cells along a side of a view, at most */
-#define NEAR 20                 /* places of fewer bits, relative to the light, are in no certain cell */
-#define THIN (INT64_C(1) << 36) /* twice the area there from which on the order of corners is sure */
+#define VIEWS 6 /* of a point; a direction has one */
 #define NONE UINT32_MAX
 #define ASIDE (UINT32_MAX - 1) /* asked already */
 
@@ -24,7 +32,7 @@ struct filed {
 /* What the light sees of the tile's points in one direction. */
 struct cells {
     uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 */
-    unsigned shift;                       /* from cells of 2^-SIDE_BITS */
+    unsigned shift;                       /* from cells of 2^-CELL_BITS */
 };
 
 struct exact {
@@ -98,7 +106,7 @@ static void ask_all(struct exact *e, uint32_t number, bool endless)
 
 static uint32_t cell(int64_t a)
 {
-    int64_t i = (a + (INT64_C(1) << 28)) >> (29 - SIDE_BITS), last = (1 << SIDE_BITS) - 1;
+    int64_t i = (a + (INT64_C(1) << 28)) >> (29 - CELL_BITS), last = (1 << CELL_BITS) - 1;
 
     return (uint32_t)(i < 0 ? 0 : i < last ? i : last);
 }
@@ -106,7 +114,7 @@ static uint32_t cell(int64_t a)
 /* Which view, and which of its smallest cells; ASIDE when that is not needed or not sure. */
 static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
 {
-    const int64_t limit = (INT64_C(1) << TIA_ACROSS_BITS) + (INT64_C(1) << 20);
+    const int64_t limit = (INT64_C(1) << ACROSS_BITS) + (INT64_C(1) << 20);
     int64_t place[2];
     uint32_t view = 0;
 
@@ -120,7 +128,7 @@ static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
         for (int k = 0; k < 3; k++)
             at[k] -= e->places.origin[k];
         int k = place_largest(at);
-        if (place_size(at[k]) >> NEAR == 0) {
+        if (place_size(at[k]) >> CELL_NEAR == 0) {
             ask_all(e, number, false);
             return ASIDE;
         }
@@ -128,7 +136,7 @@ static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
         for (int i = 0; i < 2; i++)
             place[i] = wide_quotient(at[(k + 1 + i) % 3], place_size(at[k]), 28);
     }
-    return view << 2 * SIDE_BITS | cell(-place[1]) << SIDE_BITS | cell(place[0]);
+    return view << 2 * CELL_BITS | cell(-place[1]) << CELL_BITS | cell(place[0]);
 }
 
 static void include(struct cells *c, uint32_t x, uint32_t y)
@@ -140,9 +148,9 @@ static void include(struct cells *c, uint32_t x, uint32_t y)
     c->count++;
 }
 
-#define X_OF(spot) ((spot) & ((1u << SIDE_BITS) - 1))
-#define Y_OF(spot) ((spot) >> SIDE_BITS & ((1u << SIDE_BITS) - 1))
-#define VIEW_OF(spot) ((spot) >> 2 * SIDE_BITS)
+#define X_OF(spot) ((spot) & ((1u << CELL_BITS) - 1))
+#define Y_OF(spot) ((spot) >> CELL_BITS & ((1u << CELL_BITS) - 1))
+#define VIEW_OF(spot) ((spot) >> 2 * CELL_BITS)
 
 /* Finds the place of each pixel whose face is turned to the light: it is lit until a face is found that hides it. */
 static void locate(struct exact *e, uint32_t number)
@@ -278,8 +286,8 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
     *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
 }
 
-/* Corners in a direction's view are rounded, by less than 4 of its 2^28 units; the smallest cells have 2^16. Where that
- * could change the order of corners, their box is asked. False: a plane, which is everywhere. */
+/* Corners in a direction's view are rounded. Where that could change the order of corners, their box is asked. False: a
+ * plane, which is everywhere. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
@@ -297,7 +305,7 @@ static bool is_thin(const struct tia_raster_vertex *v)
 {
     int64_t area = (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
 
-    return place_size(area) < THIN;
+    return place_size(area) < INT64_C(1) << ACROSS_THIN;
 }
 
 static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t face)
@@ -339,7 +347,7 @@ static void draw_view(struct exact *e, unsigned view)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
     struct tia_lattice lattice;
-    unsigned side = 1u << (SIDE_BITS - e->cells[view].shift);
+    unsigned side = 1u << (CELL_BITS - e->cells[view].shift);
 
     e->now = &e->cells[view];
     if (!e->now->count ||

@@ -1,8 +1,8 @@
 /* tone.c - from sums of samples to levels of a display. */
 #include <tia/integrator.h>
 
+#include "math/power.h"
 #include "math/wide.h"
-#include "sampling/power.h"
 #include "thresholds.h"
 
 enum tia_tone tia_tone_of(const struct tia_integration *how)
@@ -20,7 +20,7 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
 
     if (!fraction)
         return (struct tia_exposure){INT64_C(1) << 62, floor};
-    return (struct tia_exposure){tia_exp2((65536 - fraction) << 40), floor + 1};
+    return (struct tia_exposure){tia_exp2(INT64_C(1) << 62, (65536 - fraction) << 40), floor + 1};
 }
 
 /* The mean in units of 2^-32 is below 2^46: the sum is below 2^62, and what overflows when shifted is far too bright.

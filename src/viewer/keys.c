@@ -1,44 +1,83 @@
-/* keys.c - key events, and the repeat of held keys. */
+/* keys.c - events, and the repeat of held keys. */
 #include "loop.h"
 
-int tia_viewer_press(struct loop *loop, uint16_t key)
+/* The light that a key sets or moves: its number. */
+static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
 {
     const struct tia_viewer *v = loop->viewer;
+    uint32_t count = loop->state.light_count, light;
 
-    if (tia_viewer_is_switch(loop, key)) {
-        tia_viewer_switch(loop);
-        return TIA_OK;
-    }
-    uint32_t light = tia_key_light(loop->scene, v->lights, loop->light_count, key);
-    int status = tia_press(loop->scene, v->lights, &loop->light_count, v->light_capacity, key);
+    *first = tia_viewer_moves(loop, key) && loop->state.light < count ? loop->state.light : 0;
+    light = tia_key_light(loop->scene, v->lights + *first, count - *first, key);
+    return light == TIA_NO_LIGHT ? light : light + *first;
+}
 
-    if (status < 0)
-        return VIEWER_QUIT;
+static int press_light(struct loop *loop, uint16_t key)
+{
+    const struct tia_viewer *v = loop->viewer;
+    uint32_t first, light = light_of(loop, key, &first), count = loop->state.light_count - first;
+    int status = tia_press(loop->scene, v->lights + first, &count, v->light_capacity - first, key);
+
+    loop->state.light_count = count + first;
     if (status > 0 && loop->plays)
         v->detached[light] = true;
     loop->changed = loop->changed || status > 0;
-    return TIA_OK;
+    return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
 }
 
-static bool is_held_key(uint16_t key)
+int tia_viewer_press(struct loop *loop, const struct tia_event *event)
 {
+    if (tia_viewer_is_switch(loop, event->key)) {
+        tia_viewer_switch(loop);
+        return TIA_OK;
+    }
+    if (tia_viewer_lights(loop, event) && (!press_light(loop, event->key) || !loop->viewer->control))
+        return TIA_OK;
+    return tia_viewer_control(loop, event);
+}
+
+/* ---- held keys ---- */
+
+static bool is_repeated(const struct loop *loop, uint16_t key)
+{
+    static const char more[] = "hjkl+-";
+
+    for (unsigned i = 0; loop->viewer->control && more[i]; i++)
+        if (key == (unsigned char)more[i])
+            return true;
     return key >= TIA_KEY_LEFT && key <= TIA_KEY_PAGE_DOWN;
+}
+
+static void let_go(struct loop *loop, uint16_t key)
+{
+    for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++)
+        if (loop->held[i].key == key)
+            loop->held[i].due_us = 0;
+}
+
+static void hold(struct loop *loop, const struct tia_event *event)
+{
+    let_go(loop, event->key);
+    for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++)
+        if (!loop->held[i].due_us) {
+            loop->held[i] = (struct held){viewer_now(loop) + TIA_HOLD_DELAY_US, event->key, event->shift};
+            return;
+        }
 }
 
 static int take_event(struct loop *loop, const struct tia_event *event)
 {
-    uint64_t *repeat = is_held_key(event->key) ? &loop->repeat_us[event->key - TIA_KEY_LEFT] : NULL;
-
+    if (event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE)
+        return tia_viewer_control(loop, event);
     if (event->kind == TIA_EVENT_RELEASE) {
-        if (repeat)
-            *repeat = 0;
+        let_go(loop, event->key);
         return TIA_OK;
     }
-    if (repeat && event->kind == TIA_EVENT_PRESS && loop->viewer->clock)
-        *repeat = viewer_now(loop) + TIA_HOLD_DELAY_US;
+    if (event->kind == TIA_EVENT_PRESS && loop->viewer->clock && is_repeated(loop, event->key))
+        hold(loop, event);
     if (event->time_us && (!loop->key_us || event->time_us < loop->key_us))
         loop->key_us = event->time_us;
-    return tia_viewer_press(loop, event->key);
+    return tia_viewer_press(loop, event);
 }
 
 int tia_viewer_take_events(struct loop *loop)
@@ -60,19 +99,22 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
-/* Moves the light for held keys that are due. When more than a second was missed, drops the missed steps: the
- * light would jump. */
-void tia_viewer_repeat_held(struct loop *loop)
+/* Presses held keys that are due again. When more than a second was missed, drops the missed steps: the light would
+ * jump. */
+int tia_viewer_repeat_held(struct loop *loop)
 {
     uint64_t time = viewer_now(loop);
+    int status = TIA_OK;
 
-    for (uint16_t i = 0; i < VIEWER_HELD_KEYS; i++) {
-        uint64_t *repeat = &loop->repeat_us[i];
-        if (*repeat && time > *repeat + 1000000)
-            *repeat = time;
-        for (; *repeat && time >= *repeat; *repeat += TIA_HOLD_STEP_US)
-            tia_viewer_press(loop, (uint16_t)(TIA_KEY_LEFT + i));
+    for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++) {
+        struct held *held = &loop->held[i];
+        const struct tia_event again = {.kind = TIA_EVENT_PRESS, .key = held->key, .shift = held->shift};
+        if (held->due_us && time > held->due_us + 1000000)
+            held->due_us = time;
+        for (; !status && held->due_us && time >= held->due_us; held->due_us += TIA_HOLD_STEP_US)
+            status = tia_viewer_press(loop, &again);
     }
+    return status;
 }
 
 uint64_t tia_viewer_repeat_us(const struct loop *loop)
@@ -80,7 +122,7 @@ uint64_t tia_viewer_repeat_us(const struct loop *loop)
     uint64_t next = 0;
 
     for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++)
-        if (loop->repeat_us[i] && (!next || loop->repeat_us[i] < next))
-            next = loop->repeat_us[i];
+        if (loop->held[i].due_us && (!next || loop->held[i].due_us < next))
+            next = loop->held[i].due_us;
     return next;
 }

@@ -4,22 +4,31 @@
 
 #include <tia/viewer.h>
 
-#define VIEWER_STRIP 16 /* rows of a tile when the display sets no limit */
-#define VIEWER_HELD_KEYS (TIA_KEY_PAGE_DOWN - TIA_KEY_LEFT + 1)
+#define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
+#define VIEWER_HELD_KEYS 6 /* that are looked at, at a time */
 
-#define VIEWER_PASSES 5 /* coarse to fine: blocks of 16, 8, 4, 2, 1 */
-#define VIEWER_QUEUE 8  /* events while a frame is drawn; a full queue ends it */
+#define VIEWER_PERIOD_US 16666 /* of a display of 60 Hz */
+#define VIEWER_PASSES 5        /* coarse to fine: blocks of 16, 8, 4, 2, 1 */
+#define VIEWER_QUEUE 8         /* events while a frame is drawn; a full queue ends it */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
 #define VIEWER_QUIT 10
 #define VIEWER_OUTDATED 11
+
+/* A key that is held. */
+struct held {
+    uint64_t due_us; /* when it is next repeated; 0: there is none */
+    uint16_t key;
+    bool shift;
+};
 
 struct loop {
     const struct tia_viewer *viewer;
     const struct tia_core *core;
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
     const struct tia_scene *scene; /* base, or *current when it has tracks */
-    uint32_t light_count;
+    struct tia_viewer_state state;
+    struct tia_camera good; /* the last one that a frame was drawn with */
 
     /* The display's mode, and what depends on it. */
     struct tia_mode mode;
@@ -29,6 +38,7 @@ struct loop {
     void *hits_memory, *level_memory;
     int8_t *status;     /* of each tile */
     uint8_t *passes;    /* of each tile, how many are done */
+    uint32_t *drawn;    /* of each tile, how many pixels are drawn */
     tia_rgb565 *canvas; /* the picture so far, see refine.c; NULL: frames are drawn at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
@@ -44,6 +54,12 @@ struct loop {
     bool plays, started;
     bool only_lights;          /* nothing but lights moves: hits stay valid */
     uint64_t start_us, due_us; /* when playing began; when the next frame is due */
+    uint64_t paused_us;        /* since when it is paused */
+
+    /* Where the eye looks, see gaze.c. */
+    struct tia_gaze gaze;
+    struct tia_acuity acuity;
+    bool gazes; /* the acuity says which pixels are drawn */
 
     /* While a frame is drawn, see watch.c. */
     struct tia_event queue[VIEWER_QUEUE]; /* events that came meanwhile */
@@ -57,17 +73,26 @@ struct loop {
 
     /* Coarse to fine. */
     bool refining;
-    unsigned pass;       /* the one being drawn */
-    uint32_t line;       /* what is done of the frame, 2^-16, for the line at the edge; 0: there is none */
-    uint64_t show_us;    /* when the pass being drawn is to be shown unfinished */
-    uint64_t shown_us;   /* when this frame was last shown or, before that, begun */
-    uint64_t showing_us; /* that it has taken to show it so far */
-    uint64_t last_us;    /* that it took to draw the last frame; 0: unknown */
+    unsigned pass;         /* the one being drawn */
+    uint32_t line;         /* what is done of the frame, 2^-16, for the line at the edge; 0: there is none */
+    uint64_t show_us;      /* when the pass being drawn is to be shown unfinished */
+    uint64_t shown_us;     /* when this frame was last shown or, before that, begun */
+    uint64_t showing_us;   /* that it has taken to show it so far */
+    uint64_t last_us;      /* that it took to draw the last frame; 0: unknown */
+    uint64_t show_cost_us; /* that it took to show a picture */
+    bool unfinished;       /* the last frame is one of something that moves, and not as fine as it can be */
+    bool complete;         /* the canvas is the whole last frame */
 
-    uint64_t key_us;                      /* time of the oldest key press that the next frame will show */
-    uint64_t repeat_us[VIEWER_HELD_KEYS]; /* when a held key next moves the light; 0: not held */
+    /* Frames at a given pace, see pace.c. */
+    uint32_t cost_ns;                    /* of a pixel, as far as is known; 0: unknown */
+    uint32_t pass_pixels[VIEWER_PASSES]; /* drawn in each pass of the last frame */
+
+    uint64_t key_us; /* time of the oldest key press that the next frame will show */
+    struct held held[VIEWER_HELD_KEYS];
+    struct tia_event last; /* what has ended the loop; its key is 0: no event */
     uint32_t frame;
     bool changed;  /* the screen is out of date */
+    bool covered;  /* it is but for what is drawn over the picture */
     bool switched; /* a key has changed the technique since the last frame */
 };
 
@@ -77,14 +102,32 @@ static inline uint64_t viewer_now(const struct loop *loop)
     return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
 }
 
-/* press.c: whether a key ends the loop; whether it changes the technique for shadows. */
-bool tia_viewer_quits(const struct loop *loop, uint16_t key);
+/* press.c: whether a key sets or moves lights; whether it moves one; whether it changes the technique for shadows. */
+bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event);
+bool tia_viewer_moves(const struct loop *loop, uint16_t key);
 bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 
-/* keys.c. tia_viewer_take_events handles all waiting events. VIEWER_QUIT when a key quits. */
-int tia_viewer_press(struct loop *loop, uint16_t key);
+/* keys.c. tia_viewer_take_events handles all waiting events. VIEWER_QUIT when one quits. */
+int tia_viewer_press(struct loop *loop, const struct tia_event *event);
 int tia_viewer_take_events(struct loop *loop);
-void tia_viewer_repeat_held(struct loop *loop);
+int tia_viewer_repeat_held(struct loop *loop);
+
+/* control.c: what an event would do; does what it does beyond lights, VIEWER_QUIT when it quits; goes back to the last
+ * camera that could be drawn with, if there is another. */
+enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event);
+int tia_viewer_control(struct loop *loop, const struct tia_event *event);
+bool tia_viewer_go_back(struct loop *loop);
+
+/* Adds a pointer's event to the last one that waits; false when they do not go together. */
+bool tia_viewer_joins(struct loop *loop, const struct tia_event *event);
+
+/* gaze.c: where the eye looks, after the mode or the gaze has changed; after a pointer's event, true when it looks
+ * elsewhere. */
+void tia_viewer_gaze(struct loop *loop);
+bool tia_viewer_point(struct loop *loop, const struct tia_event *event);
+
+/* fill.c: fills in the pixels that the eye does not need, in the picture so far. */
+int tia_viewer_fill(struct loop *loop);
 
 /* When a held key next moves the light; 0: none is held. */
 uint64_t tia_viewer_repeat_us(const struct loop *loop);
@@ -114,10 +157,20 @@ struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
 int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index));
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
 
+/* pace.c: the period of `pace`, or that of a display; whether something moves; whether there is time for the pass to
+ * come, when something does; takes down what a pass has cost. */
+uint64_t tia_viewer_period_us(const struct loop *loop);
+bool tia_viewer_is_moving(const struct loop *loop);
+bool tia_viewer_has_time(const struct loop *loop);
+void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
+
 /* refine.c: bytes for the picture so far, or 0; whether to draw the next frame coarse to fine; draws it, and sets
  * frame->draw_us. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
+
+/* The picture so far onto the display. */
+int tia_viewer_copy(struct loop *loop);
 
 #endif

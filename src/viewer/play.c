@@ -24,6 +24,8 @@ static tia_q16 clock_time(const struct loop *loop)
     tia_q16 begin = loop->viewer->time;
     uint64_t length = loop->end > begin ? (uint64_t)(loop->end - begin) * 1000000 / TIA_Q16_ONE : 0;
 
+    if (loop->state.paused && loop->started && loop->time >= 0)
+        return loop->time;
     if (!length || !loop->started)
         return begin;
     return begin + (tia_q16)((viewer_now(loop) - loop->start_us) % length * TIA_Q16_ONE / 1000000);
@@ -31,7 +33,7 @@ static tia_q16 clock_time(const struct loop *loop)
 
 static bool is_stepped(const struct loop *loop)
 {
-    return loop->viewer->rate[0] != 0;
+    return loop->viewer->rate[0] && loop->viewer->frame_limit;
 }
 
 static tia_q16 time_now(const struct loop *loop)
@@ -57,6 +59,8 @@ static int update_scene(struct loop *loop, tia_q16 time)
 
     if (status)
         return status;
+    if (loop->state.moved)
+        loop->current->camera = loop->state.camera;
     loop->scene = loop->current;
     loop->time = time;
     follow(loop);
@@ -65,10 +69,12 @@ static int update_scene(struct loop *loop, tia_q16 time)
 
 static bool moves_only_lights(const struct tia_scene *scene)
 {
-    for (uint32_t i = 0; i < scene->track_count; i++)
-        if (scene->tracks[i].target != TIA_MOVES_LIGHT && scene->tracks[i].target != TIA_ROTATES_LIGHT)
+    for (uint32_t i = 0; i < scene->track_count; i++) {
+        enum tia_target target = scene->tracks[i].target;
+        if (target != TIA_MOVES_LIGHT && target != TIA_ROTATES_LIGHT && target != TIA_SHOWS_LIGHT)
             return false;
-    return true;
+    }
+    return !scene->falling;
 }
 
 int tia_viewer_play_begin(struct loop *loop)
@@ -76,19 +82,19 @@ int tia_viewer_play_begin(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
 
     loop->scene = loop->base;
-    loop->plays = v->scene->track_count > 0;
+    loop->plays = tia_scene_moves(v->scene);
     if (!loop->plays)
         return TIA_OK;
     if (!v->detached)
         return TIA_ERR_ARGUMENT;
-    for (uint32_t i = 0; i < v->light_capacity; i++)
+    for (uint32_t i = 0; i < v->light_capacity && !loop->state.goes_on; i++)
         v->detached[i] = false;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
     loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
     if (loop->current_size < SIZE_MAX / 8 && loop->current_size >= SCENE_SIZE)
         loop->current = v->memory(v->memory_ctx, loop->current_size);
-    return loop->current ? update_scene(loop, v->time) : TIA_ERR_MEMORY;
+    return loop->current ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
 }
 
 /* When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */
@@ -100,12 +106,20 @@ static int update_view(struct loop *loop, tia_q16 time)
 
     loop->current->bvh = bvh;
     if (!status && anew && loop->bvh_size)
-        status = tia_bvh_build_until(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, NULL, loop->current,
-                                     tia_viewer_stops, loop);
+        status = tia_bvh_move(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, loop->current, loop->base,
+                              tia_viewer_stops, loop);
     if (!status && anew)
         status = tia_viewer_prepare_view(loop);
     loop->changed = true;
     return status;
+}
+
+/* Frames at a pace are as far apart as it says, whatever each of them has taken, unless one came too late. */
+static uint64_t next_due(const struct loop *loop, uint64_t now)
+{
+    uint64_t next = loop->due_us + tia_viewer_period_us(loop);
+
+    return !loop->viewer->pace[0] ? now + TIA_PLAY_STEP_US : next > now ? next : now;
 }
 
 int tia_viewer_play(struct loop *loop)
@@ -115,12 +129,14 @@ int tia_viewer_play(struct loop *loop)
 
     if (!loop->plays)
         return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
-    if (!loop->started)
-        loop->start_us = loop->due_us = now;
+    if (!loop->started) {
+        loop->due_us = loop->paused_us = now;
+        loop->start_us = now - (uint64_t)(loop->state.time - loop->viewer->time) * 1000000 / TIA_Q16_ONE;
+    }
     loop->started = true;
     bool due = now >= loop->due_us || loop->changed || loop->viewer->frame_limit;
     if (loop->view_ready && (time == loop->time || !due))
         return TIA_OK;
-    loop->due_us = now + TIA_PLAY_STEP_US;
+    loop->due_us = next_due(loop, now);
     return update_view(loop, time);
 }

@@ -14,16 +14,22 @@ static void set_tiles(struct loop *loop, unsigned height)
     loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
-enum { PARTS = 8 };
+enum { PARTS = 9 };
 
-/* Gets memory from the caller for the current scene, its hierarchy, the view, two bytes for each tile, hits, the
+/* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, hits, the
  * level's constants and a canvas of so many bytes. */
 static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;
-    uint64_t sizes[PARTS] = {
-        loop->current_size, loop->bvh_size, loop->view_size, loop->tiles, loop->core->hits_size(loop->base, hits),
-        loop->level_size,   loop->tiles,    canvas};
+    uint64_t sizes[PARTS] = {loop->current_size,
+                             loop->bvh_size,
+                             loop->view_size,
+                             loop->tiles,
+                             loop->core->hits_size(loop->base, hits),
+                             loop->level_size,
+                             loop->tiles,
+                             canvas,
+                             (uint64_t)loop->tiles * sizeof *loop->drawn};
     size_t sum = 0;
     char *parts[PARTS] = {NULL}, *memory;
 
@@ -48,6 +54,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     loop->level_memory = parts[5];
     loop->passes = (uint8_t *)parts[6];
     loop->canvas = canvas ? (tia_rgb565 *)(void *)parts[7] : NULL;
+    loop->drawn = (uint32_t *)(void *)parts[8];
     return true;
 }
 
@@ -73,11 +80,14 @@ static bool get_most_memory(struct loop *loop)
 
 int tia_viewer_prepare(struct loop *loop)
 {
-    loop->view_ready = false;
+    loop->view_ready = loop->complete = false;
+    tia_viewer_gaze(loop);
+    for (unsigned i = 0; i < VIEWER_PASSES; i++)
+        loop->pass_pixels[i] = 0;
     loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
     loop->level_size =
         loop->viewer->level ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity) : 0;
-    loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_size(loop->base) : 0;
+    loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_move_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 

@@ -90,9 +90,15 @@ bool tia_viewer_is_switch(const struct loop *loop, uint16_t key)
     return loop->viewer->variant && key == TIA_KEY_SHADOWS && !find_binding(loop->scene, key);
 }
 
-bool tia_viewer_quits(const struct loop *loop, uint16_t key)
+bool tia_viewer_moves(const struct loop *loop, uint16_t key)
 {
-    return !find_binding(loop->scene, key) && !find_move(key) && !tia_viewer_is_switch(loop, key);
+    return !find_binding(loop->scene, key) && find_move(key);
+}
+
+/* With Shift they move something else, where there is something else. */
+bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
+{
+    return find_binding(loop->scene, event->key) || (find_move(event->key) && !(event->shift && loop->viewer->control));
 }
 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)

@@ -6,7 +6,8 @@ static int idle_ms(const struct loop *loop)
 {
     uint64_t time = viewer_now(loop), next = tia_viewer_repeat_us(loop);
 
-    if (loop->plays && loop->viewer->clock && loop->end > loop->viewer->time && (!next || loop->due_us < next))
+    if (loop->plays && !loop->state.paused && loop->viewer->clock && loop->end > loop->viewer->time &&
+        (!next || loop->due_us < next))
         next = loop->due_us;
     if (!next)
         return -1;
@@ -14,16 +15,65 @@ static int idle_ms(const struct loop *loop)
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
-static int draw_frame(struct loop *loop)
+static void tell(struct loop *loop)
+{
+    loop->state.time = loop->plays ? loop->time : loop->viewer->time;
+    if (loop->viewer->state) {
+        loop->state.goes_on = loop->viewer->state->goes_on;
+        *loop->viewer->state = loop->state;
+    }
+}
+
+/* Shows what is drawn, and tells. */
+static int show_frame(struct loop *loop, struct tia_frame *frame)
 {
     const struct tia_viewer *v = loop->viewer;
-    struct tia_frame frame = {
-        .number = loop->frame, .relit = loop->traced == VIEWER_PASSES, .shadows = loop->base->shadows, .block = 1};
-    uint64_t start = viewer_now(loop), key_us = loop->key_us;
-    bool refines = tia_viewer_refines(loop);
-    int status = loop->core->set_lights(loop->view, v->lights, loop->light_count);
+    uint64_t key_us = loop->key_us;
+    int status = TIA_OK;
 
-    frame.level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain";
+    tell(loop);
+    if (v->frame_drawn)
+        v->frame_drawn(v->frame_ctx, frame);
+    status = v->display->present(v->display_ctx);
+    if (status)
+        return status;
+    loop->switched = false;
+    loop->changed = loop->covered = false;
+    loop->key_us = 0;
+    loop->good = loop->scene->camera;
+    loop->frame++;
+    frame->key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
+    return v->frame_done ? v->frame_done(v->frame_ctx, frame) : TIA_OK;
+}
+
+static struct tia_frame new_frame(const struct loop *loop)
+{
+    return (struct tia_frame){.number = loop->frame,
+                              .relit = loop->traced == VIEWER_PASSES,
+                              .shadows = loop->base->shadows,
+                              .block = 1,
+                              .pixels = (uint32_t)loop->mode.width * loop->mode.height,
+                              .moving = tia_viewer_is_moving(loop),
+                              .level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain"};
+}
+
+/* A frame that is not finished is taken for one that takes as long as its pixels would, one after the other. */
+static uint64_t whole_us(const struct loop *loop, const struct tia_frame *frame)
+{
+    uint64_t all = (uint64_t)loop->mode.width * loop->mode.height * loop->cost_ns / 1000;
+
+    return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
+}
+
+static int draw_frame(struct loop *loop)
+{
+    struct tia_frame frame;
+    uint64_t start = viewer_now(loop);
+    bool refines = tia_viewer_refines(loop);
+    int status = loop->core->set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
+
+    frame = new_frame(loop);
+    loop->complete = loop->unfinished = false;
     tia_viewer_watch_begin(loop);
     if (!status)
         status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
@@ -34,24 +84,30 @@ static int draw_frame(struct loop *loop)
         return TIA_OK;
     if (!refines)
         frame.draw_us = viewer_now(loop) - start;
-    loop->last_us = frame.draw_us;
-    if (!status && v->frame_drawn)
-        v->frame_drawn(v->frame_ctx, &frame);
-    if (!status)
-        status = v->display->present(v->display_ctx);
     if (status)
         return status;
-    loop->traced = loop->whole ? VIEWER_PASSES : 0;
-    loop->switched = false;
-    loop->changed = false;
-    loop->key_us = 0;
-    loop->frame++;
-    frame.key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
-    return v->frame_done ? v->frame_done(v->frame_ctx, &frame) : TIA_OK;
+    loop->last_us = whole_us(loop, &frame);
+    if (!refines)
+        loop->traced = loop->whole ? VIEWER_PASSES : 0;
+    return show_frame(loop, &frame);
 }
 
-/* A technique that cannot draw what the check lets pass, such as a point that is too far away, or that there is no
- * memory for, is left out. The one before the key can. */
+/* Only what is drawn over the picture has changed. */
+static int show_again(struct loop *loop)
+{
+    struct tia_frame frame = new_frame(loop);
+    uint64_t start = viewer_now(loop);
+    int status;
+
+    frame.moving = false;
+    tia_viewer_watch_begin(loop);
+    status = tia_viewer_copy(loop);
+    frame.draw_us = viewer_now(loop) - start;
+    return status ? status : show_frame(loop, &frame);
+}
+
+/* A technique or a camera that cannot draw what the check lets pass, such as a point that is too far away, or that
+ * there is no memory for, is left out. Those before the key can. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -61,10 +117,11 @@ static int prepare(struct loop *loop)
         status = loop->view ? TIA_OK : tia_viewer_prepare(loop);
         if (!status)
             status = tia_viewer_play(loop);
-        if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) || !loop->switched)
+        if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) || (!loop->switched && !tia_viewer_go_back(loop)))
             break;
-        tia_viewer_switch(loop);
-    } while (loop->base->shadows != first);
+        if (loop->switched)
+            tia_viewer_switch(loop);
+    } while (!loop->switched || loop->base->shadows != first);
     return status;
 }
 
@@ -83,16 +140,20 @@ static int show(struct loop *loop)
     }
     if (!status)
         status = prepare(loop);
-    if (!status && (loop->changed || v->frame_limit))
-        status = draw_frame(loop);
-    return status;
+    if (status)
+        return status;
+    if (loop->changed || v->frame_limit || (loop->unfinished && !tia_viewer_is_moving(loop)) ||
+        (loop->covered && !loop->complete && !loop->unfinished))
+        return draw_frame(loop);
+    return loop->covered && loop->complete ? show_again(loop) : TIA_OK;
 }
 
 /* Sleeps until there can be something to do; with frames left to draw, it only delivers pending signals. */
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
-    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit));
+    bool unfinished = loop->unfinished && !tia_viewer_is_moving(loop);
+    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit || unfinished));
 
     if (!v->input)
         return hidden ? TIA_HIDDEN : TIA_OK;
@@ -111,8 +172,9 @@ static int step(struct loop *loop)
 
     if (status)
         return status;
-    tia_viewer_repeat_held(loop);
-    status = show(loop);
+    status = tia_viewer_repeat_held(loop);
+    if (!status)
+        status = show(loop);
     if (loop->ends)
         return VIEWER_QUIT;
     if (status && status != TIA_HIDDEN)
@@ -127,29 +189,72 @@ static int step(struct loop *loop)
 static bool is_acceptable(const struct tia_viewer *v)
 {
     return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
-           !v->options.lit && !v->options.observer && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit));
+           !v->options.lit && !v->options.observer && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit)) &&
+           (!v->control || v->variant) && (!v->pace[0] || v->pace[1]);
+}
+
+/* The scene and its lights, or what keys have made of them before. */
+static void begin(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+
+    loop->state = (struct tia_viewer_state){.light_count = v->scene->light_count, .time = v->time};
+    if (v->state && v->state->goes_on)
+        loop->state = *v->state;
+    else
+        for (uint32_t i = 0; i < v->scene->light_count; i++)
+            v->lights[i] = v->scene->lights[i];
+    loop->good = v->scene->camera;
+    if (!v->variant)
+        return;
+    *v->variant = *v->scene;
+    if (loop->state.moved)
+        v->variant->camera = loop->state.camera;
+    loop->base = v->variant;
+}
+
+static int press_first(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    int status = TIA_OK;
+
+    for (size_t i = 0; !status && i < v->key_count; i++) {
+        struct tia_event event = {.kind = TIA_EVENT_TAP, .key = v->keys[i]};
+        status = tia_viewer_press(loop, &event);
+    }
+    return status;
+}
+
+/* An event that has ended the loop is told when the loop is over. */
+static void end(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_camera camera = loop->scene->camera;
+
+    tell(loop);
+    if (loop->last.key && v->control)
+        (void)v->control->act(v->control_ctx, &loop->last, &camera);
 }
 
 int tia_viewer_run(struct tia_viewer *viewer)
 {
-    struct loop loop = {
-        .viewer = viewer, .core = viewer->core ? viewer->core : &tia_core_q16, .base = viewer->scene, .changed = true};
-    const struct tia_scene *scene = viewer->scene;
+    struct loop loop = {.viewer = viewer,
+                        .core = viewer->core ? viewer->core : &tia_core_q16,
+                        .base = viewer->scene,
+                        .gaze = viewer->gaze,
+                        .changed = true};
     int status = is_acceptable(viewer) ? TIA_OK : TIA_ERR_ARGUMENT;
 
-    for (uint32_t i = 0; !status && i < scene->light_count; i++)
-        viewer->lights[i] = scene->lights[i];
-    loop.light_count = scene->light_count;
-    if (viewer->variant) {
-        *viewer->variant = *scene;
-        loop.base = viewer->variant;
-    }
+    if (status)
+        return status;
+    begin(&loop);
+    status = tia_viewer_play_begin(&loop);
     if (!status)
-        status = tia_viewer_play_begin(&loop);
-    for (size_t i = 0; !status && i < viewer->key_count; i++)
-        status = tia_viewer_press(&loop, viewer->keys[i]);
+        status = press_first(&loop);
     while (!status && !is_stopped(viewer))
         status = step(&loop);
+    if (loop.scene)
+        end(&loop);
     if (loop.ends)
         return loop.failure;
     return status == VIEWER_QUIT ? TIA_OK : status;

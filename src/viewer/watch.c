@@ -14,11 +14,14 @@ static bool is_full(const struct loop *loop)
 
 static void keep(struct loop *loop, const struct tia_event *event)
 {
-    bool is_press = event->kind != TIA_EVENT_RELEASE;
+    enum tia_effect effect = tia_viewer_effect(loop, event);
 
-    loop->ends = is_press && tia_viewer_quits(loop, event->key);
-    loop->outdated = loop->outdated || is_press;
-    loop->queue[loop->queued++] = *event;
+    loop->ends = effect == TIA_EFFECT_END;
+    if (loop->ends)
+        loop->last = *event;
+    loop->outdated = loop->outdated || effect != TIA_EFFECT_NONE;
+    if (!tia_viewer_joins(loop, event))
+        loop->queue[loop->queued++] = *event;
 }
 
 /* What does not fit stays with the input, so that no key is lost. */

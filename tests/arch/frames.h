@@ -3,82 +3,16 @@
 #ifndef TESTS_ARCH_FRAMES_H
 #define TESTS_ARCH_FRAMES_H
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include <tia/bvh.h>
 
 #include "corpus/corpus.h"
-#include "corpus/corpus_flat.h"
-#include "corpus/corpus_rays.h"
+#include "frames_light.h"
+#include "frames_play.h"
+#include "shadow_frames.h"
 
 #define FRAMES_RANDOM 20
 #define FRAMES_RAYS 20
 #define FRAMES_HOLES 8
-#define FRAMES_FLAT 6
-
-/* Told each frame's name and CRC-32. */
-typedef void frames_report(void *ctx, const char *name, uint32_t crc);
-
-struct frames_canvas {
-    const struct tia_core *core;
-    struct tia_tile area;
-    struct tia_view *view;
-    struct tia_hits *hits;
-    tia_rgb565 *pixels;
-    void *memory[2];
-    frames_report *report;
-    void *ctx;
-};
-
-static inline void frames_close(struct frames_canvas *c)
-{
-    free(c->memory[0]);
-    free(c->memory[1]);
-    free(c->pixels);
-}
-
-/* 0 when the scene is refused or memory is short. */
-static inline int frames_open(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    const struct tia_core *core = c->core;
-    uint32_t lights = scene->light_count + 1;
-    size_t view = core->view_size(scene, lights), hits;
-
-    c->area = (struct tia_tile){0, 0, (uint16_t)width, (uint16_t)height};
-    hits = core->hits_size(scene, c->area);
-    c->memory[0] = malloc(view);
-    c->memory[1] = malloc(hits);
-    c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
-    return c->memory[0] && c->memory[1] && c->pixels &&
-           !core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) &&
-           !core->hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
-}
-
-/* Draws in tiles of the given size, from the last to the first. */
-static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, unsigned tile_height, bool trace,
-                               bool dither)
-{
-    const unsigned width = c->area.width, height = c->area.height;
-    const unsigned columns = (width + tile_width - 1) / tile_width, rows = (height + tile_height - 1) / tile_height;
-
-    for (unsigned n = columns * rows; n-- > 0;) {
-        unsigned x = n % columns * tile_width, y = n / columns * tile_height;
-        struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(width - x < tile_width ? width - x : tile_width),
-                                (uint16_t)(height - y < tile_height ? height - y : tile_height)};
-        struct tia_surface surface = {c->pixels + (size_t)y * width + x, 2, (ptrdiff_t)width * 2};
-        struct tia_options options = {dither, NULL};
-        int status = trace ? c->core->trace(c->view, c->hits, tile) : TIA_OK;
-        if (status || c->core->light(c->view, c->hits, tile, &surface, &options))
-            abort();
-    }
-}
-
-static inline void frames_tell(struct frames_canvas *c, const char *name)
-{
-    c->report(c->ctx, name, tia_crc32(0, c->pixels, (size_t)c->area.width * c->area.height));
-}
 
 static inline void frames_keep(void *ctx, const char *name, uint32_t crc)
 {
@@ -177,26 +111,6 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index, bool hol
     free(memory);
 }
 
-/* Flat faces, whose shadows are the same by each of these techniques. */
-static inline void frames_flat(struct frames_canvas *c, unsigned index)
-{
-    static struct corpus_rays scene;
-    static const enum tia_shadows techniques[] = {TIA_SHADOWS_RAYS, TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL};
-    const unsigned width = 40 + index, height = 30 - index;
-    char name[40];
-
-    corpus_random_flat(&scene, 565, index);
-    for (size_t i = 0; i < sizeof techniques / sizeof techniques[0]; i++) {
-        scene.scene.shadows = techniques[i];
-        if (!frames_open(c, &scene.scene, width, height))
-            abort();
-        frames_draw(c, 17, 11, true, index % 4 == 3);
-        (void)snprintf(name, sizeof name, "flat-%u-%ux%u-%s", index, width, height, tia_shadows_name(techniques[i]));
-        frames_tell(c, name);
-        frames_close(c);
-    }
-}
-
 /* Every frame, drawn with `core`. */
 static inline void frames_all(const struct tia_core *core, frames_report *report, void *ctx)
 {
@@ -220,8 +134,9 @@ static inline void frames_all(const struct tia_core *core, frames_report *report
         frames_rays(&c, i, false);
     for (unsigned i = 0; i < FRAMES_HOLES; i++)
         frames_rays(&c, i, true);
-    for (unsigned i = 0; i < FRAMES_FLAT; i++)
-        frames_flat(&c, i);
+    frames_shadows(&c);
+    frames_light(&c);
+    frames_play(&c);
 }
 
 #endif

@@ -1,12 +1,25 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
- * same frames in single precision. Built with HASHER_LEVELS it draws by the level that TIA_LEVEL names, and fails where
- * that is not to be had. Needs nothing but the libraries, so that it is built for any machine. */
+ * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
+ * paths. Built with HASHER_LEVELS it draws by the level that TIA_LEVEL names, and fails where that is not to be had.
+ * Needs nothing but the libraries, so that it is built for any machine. */
 #include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
 {
     (void)ctx;
     printf("%s %08lx\n", name, (unsigned long)crc);
+}
+
+static void print_sums(uint32_t first, uint32_t end)
+{
+    static struct tia_sum sums[FRAMES_SUMS_WIDTH * FRAMES_SUMS_HEIGHT];
+
+    for (int integrator = TIA_OCCLUSION; integrator <= TIA_PATHS; integrator++) {
+        memset(sums, 0, sizeof sums);
+        frames_add_samples((enum tia_integrator)integrator, first, end, sums);
+        for (unsigned i = 0; i < FRAMES_SUMS_WIDTH * FRAMES_SUMS_HEIGHT * 3; i++)
+            printf("%lld\n", (long long)sums[i / 3].rgb[i % 3]);
+    }
 }
 
 #ifdef HASHER_LEVELS
@@ -51,15 +64,17 @@ int main(int argc, char **argv)
 {
     const struct tia_core *core = &tia_core_q16;
 
+    if (argc == 4 && !strcmp(argv[1], "sums")) {
+        print_sums((uint32_t)strtoul(argv[2], NULL, 10), (uint32_t)strtoul(argv[3], NULL, 10));
+        return 0;
+    }
 #ifdef HASHER_LEVELS
-    (void)argc, (void)argv, (void)core;
+    (void)core;
     return hash_by_level();
 #else
 #ifdef TIA_HAVE_F32
     if (argc > 1 && !strcmp(argv[1], "f32"))
         core = &tia_core_f32;
-#else
-    (void)argc, (void)argv;
 #endif
     frames_all(core, print, NULL);
     return 0;

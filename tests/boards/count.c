@@ -7,6 +7,7 @@
  *            the same marks; 0: the hits are one strip's
  */
 #include "boards/board.h"
+#include "marks.h"
 #include <tia/tia.h>
 
 enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = 1024 };
@@ -19,18 +20,6 @@ extern const struct tia_core CORE;
 static uint64_t view_memory[VIEW_SIZE / sizeof(uint64_t)];
 static uint64_t hits_memory[HITS_SIZE / sizeof(uint64_t)];
 static tia_rgb565 strip[WIDTH * ROWS];
-
-/* The marks: the emulator knows them by their addresses. */
-void count_begin(void);
-void count_end(void);
-__attribute__((noinline)) void count_begin(void)
-{
-    __asm__ volatile("nop" ::: "memory");
-}
-__attribute__((noinline)) void count_end(void)
-{
-    __asm__ volatile("nop; nop" ::: "memory");
-}
 
 static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, uint32_t *crc)
 {

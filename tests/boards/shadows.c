@@ -1,21 +1,12 @@
 /* shadows.c - a scene of flat faces with each technique for shadows, drawn tile by tile: prints a line for each, the
  * picture's checksum and the bytes of the view and of a tile's hits. What is between the marks is counted, see
  * count.py. */
-#include <tia/tia.h>
-
-#define Q(x) ((tia_q16)((x)*65536))
-#define ONE (INT32_C(1) << 30)
+#include "boxes.h"
+#include "marks.h"
 
 enum { WIDTH = 160, HEIGHT = 120, TILE_WIDTH = 32, TILE_HEIGHT = 24, MEMORY = 1 << 20 };
 
 static const struct tia_material materials[] = {{.colour = {ONE, ONE / 2, ONE / 4}}, {.colour = {ONE / 2, ONE, ONE}}};
-static const struct tia_transform turned = {{Q(1.8), Q(0.7), Q(1.3)}, {Q(10), Q(30), 0}, {Q(1), Q(1), Q(1)}};
-static const struct tia_shape shapes[] = {
-    {TIA_PLANE, .plane = {{0, 0, 0}, {0, ONE, 0}}},
-    {TIA_BOX, 1, .box = {{Q(-1), Q(0.25), Q(-1)}, {Q(1), Q(1.25), Q(1)}}},
-    {TIA_BOX, 1, 1, .box = {{Q(-0.3), Q(-0.7), Q(-0.3)}, {Q(0.3), Q(0.7), Q(0.3)}}},
-    {TIA_TRIANGLE, .triangle = {{{Q(-3), Q(0.2), 0}, {Q(-1.5), Q(0.2), Q(1.5)}, {Q(-2), Q(2.5), Q(0.5)}}}},
-};
 static const struct tia_light lights[] = {
     {.centre = {Q(4), Q(7), Q(5)}, .emission = {ONE / 2, ONE / 2, ONE / 2}},
     {.kind = TIA_DIRECTIONAL_LIGHT,
@@ -38,38 +29,6 @@ static struct tia_scene scene = {
 
 static uint64_t memory[MEMORY / sizeof(uint64_t)];
 static tia_rgb565 picture[WIDTH * HEIGHT];
-
-void count_begin(void);
-void count_end(void);
-__attribute__((noinline)) void count_begin(void)
-{
-    __asm__ volatile("nop" ::: "memory");
-}
-__attribute__((noinline)) void count_end(void)
-{
-    __asm__ volatile("nop; nop" ::: "memory");
-}
-
-#if __STDC_HOSTED__
-#include <stdio.h>
-static void tell(const char *name, uint32_t crc, size_t view, size_t hits)
-{
-    printf("%s %08lx %lu %lu\n", name, (unsigned long)crc, (unsigned long)view, (unsigned long)hits);
-}
-#else
-#include "boards/board.h"
-static void tell(const char *name, uint32_t crc, size_t view, size_t hits)
-{
-    board_print(name);
-    board_print(" ");
-    board_print_hex(crc);
-    board_print(" ");
-    board_print_number((uint32_t)view);
-    board_print(" ");
-    board_print_number((uint32_t)hits);
-    board_print("\n");
-}
-#endif
 
 static int draw_tile(const struct tia_view *view, char *hits_memory, size_t size, struct tia_tile tile)
 {

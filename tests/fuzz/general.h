@@ -23,6 +23,8 @@ struct fuzz_general {
     uint8_t cells[FUZZ_CELLS], texels[12];
     struct tia_track tracks[2];
     struct tia_keyframe keys[4];
+    struct tia_fall falls[2];
+    struct tia_falling falling;
 };
 
 /* An index below `count`, or, one time in 32, anything. */
@@ -129,11 +131,26 @@ static inline void take_tracks(struct bytes *b, struct fuzz_general *g)
         g->keys[i].value = take_vec3(b);
     }
     for (int i = 0; i < 2; i++) {
-        g->tracks[i] = (struct tia_track){.target = (enum tia_target)take_kind(b, 7), .keys = g->keys + 2 * i};
+        g->tracks[i] =
+            (struct tia_track){.target = (enum tia_target)take_kind(b, TIA_TARGETS), .keys = g->keys + 2 * i};
         g->tracks[i].index = take_index(b, 2);
         g->tracks[i].smooth = take_byte(b) & 1;
         g->tracks[i].key_count = (uint32_t)take_byte(b) % 3;
     }
+}
+
+/* Not for long: each time is computed from the beginning. */
+static inline void take_falls(struct bytes *b, struct fuzz_general *g)
+{
+    for (int i = 0; i < 2; i++) {
+        g->falls[i] = (struct tia_fall){.shape = take_index(b, FUZZ_SHAPES), .velocity = take_vec3(b)};
+        g->falls[i].restitution = take_number(b);
+        g->falls[i].mass = take_number(b);
+    }
+    g->falling = (struct tia_falling){.balls = g->falls, .count = (uint32_t)take_byte(b) % 4, .gravity = take_vec3(b)};
+    g->falling.end = take_number(b) % (TIA_Q16_ONE / 2);
+    if (g->falling.count > 2)
+        g->falling.count = TIA_FALLS_MAX + 1;
 }
 
 static inline void take_light_rest(struct bytes *b, struct tia_light *l)
@@ -218,6 +235,10 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
         take_tracks(b, g);
     for (uint32_t i = 0; i < f->scene.shape_count; i++)
         take_shape(b, &g->shapes[i]);
+    if (take_byte(b) & 1) {
+        take_falls(b, g);
+        f->scene.falling = &g->falling;
+    }
 }
 
 #endif

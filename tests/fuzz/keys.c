@@ -1,5 +1,5 @@
-/* keys.c - what a terminal sends, byte by byte with pauses: keys come out that tia/port.h knows, and
- * silence ends every sequence but a paste. */
+/* keys.c - what a terminal sends, byte by byte with pauses: keys come out that tia/port.h knows, or places of a mouse,
+ * and silence ends every sequence but a paste. */
 #include <stdio.h>
 
 #include "bytes.h"
@@ -7,7 +7,7 @@
 
 static void must_be_key(uint16_t key)
 {
-    MUST(key <= TIA_KEY_OTHER && (key < 128 || key >= TIA_KEY_LEFT));
+    MUST(key == DECODED_POINTER || (key <= TIA_KEY_OTHER && (key < 128 || key >= TIA_KEY_LEFT)));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -30,10 +30,10 @@ def held_through(s):
     that started it nor the one that ends it."""
     s.console.forget()
     s.guest.sh('rm -rf /tmp/session')
-    s.line = 'session tia ' + ' '.join(s.display)
+    s.line = 'session tia -k s ' + ' '.join(s.display)
     s.guest.type_slowly(QCODES.get(character, character) for character in s.line)
     s.guest.press('ret')
-    s.frame('')
+    s.frame('s')
     s.guest.release('ret')
     s.guest.tap('d')
     s.frame('d')

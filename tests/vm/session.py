@@ -112,7 +112,8 @@ class Session:
 
     def run(self, *arguments, serial=False, wrap='', command=''):
         """Starts tia: typed on the console, or from the first serial line, where there is no VT."""
-        command = 'session ' + (command or wrap + shlex.join(['tia', *arguments]))
+        keys = [] if '-k' in arguments else ['-k', '']     # without -k, text on the picture tells of keys
+        command = 'session ' + (command or wrap + shlex.join(['tia', *arguments, *keys]))
         self.console.forget()
         self.guest.sh('rm -rf /tmp/session')
         if serial:

@@ -6,21 +6,36 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+#include "clock.h"
+
 /* Enough for the core, whose stack depth is bounded, and for compressing a file. The default of 8 MB could exceed a
  * limit on the address space. */
 #define STACK_BYTES (512u * 1024u)
 
+/* How long a thread looks for the next round, or for the end of this one, before it sleeps: to be woken takes about 50
+ * microseconds, a tenth of a frame of 1920x1080. Who has looked for nothing sleeps at once the next times, so that
+ * frames at a display's pace, or threads that share a processor, cost no time. */
+#define SPIN_US 100u
+#define SLEEP_TIMES 8u
+
+/* `round` and `busy` change without the lock. Who is to be woken is counted in `asleep` or `waits` before it looks for
+ * the last time; who changes what it waits for looks there afterwards. All of them are in one order, so one sees the
+ * other. */
 struct threads {
-    pthread_mutex_t lock;
+    pthread_mutex_t lock; /* for sleeping */
     pthread_cond_t begin, end;
     pthread_mutex_t door; /* for enter and leave */
     unsigned started;     /* threads besides the caller */
-    unsigned busy;        /* those of them that may still run jobs of this round */
-    unsigned round;       /* counts the calls of run */
-    bool quit;
+    bool spins;           /* each thread has a processor */
+    atomic_uint round;    /* counts the calls of run that need others, and the call that ends them */
+    atomic_uint busy;     /* threads that may still run jobs of this round */
+    atomic_uint asleep;   /* threads that wait for `begin` */
+    atomic_bool waits;    /* the caller waits for `end` */
+    atomic_bool quit;
     void (*job)(void *arg, unsigned index);
     void *arg;
     unsigned count;
+    unsigned sleeps;  /* the caller's, see spin */
     atomic_uint next; /* the next job to run */
     pthread_t thread[];
 };
@@ -45,25 +60,100 @@ static void run_jobs(struct threads *pool)
     }
 }
 
+static bool has_begun(struct threads *pool, unsigned seen)
+{
+    return atomic_load(&pool->round) != seen;
+}
+
+static bool has_ended(struct threads *pool, unsigned seen)
+{
+    (void)seen;
+    return atomic_load(&pool->busy) == 0;
+}
+
+/* Lets another thread of the same core go on, and saves power. */
+static void pause_briefly(void)
+{
+#if defined __x86_64__ || defined __i386__
+    __builtin_ia32_pause();
+#elif defined __aarch64__
+    __asm__ volatile("yield");
+#endif
+}
+
+/* Whether it came about within SPIN_US. `*sleeps` are the times yet to sleep at once, each thread's own. */
+static bool spin(struct threads *pool, bool (*done)(struct threads *pool, unsigned seen), unsigned seen,
+                 unsigned *sleeps)
+{
+    if (!pool->spins || *sleeps > 0) {
+        *sleeps -= *sleeps > 0;
+        return false;
+    }
+    uint64_t until = clock_now_us() + SPIN_US;
+    for (unsigned i = 1; !done(pool, seen); i++) {
+        pause_briefly();
+        if (i % 16 == 0 && clock_now_us() > until) {
+            *sleeps = SLEEP_TIMES;
+            return false;
+        }
+    }
+    return true;
+}
+
+static void wait_to_begin(struct threads *pool, unsigned seen, unsigned *sleeps)
+{
+    if (spin(pool, has_begun, seen, sleeps))
+        return;
+    (void)pthread_mutex_lock(&pool->lock);
+    atomic_fetch_add(&pool->asleep, 1u);
+    while (!has_begun(pool, seen))
+        (void)pthread_cond_wait(&pool->begin, &pool->lock);
+    atomic_fetch_sub(&pool->asleep, 1u);
+    (void)pthread_mutex_unlock(&pool->lock);
+}
+
+static void wait_to_end(struct threads *pool)
+{
+    if (spin(pool, has_ended, 0, &pool->sleeps))
+        return;
+    (void)pthread_mutex_lock(&pool->lock);
+    atomic_store(&pool->waits, true);
+    while (!has_ended(pool, 0))
+        (void)pthread_cond_wait(&pool->end, &pool->lock);
+    atomic_store(&pool->waits, false);
+    (void)pthread_mutex_unlock(&pool->lock);
+}
+
+static void begin_round(struct threads *pool)
+{
+    atomic_fetch_add(&pool->round, 1u);
+    if (atomic_load(&pool->asleep) == 0)
+        return;
+    (void)pthread_mutex_lock(&pool->lock);
+    (void)pthread_cond_broadcast(&pool->begin);
+    (void)pthread_mutex_unlock(&pool->lock);
+}
+
+static void leave_round(struct threads *pool)
+{
+    if (atomic_fetch_sub(&pool->busy, 1u) != 1 || !atomic_load(&pool->waits))
+        return;
+    (void)pthread_mutex_lock(&pool->lock);
+    (void)pthread_cond_signal(&pool->end);
+    (void)pthread_mutex_unlock(&pool->lock);
+}
+
 static void *work(void *arg)
 {
     struct threads *pool = arg;
-    unsigned seen = 0;
-    (void)pthread_mutex_lock(&pool->lock);
-    for (;;) {
-        while (pool->round == seen && !pool->quit)
-            (void)pthread_cond_wait(&pool->begin, &pool->lock);
-        if (pool->quit)
-            break;
-        seen = pool->round;
-        (void)pthread_mutex_unlock(&pool->lock);
+    unsigned sleeps = 0;
+    for (unsigned seen = 0;; seen++) {
+        wait_to_begin(pool, seen, &sleeps);
+        if (atomic_load(&pool->quit))
+            return NULL;
         run_jobs(pool);
-        (void)pthread_mutex_lock(&pool->lock);
-        if (--pool->busy == 0)
-            (void)pthread_cond_signal(&pool->end);
+        leave_round(pool);
     }
-    (void)pthread_mutex_unlock(&pool->lock);
-    return NULL;
 }
 
 /* Blocks all signals, so that none interrupts a job, except those for faults in the job itself. */
@@ -102,6 +192,7 @@ struct threads *threads_create(unsigned count)
     (void)pthread_cond_init(&pool->begin, NULL);
     (void)pthread_cond_init(&pool->end, NULL);
     (void)pthread_mutex_init(&pool->door, NULL);
+    pool->spins = others < threads_processors();
     start(pool, others);
     return pool;
 }
@@ -114,22 +205,18 @@ unsigned threads_count(const struct threads *pool)
 static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
 {
     struct threads *pool = ctx;
-    (void)pthread_mutex_lock(&pool->lock);
+    bool alone = pool->started == 0 || count <= 1;
     pool->job = job;
     pool->arg = arg;
     pool->count = count;
     atomic_store(&pool->next, 0u);
-    if (pool->started > 0 && count > 1) {
-        pool->busy = pool->started;
-        pool->round++;
-        (void)pthread_cond_broadcast(&pool->begin);
+    if (!alone) {
+        atomic_store(&pool->busy, pool->started);
+        begin_round(pool);
     }
-    (void)pthread_mutex_unlock(&pool->lock);
     run_jobs(pool);
-    (void)pthread_mutex_lock(&pool->lock);
-    while (pool->busy > 0)
-        (void)pthread_cond_wait(&pool->end, &pool->lock);
-    (void)pthread_mutex_unlock(&pool->lock);
+    if (!alone)
+        wait_to_end(pool);
 }
 
 static bool enter(void *ctx)
@@ -148,10 +235,8 @@ void threads_destroy(struct threads *pool)
 {
     if (!pool)
         return;
-    (void)pthread_mutex_lock(&pool->lock);
-    pool->quit = true;
-    (void)pthread_cond_broadcast(&pool->begin);
-    (void)pthread_mutex_unlock(&pool->lock);
+    atomic_store(&pool->quit, true);
+    begin_round(pool);
     for (unsigned i = 0; i < pool->started; i++)
         (void)pthread_join(pool->thread[i], NULL);
     (void)pthread_cond_destroy(&pool->begin);

@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
-"""sampling.py - prints src/sampling/tables.c: Sobol points for each four bits, and what power.c starts from."""
-from decimal import Decimal, ROUND_HALF_EVEN, getcontext
+"""sampling.py - prints src/sampling/tables.c: Sobol points for each four bits."""
 
-getcontext().prec = 60
 # Joe and Kuo, new-joe-kuo-6.21201, the third and fourth dimension: degree, coefficients, first direction numbers.
 KUO = ((2, 1, (1, 3)), (3, 1, (1, 3, 1)))
 
@@ -38,21 +36,10 @@ def sums(v):
     return table
 
 
-def nearest(x):
-    return int(x.to_integral_value(ROUND_HALF_EVEN))
-
-
-def show(kind, name, words, digits, step):
-    print(f"\nconst {kind} {name}[{len(words)}] = {{")
-    for i in range(0, len(words), step):
-        print("    " + " ".join(f"0x{w:0{digits}x}," for w in words[i:i + step]))
-    print("};")
-
-
 def main():
-    print("/* tables.c - constants of sobol.h and power.c, written by tools/generate/sampling.py. */")
+    print("/* tables.c - what sobol.h looks up, written by tools/generate/sampling.py. */")
     print("// clang-format off")
-    print('#include "sobol.h"\n#include "tables.h"\n')
+    print('#include "sobol.h"\n')
     print("const uint32_t tia_sobol_tables[2][8][16] = {")
     for numbers in KUO:
         print("    {")
@@ -61,12 +48,6 @@ def main():
             print("         " + " ".join(f"0x{w:08x}," for w in row[8:]) + "},")
         print("    },")
     print("};")
-    two = Decimal(2)
-    inverses = [nearest(Decimal(2) ** 31 * 128 / (129 + 2 * i)) for i in range(64)]
-    logs = [nearest(-(Decimal(w) / 2 ** 31).ln() / two.ln() * 2 ** 60) for w in inverses]
-    show("uint32_t", "tia_inverses", inverses, 8, 8)
-    show("int64_t", "tia_logarithms", logs, 16, 4)
-    show("int64_t", "tia_powers", [nearest((-Decimal(i) / 64 * two.ln()).exp() * 2 ** 62) for i in range(64)], 16, 4)
 
 
 main()

@@ -180,8 +180,26 @@ static int draw_others(struct comparison *c, unsigned reference)
 
 /* ---- a scene ---- */
 
-static void tell(struct comparison *c)
+/* Which meshes close; NULL when memory is short. */
+static bool *check_meshes(const struct tia_scene *scene)
 {
+    bool *is_closed = calloc((size_t)scene->mesh_count + 1, sizeof *is_closed);
+
+    for (uint32_t i = 0; is_closed && i < scene->mesh_count; i++) {
+        void *room = malloc(tia_shadow_mesh_room(&scene->meshes[i]) + 1);
+        is_closed[i] = room && tia_shadow_mesh_closes(&scene->meshes[i], room);
+        if (!room) {
+            free(is_closed);
+            is_closed = NULL;
+        }
+        free(room);
+    }
+    return is_closed;
+}
+
+static int tell(struct comparison *c)
+{
+    bool *is_closed = check_meshes(c->job.scene);
     size_t count = (size_t)c->job.width * c->job.height;
     struct shadows_table table = {.scene = c->name,
                                   .reference = c->rows[0].name,
@@ -189,11 +207,17 @@ static void tell(struct comparison *c)
                                   .height = c->job.height,
                                   .light = c->options->light,
                                   .rows = c->rows,
-                                  .count = c->count};
+                                  .count = c->count,
+                                  .is_closed = is_closed,
+                                  .meshes = c->job.scene->mesh_count};
 
+    if (!is_closed)
+        return failed(1, c->name, "out of memory");
     for (size_t i = 0; i < count; i++)
         table.seen += c->reference.object[i] != TIA_NO_OBJECT;
     shadows_report_scene(&c->report, &table);
+    free(is_closed);
+    return 0;
 }
 
 /* That only traced rays can draw it is an error; that some techniques cannot is told in their rows. */
@@ -241,9 +265,7 @@ static int compare(struct comparison *c)
         result = draw_others(c, reference);
     if (result == 0)
         result = make_heatmap(c);
-    if (result == 0)
-        tell(c);
-    return result;
+    return result ? result : tell(c);
 }
 
 static int compare_file(struct comparison *c, const char *path)

@@ -35,6 +35,9 @@ static void print_table(const struct shadows_table *t)
            "KiB");
     for (unsigned i = 0; i < t->count; i++)
         print_row(&t->rows[i]);
+    for (uint32_t i = 0; i < t->meshes; i++)
+        if (!t->is_closed[i])
+            printf("mesh %" PRIu32 " does not close: it casts face by face\n", i);
 }
 
 static void json_row(const struct shadows_row *row)
@@ -67,6 +70,10 @@ static void json_table(const struct shadows_table *t)
         (void)fputs(i ? "," : "", stdout);
         json_row(&t->rows[i]);
     }
+    printf("], \"open\": [");
+    for (uint32_t i = 0, n = 0; i < t->meshes; i++)
+        if (!t->is_closed[i])
+            printf(n++ ? ", %" PRIu32 : "%" PRIu32, i);
     printf("]}");
 }
 

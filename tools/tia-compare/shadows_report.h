@@ -30,6 +30,8 @@ struct shadows_table {
     unsigned light; /* 0: all */
     const struct shadows_row *rows;
     unsigned count;
+    const bool *is_closed; /* each of the scene's meshes */
+    uint32_t meshes;
 };
 
 void shadows_report_begin(const struct shadows_report *report);

@@ -2,9 +2,11 @@
 
 void unit_tracks(struct unit *unit)
 {
-    static const char *const targets[] = {"TIA_MOVES_EYE",       "TIA_MOVES_REFERENCE", "TIA_MOVES_LIGHT",
-                                          "TIA_ROTATES_LIGHT",   "TIA_MOVES_TRANSFORM", "TIA_ROTATES_TRANSFORM",
-                                          "TIA_SCALES_TRANSFORM"};
+    static const char *const targets[] = {
+        "TIA_MOVES_EYE",       "TIA_MOVES_REFERENCE",   "TIA_MOVES_LIGHT",       "TIA_ROTATES_LIGHT",
+        "TIA_MOVES_TRANSFORM", "TIA_ROTATES_TRANSFORM", "TIA_SCALES_TRANSFORM",  "TIA_SHOWS_SHAPE",
+        "TIA_SHOWS_LIGHT",     "TIA_SETS_COLOUR",       "TIA_SETS_TRANSMISSION", "TIA_SETS_EMISSION",
+        "TIA_SETS_SPECULAR",   "TIA_SETS_MIRROR",       "TIA_SETS_REFRACTION",   "TIA_SETS_FACING"};
     const struct tia_scene *scene = unit->scene;
 
     for (uint32_t i = 0; i < scene->track_count; i++) {
@@ -28,6 +30,28 @@ void unit_tracks(struct unit *unit)
         field_unsigned(unit, "key_count", t->key_count);
         text_print(&unit->text, "},\n");
     }
+    table_end(unit);
+}
+
+static void unit_falling(struct unit *unit)
+{
+    const struct tia_falling *falling = unit->scene->falling;
+
+    if (!falling)
+        return;
+    table_begin(unit, "struct tia_fall", "falls");
+    for (uint32_t i = 0; i < falling->count; i++) {
+        const struct tia_fall *f = &falling->balls[i];
+        text_word(&unit->text, "{%u, {%d, %d, %d}, %d, %d},", f->shape, f->velocity.x, f->velocity.y, f->velocity.z,
+                  f->restitution, f->mass);
+    }
+    table_end(unit);
+    text_print(&unit->text, "static const struct tia_falling %s_falling = {\n", unit->symbol);
+    unit->text.indent = 4;
+    field_table(unit, "balls", falling->count, "falls");
+    field_unsigned(unit, "count", falling->count);
+    field_vec3(unit, "gravity", falling->gravity);
+    field_number(unit, "end", falling->end);
     table_end(unit);
 }
 
@@ -110,6 +134,8 @@ static void write_scene(struct unit *unit)
     refer(unit, "meshes", "mesh_count", s->mesh_count);
     refer(unit, "grids", "grid_count", s->grid_count);
     refer(unit, "tracks", "track_count", s->track_count);
+    if (s->falling)
+        text_word(&unit->text, ".falling = &%s_falling,", unit->symbol);
     text_print(&unit->text, "};\n");
 }
 
@@ -121,7 +147,7 @@ void unit_write(struct unit *unit, const char *source)
     text_print(&unit->text, "/* %s, as tia-compile wrote it: do not edit. */\n// clang-format off\n", source);
     if (scene->bvh)
         text_print(&unit->text, "#include <tia/bvh.h>\n");
-    if (scene->track_count > 0)
+    if (tia_scene_moves(scene))
         text_print(&unit->text, "#include <tia/motion.h>\n");
     text_print(&unit->text, "#include <tia/scene.h>\n\n");
     /* The declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on. */
@@ -133,6 +159,7 @@ void unit_write(struct unit *unit, const char *source)
     unit_images(unit);
     unit_meshes(unit);
     unit_tracks(unit);
+    unit_falling(unit);
     unit_bvh(unit);
     write_scene(unit);
 }

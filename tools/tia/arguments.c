@@ -27,6 +27,10 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"spp", required_argument, NULL, OPT_SPP},
                                       {"samples-range", required_argument, NULL, OPT_SAMPLES_RANGE},
                                       {"resume", required_argument, NULL, OPT_RESUME},
+                                      {"denoise", no_argument, NULL, OPT_DENOISE},
+                                      {"guide", required_argument, NULL, OPT_GUIDE},
+                                      {"time-limit", required_argument, NULL, OPT_TIME_LIMIT},
+                                      {"error", required_argument, NULL, OPT_ERROR},
                                       {"tone", required_argument, NULL, OPT_TONE},
                                       {"exposure", required_argument, NULL, OPT_EXPOSURE},
                                       {"colour", required_argument, NULL, OPT_COLOUR},
@@ -53,6 +57,11 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"progress", no_argument, NULL, OPT_PROGRESS},
                                       {"view", required_argument, NULL, OPT_VIEW},
                                       {"draw-rays", required_argument, NULL, OPT_DRAW_RAYS},
+                                      {"gaze", required_argument, NULL, OPT_GAZE},
+                                      {"view-angle", required_argument, NULL, OPT_VIEW_ANGLE},
+                                      {"w0", required_argument, NULL, OPT_W0},
+                                      {"m", required_argument, NULL, OPT_M},
+                                      {"smooth", no_argument, NULL, OPT_SMOOTH},
                                       {"list-displays", no_argument, NULL, OPT_LIST},
                                       {"help", no_argument, NULL, 'h'},
                                       {"version", no_argument, NULL, 'V'},
@@ -87,6 +96,7 @@ int arguments_parse(struct options *options, int argc, char **argv)
     *options = (struct options){.scene_format = SCENE_UNKNOWN,
                                 .scene = tia_thesis_scene,
                                 .core = &tia_core_q16,
+                                .gaze = {.w0 = TIA_GAZE_W0, .m = TIA_GAZE_M},
                                 .display = "auto",
                                 .input = "auto",
                                 .rate = {25, 1},
@@ -97,9 +107,11 @@ int arguments_parse(struct options *options, int argc, char **argv)
         if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION)
             return result;
     }
-    if (optind + 1 < argc)
-        return fail(EXIT_USAGE, "%.200s: one scene at a time", argv[optind + 1]);
     options->scene_path = argv[optind]; /* NULL after the last argument */
+    options->scene_paths = argv + optind;
+    options->scene_count = (uint32_t)(argc - optind);
+    options->format_of_scenes = options->scene_format;
+    options->plain_core = options->core;
     int status = check(options);
     return status ? status : choose_level(options);
 }
@@ -192,15 +204,27 @@ static int load_views(struct options *options)
     const struct views *views = &options->views;
     const char *option = views->draws_rays ? "draw-rays" : "view";
 
+    options->plain_scene = options->scene;
     if (views->view == VIEW_COLOUR && !views->draws_rays)
         return EXIT_FINE;
     if (options->core != &tia_core_q16)
         return fail(EXIT_USAGE, "--%s: not with --arithmetic: it shows the rays of integers", option);
     if (options->scene.integration.integrator)
         return fail(EXIT_USAGE, "--%s: not with --integrator: it shows Whitted's rays", option);
+    arguments_set_view(options);
+    return EXIT_FINE;
+}
+
+void arguments_set_view(struct options *options)
+{
+    const struct views *views = &options->views;
+
+    options->scene = options->plain_scene;
+    options->core = options->plain_core;
+    if (views->view == VIEW_COLOUR && !views->draws_rays)
+        return;
     views_need_rays(&options->scene);
     options->core = views_core(views);
-    return EXIT_FINE;
 }
 
 int arguments_load(struct options *options)

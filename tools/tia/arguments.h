@@ -8,6 +8,9 @@
 int arguments_parse(struct options *options, int argc, char **argv);
 
 /* Call next. Reads the scene and its keys, if there is something to draw. Results as above. */
+/* Chooses the core and the scene for options->views, once the scene is loaded. */
+void arguments_set_view(struct options *options);
+
 int arguments_load(struct options *options);
 
 /* Safe at any time after arguments_parse. */

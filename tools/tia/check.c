@@ -4,7 +4,10 @@
 
 #include "common/image/series.h"
 #include "fail.h"
+#include "gaze.h"
 #include "ports.h"
+
+enum { PACE_MAX = 1000 };
 
 static bool is_one_of(const char *name, const char *const *names)
 {
@@ -61,6 +64,17 @@ static int check_output(struct options *options)
     return EXIT_FINE;
 }
 
+/* On a display without a number of frames it is the pace of what moves. */
+static int check_pace(const struct options *options)
+{
+    bool paces = options->rate_given && !options->output && options->frames == 0;
+
+    if (paces && options->rate[0] / options->rate[1] > PACE_MAX)
+        return fail(EXIT_USAGE, "--fps %u: no display shows more than %u frames a second", options->rate[0],
+                    (unsigned)PACE_MAX);
+    return EXIT_FINE;
+}
+
 /* Parts of films and pictures can only be files. */
 static int check_parts(const struct options *options)
 {
@@ -79,9 +93,7 @@ static int check_parts(const struct options *options)
         return fail(EXIT_USAGE, "--stats-overlay: needs a display (a file has --stats)");
     if (options->rate_given && output && !films)
         return fail(EXIT_USAGE, "--fps: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
-    if (options->rate_given && !output && options->frames == 0)
-        return fail(EXIT_USAGE, "--fps: on a display needs --frames N (without both it plays by the clock)");
-    return EXIT_FINE;
+    return check_pace(options);
 }
 
 /* Only DRM has connectors and modes. */
@@ -99,7 +111,7 @@ static int check_drm(struct options *options)
 }
 
 /* Chooses the scene's format by the file's name unless it is given. */
-static int check_scene(struct options *options)
+int check_scene(struct options *options)
 {
     const char *path = options->scene_path;
     if (!path)
@@ -115,6 +127,24 @@ static int check_scene(struct options *options)
     return EXIT_FINE;
 }
 
+/* Several are for a display, where a key goes to the next. */
+static int check_scenes(struct options *options)
+{
+    int result = check_scene(options);
+
+    for (uint32_t i = 1; i < options->scene_count && result == EXIT_FINE; i++) {
+        struct options other = *options;
+        other.scene_path = options->scene_paths[i];
+        other.scene_format = options->format_of_scenes;
+        if (options->output)
+            return fail(EXIT_USAGE, "%.200s: one scene at a time (several are for a display)", other.scene_path);
+        if (strcmp(other.scene_path, "-") == 0 || strcmp(options->scene_path, "-") == 0)
+            return fail(EXIT_USAGE, "standard input: not one of several scenes, since it is read once");
+        result = check_scene(&other);
+    }
+    return result;
+}
+
 int check(struct options *options)
 {
     int result = check_names(options);
@@ -124,5 +154,7 @@ int check(struct options *options)
         result = check_parts(options);
     if (result == EXIT_FINE)
         result = check_drm(options);
-    return result == EXIT_FINE ? check_scene(options) : result;
+    if (result == EXIT_FINE)
+        result = gaze_check(options);
+    return result == EXIT_FINE ? check_scenes(options) : result;
 }

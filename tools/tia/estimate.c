@@ -1,39 +1,15 @@
 #include "estimate.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "common/image/sums.h"
+#include "clock.h"
+#include "common/image/image.h"
 #include "common/sink.h"
-#include "common/thread_pool.h"
+#include "estimation.h"
 #include "fail.h"
 #include "film.h"
-#include "film_scene.h"
-#include "ports.h"
-#include "progress.h"
-#include "resume.h"
 
-enum { BAND_PIXELS = 1 << 16 };
-
-struct estimate {
-    const struct options *options;
-    struct image_film film;
-    struct film_scene film_scene;
-    const struct tia_estimator *estimator;
-    struct sums sums;
-    struct image *image; /* one of these is written to */
-    struct sink *sink;
-    struct resume resume;
-    struct threads *pool;
-    unsigned y, rows, known; /* the band; how many of its rows, from the top, are known already */
-    struct tia_sum *band;
-    unsigned char *bytes; /* the same as they are written */
-    size_t row_bytes;
-    struct progress progress;
-    atomic_int status;
-    char why[PORT_WHY];
-};
+enum { LOOK_US = 5000 };
 
 static const struct tia_estimator *estimator_of(const struct tia_core *core)
 {
@@ -45,106 +21,55 @@ static const struct tia_estimator *estimator_of(const struct tia_core *core)
     return &tia_estimator_q16;
 }
 
-static void draw_row(void *arg, unsigned row)
+/* Threads ask after every few rays; somebody looks for signals now and then. */
+static bool stops(void *ctx)
 {
-    struct estimate *e = arg;
-    unsigned width = e->film.width, y = e->y + row;
-    struct tia_tile tile = {0, (uint16_t)y, (uint16_t)width, 1};
-    struct tia_sum *sums = e->band + (size_t)row * width;
-    unsigned char *at = e->bytes + row * e->row_bytes;
-    int status = TIA_OK;
+    struct estimation *e = ctx;
+    uint64_t now = e->end_us ? clock_now_us() : 0;
 
-    if (row >= e->known) {
-        memset(sums, 0, width * sizeof *sums);
-        status =
-            e->estimator->sample(e->film_scene.view, tile, e->sums.first, e->sums.first + e->sums.count, sums, width);
+    if (!e->end_us || atomic_load(&e->stopped))
+        return e->end_us != 0;
+    if ((int32_t)((uint32_t)now - atomic_load(&e->look_us)) >= 0) {
+        atomic_store(&e->look_us, (uint32_t)now + LOOK_US);
+        if (now >= e->end_us || signals_asked(NULL))
+            atomic_store(&e->stopped, true);
     }
-    if (status)
-        atomic_store(&e->status, status);
-    if (e->sink)
-        sums_put_row(at, &e->sums, y, sums);
-    else
-        sums_develop(at, &e->sums, sums, e->film.depth);
-    progress_add(&e->progress, width);
+    return atomic_load(&e->stopped);
 }
 
-/* Of the rows that an interrupted run has left, those of the band. */
-static int read_known(struct estimate *e)
+/* Such a picture is darker than whoever put the light there expects; once is enough. */
+static void warn_of_walls(const struct estimation *e)
 {
-    unsigned rows = e->resume.rows;
+    const struct film_scene *film = &e->film_scene;
 
-    e->known = rows <= e->y ? 0 : rows - e->y < e->rows ? rows - e->y : e->rows;
-    return e->known ? resume_read(&e->resume, e->y, e->known, e->band, e->why) : TIA_OK;
-}
-
-static int write_band(struct estimate *e)
-{
-    int status = resume_append(&e->resume, e->y, e->rows, e->band, e->why);
-
-    if (status)
-        return status;
-    return e->sink ? sink_write(e->sink, e->bytes, e->rows * e->row_bytes) : image_rows(e->image, e->bytes, e->rows);
-}
-
-static int draw_bands(struct estimate *e)
-{
-    unsigned height = e->film.height, band = BAND_PIXELS / e->film.width ? BAND_PIXELS / e->film.width : 1;
-    unsigned count = (height + band - 1) / band;
-    bool bottom_up = e->image && image_bottom_up(e->image);
-    int status = TIA_OK;
-
-    for (unsigned i = 0; i < count && !status; i++) {
-        e->y = (bottom_up ? count - 1 - i : i) * band;
-        e->rows = height - e->y < band ? height - e->y : band;
-        status = read_known(e);
-        if (status)
-            break;
-        threads_workers.run(e->pool, draw_row, e, e->rows);
-        status = atomic_load(&e->status);
-        status = status ? status : write_band(e);
+    for (uint32_t i = 0; i < film->lights.count && film->scene->integration.integrator == TIA_PATHS; i++) {
+        uint32_t object = e->estimator->enclosing(film->view, i), spheres = film->scene->sphere_count;
+        if (object == TIA_NO_OBJECT)
+            continue;
+        note("--integrator path: light %u is inside %s %u: it lights nothing else", (unsigned)i,
+             object < spheres ? "sphere" : "shape", (unsigned)(object < spheres ? object : object - spheres));
+        return;
     }
+}
+
+static int begin(struct estimation *e)
+{
+    const struct options *options = e->options;
+
+    e->bytes = malloc((size_t)estimation_band_rows(e) * e->film.width * (sizeof(struct tia_sum) + 4));
+    e->pool = threads_create(options->threads);
+    if (!e->bytes || !e->pool)
+        return TIA_ERR_MEMORY;
+    e->film_scene.stop = stops;
+    e->film_scene.stop_ctx = e;
+    int status = film_scene_begin(&e->film_scene, options, e->why);
+    status = status ? status : film_scene_update(&e->film_scene, 0);
+    if (!status)
+        warn_of_walls(e);
     return status;
 }
 
-static int open_output(struct estimate *e)
-{
-    const struct options *options = e->options;
-    char header[SUMS_HEADER];
-
-    if (options->format != IMAGE_PART) {
-        e->image = image_create_film(options->output, options->format, &e->film, e->why);
-        return e->image ? TIA_OK : TIA_ERR_DEVICE;
-    }
-    e->sink = calloc(1, sizeof *e->sink);
-    if (!e->sink)
-        return TIA_ERR_MEMORY;
-    int status = sink_open(e->sink, options->output, e->why);
-    if (status) {
-        free(e->sink);
-        e->sink = NULL;
-        return status;
-    }
-    return sink_write(e->sink, header, sums_print(header, &e->sums));
-}
-
-static int begin(struct estimate *e)
-{
-    const struct options *options = e->options;
-    size_t pixels = (size_t)(BAND_PIXELS > e->film.width ? BAND_PIXELS : e->film.width);
-
-    e->band = malloc(pixels * sizeof *e->band);
-    e->bytes = malloc(pixels * (sizeof(struct tia_sum) + 4));
-    e->pool = threads_create(options->threads);
-    if (!e->band || !e->bytes || !e->pool)
-        return TIA_ERR_MEMORY;
-    int status = film_scene_begin(&e->film_scene, options, e->why);
-    status = status ? status : film_scene_update(&e->film_scene, 0);
-    if (!status && options->resume)
-        status = resume_open(&e->resume, options->resume, &e->sums, e->why);
-    return status ? status : open_output(e);
-}
-
-static int finish(struct estimate *e, int status)
+static int finish(struct estimation *e, int status)
 {
     if (e->sink) {
         if (!status)
@@ -160,11 +85,11 @@ static int finish(struct estimate *e, int status)
     return status;
 }
 
-static void prepare(struct estimate *e, const struct options *options)
+static void prepare(struct estimation *e)
 {
+    const struct options *options = e->options;
     const struct tia_integration *how = &options->scene.integration;
 
-    e->options = options;
     e->estimator = estimator_of(options->core);
     e->film.depth = options->format == IMAGE_PART ? 0 : options->depth_bits;
     e->sums = (struct sums){.width = e->film.width,
@@ -182,29 +107,41 @@ static void prepare(struct estimate *e, const struct options *options)
         options->format == IMAGE_PART ? sums_row_bytes(&e->sums) : (size_t)e->film.width * 3 * e->film.depth / 8;
 }
 
-static int report(const struct estimate *e, int status)
+static int report(const struct estimation *e, int status)
 {
-    if (!status)
-        return EXIT_FINE;
-    return fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status));
+    if (!status || status == TIA_STOPPED) /* a signal will say it */
+        return signals_end(EXIT_FINE);
+    return signals_end(
+        fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status)));
+}
+
+/* Without the memory for rounds rows are completed one by one, unless an option needs all samples of the picture. */
+static int draw(struct estimation *e)
+{
+    const struct options *options = e->options;
+    int status = rounds_possible(e) ? rounds_draw(e) : bands_draw(e);
+
+    if (status != ROUNDS_NO_MEMORY)
+        return status;
+    return options->denoise || options->guide || options->error || options->time_limit ? TIA_ERR_MEMORY : bands_draw(e);
 }
 
 int estimate(const struct options *options)
 {
-    struct estimate e = {.options = options};
+    struct estimation e = {.options = options};
     int status = film_plan(options, &e.film);
 
     if (status != EXIT_FINE)
         return status;
-    prepare(&e, options);
+    prepare(&e);
     progress_begin(&e.progress, (uint64_t)e.film.width * e.film.height, 1, options->progress);
     status = begin(&e);
-    status = finish(&e, !status ? draw_bands(&e) : status);
+    if (!status)
+        status = draw(&e);
+    status = finish(&e, status);
     progress_end(&e.progress);
-    resume_close(&e.resume);
     threads_destroy(e.pool);
     film_scene_end(&e.film_scene);
-    free(e.band);
     free(e.bytes);
     return report(&e, status);
 }

@@ -7,6 +7,18 @@
 
 #include <tia/render.h>
 
+/* Where messages go instead of standard error. */
+static struct {
+    char *text;
+    size_t size;
+} into;
+
+void fail_into(char *text, size_t size)
+{
+    into.text = text;
+    into.size = size;
+}
+
 static void say(const char *format, va_list values)
 {
     char text[1024];
@@ -14,6 +26,10 @@ static void say(const char *format, va_list values)
     for (char *at = text; *at != '\0'; at++)
         if ((unsigned char)*at < ' ' || *at == 127)
             *at = '?';
+    if (into.text) {
+        (void)snprintf(into.text, into.size, "%s", text);
+        return;
+    }
     (void)fflush(stdout);
     (void)fprintf(stderr, "tia: %s\n", text);
 }

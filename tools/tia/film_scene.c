@@ -36,7 +36,7 @@ static int set_time(struct film_scene *film, uint32_t frame)
     const struct tia_scene *scene = &film->options->scene;
     tia_q16 time = film_time(film->options, frame);
     film->scene = scene;
-    if (scene->track_count > 0) {
+    if (tia_scene_moves(scene)) {
         size_t size = tia_scene_at_size(scene);
         if (!get_memory(&film->arrays, &film->arrays_bytes, size))
             return TIA_ERR_MEMORY;
@@ -48,15 +48,16 @@ static int set_time(struct film_scene *film, uint32_t frame)
     return check(film, time);
 }
 
-static int build_bvh(struct film_scene *film)
+/* What stands still was built with the scene, once. */
+static int move_bvh(struct film_scene *film)
 {
     struct tia_scene *moved = &film->moved;
     if (film->scene != moved || !film->options->scene.bvh)
         return TIA_OK;
-    size_t size = tia_bvh_size(moved);
+    size_t size = tia_bvh_move_size(moved);
     if (!get_memory(&film->bvh_memory, &film->bvh_bytes, size))
         return TIA_ERR_MEMORY;
-    return tia_bvh_build(&moved->bvh, film->bvh_memory, size, NULL, moved);
+    return tia_bvh_move(&moved->bvh, film->bvh_memory, size, moved, &film->options->scene, film->stop, film->stop_ctx);
 }
 
 static int set_level(struct film_scene *film)
@@ -76,8 +77,8 @@ static int prepare_view(struct film_scene *film)
     if (!get_memory(&film->view_memory, &film->view_bytes, size))
         return TIA_ERR_MEMORY;
     struct rotation rotation = film_rotation(options);
-    int status = options->core->view_init(&film->view, film->view_memory, size, film->scene, lights->capacity,
-                                          rotation.width, rotation.height);
+    int status = options->core->view_init_until(&film->view, film->view_memory, size, film->scene, lights->capacity,
+                                                rotation.width, rotation.height, film->stop, film->stop_ctx);
     if (status)
         fail_view_reason(film->why, PORT_WHY, status, film->scene, rotation.width, rotation.height);
     if (!status)
@@ -87,7 +88,8 @@ static int prepare_view(struct film_scene *film)
 
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why)
 {
-    *film = (struct film_scene){.options = options, .why = why};
+    film->options = options;
+    film->why = why;
     int status = set_time(film, 0);
     if (!status && !lights_copy(&film->lights, film->scene))
         status = TIA_ERR_MEMORY;
@@ -98,11 +100,11 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
 
 int film_scene_update(struct film_scene *film, uint32_t frame)
 {
-    if (film->view && film->options->scene.track_count == 0)
+    if (film->view && !tia_scene_moves(&film->options->scene))
         return TIA_OK;
     int status = set_time(film, frame);
     if (!status)
-        status = build_bvh(film);
+        status = move_bvh(film);
     if (!status) {
         lights_follow(&film->lights, film->scene);
         status = prepare_view(film);

@@ -9,7 +9,9 @@ struct film_scene {
     const struct options *options;
     const struct tia_scene *scene; /* at that time */
     struct tia_view *view;
-    char *why; /* [PORT_WHY] */
+    char *why;               /* [PORT_WHY] */
+    bool (*stop)(void *ctx); /* of the view, see tia_view_init_until; NULL: never */
+    void *stop_ctx;
 
     /* Private. */
     struct tia_scene moved;
@@ -18,8 +20,8 @@ struct film_scene {
     struct lights lights;
 };
 
-/* Sets up the scene at the time of frame 0 and presses the keys. A negative status on failure, with `why` for
- * TIA_ERR_RANGE. */
+/* `film` is all zero but for `stop`. Sets up the scene at the time of frame 0 and presses the keys. A negative status
+ * on failure, with `why` for TIA_ERR_RANGE. */
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why);
 
 /* Updates scene and view to frame number `frame`. */

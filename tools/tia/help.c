@@ -1,11 +1,14 @@
 #include "options.h"
 
-const char options_help[] =
-    "Usage: tia [options] [SCENE]\n"
+/* In pieces: C99 compilers need not take longer strings than 4095 bytes. */
+const char *const options_help[] = {
+    "Usage: tia [options] [SCENE ...]\n"
     "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
-    ".nff or .obj, or - for standard input; without it a ball on the ground is drawn.\n"
+    ".nff or .obj, or - for standard input; without it a ball on the ground is drawn. On a screen\n"
+    "there may be several: n and p go to the next and the previous one.\n"
     "\n"
-    "  -d, --display NAME[:DEVICE]  auto, drm, fbdev, terminal or none; drm:/dev/dri/card1\n"
+    "  -d, --display NAME[:DEVICE]  auto, drm, fbdev, terminal or none; drm:/dev/dri/card1;\n"
+    "                               terminal:halfblocks, symbols, sixel or kitty\n"
     "  -o, --output FILE            draw into FILE instead, or -: a picture (.png .ppm .bmp\n"
     "                               .565 .pfm), a film (.y4m, or a picture a frame with %04d in its\n"
     "                               name) or a part for tia-join (.tiapart)\n"
@@ -17,9 +20,13 @@ const char options_help[] =
     "      --spp N                  of ao and path: samples a pixel, 1 to 16777216\n"
     "      --samples-range A-B      only these samples, counted from 0, into a part (.tiapart)\n"
     "      --resume FILE            keep finished rows in FILE, and go on with those that it has\n"
+    "      --time-limit S           of ao and path: end after S seconds\n"
+    "      --error E                of ao and path: end at this estimated error, 0.02 for 2 percent\n"
+    "      --denoise                of ao and path: take the noise out of a .png, .ppm or .pfm\n"
+    "      --guide NAME             what that goes by instead: normal, depth, albedo or error\n"
     "      --tone NAME              of ao and path: linear or srgb\n"
     "      --exposure STOPS         of ao and path: 2^STOPS times as bright\n"
-    "      --colour 565|888|16      bits of a .png or .ppm of ao and path\n"
+    "      --colour 565|888|16      bits of a .png or .ppm of ao and path\n",
     "      --shadows NAME           traced, rays, zpass, zfail, map, map-exact or zpass-plain\n"
     "      --map-size N             texels along a shadow map's side, 64 to 4096\n"
     "      --bias none|KIND=A       of shadow maps: constant, slope, normal or plane, its amount\n"
@@ -31,7 +38,8 @@ const char options_help[] =
     "  -i, --input NAME[:DEVICE]    auto, evdev, tty or none\n"
     "  -n, --frames N               stop after N frames; a film's default is the scene's keyframes\n"
     "      --time S                 the scene at S seconds; a film begins there\n"
-    "      --fps F                  a film's frames a second, 25 (default) or 30000/1001\n"
+    "      --fps F                  a film's frames a second, 25 (default) or 30000/1001; on a screen\n"
+    "                               without --frames, those that motion keeps, by coarser pictures\n"
     "      --frame-range A-B        only these frames of a film, counted from 0\n"
     "      --tile-rows A-B          only these rows of each picture, into a part\n"
     "  -j, --threads N              default: all processors\n"
@@ -39,7 +47,7 @@ const char options_help[] =
     "      --dither                 ordered dithering against RGB565's bands\n"
     "      --rotate DEGREES         0, 90, 180 or 270, clockwise\n"
     "      --connector NAME|help    DRM: which socket\n"
-    "      --mode MODE|help         DRM: preferred, WxH or WxH@HERTZ\n"
+    "      --mode MODE|help         DRM: preferred, WxH or WxH@HERTZ\n",
     "      --checksum               print each frame's number and CRC-32\n"
     "      --stats                  one JSON object on standard error at the end\n"
     "      --stats-overlay          and on the picture: times, frames a second, latency\n"
@@ -47,6 +55,11 @@ const char options_help[] =
     "                               each second where standard error is no terminal\n"
     "      --view NAME              false colours: colour, depth, normal, object, cost, light or path\n"
     "      --draw-rays X,Y          the rays of this pixel, drawn into the picture\n"
+    "      --gaze X,Y               every pixel where the eye looks, fewer elsewhere; follows the mouse\n"
+    "      --view-angle DEGREES     how wide the picture is to the eye, 1 to 170; default 50\n"
+    "      --w0 DEGREES             the eye's acuity, w0 + m e: smallest angle where it looks, 1/48\n"
+    "      --m SLOPE                and what a degree off adds, 0.0275\n"
+    "      --smooth                 interpolate what is left out\n"
     "      --list-displays          what was found, and why it can or cannot be opened\n"
     "      --scene-format FORMAT    tia, nff or obj, when SCENE's name does not say\n"
     "      --strict                 refuse a model with mistakes that are only warned of otherwise\n"
@@ -54,5 +67,8 @@ const char options_help[] =
     "  -V, --version\n"
     "\n"
     "Keys: a scene's own put lights (a d s w: above left, above right, near, far); arrows and page\n"
-    "up/down move the first one; t changes the technique for shadows, but not in the built-in scene;\n"
-    "every other key quits.\n";
+    "up/down move the first one. In the built-in scene every other key quits. In all others:\n"
+    "tab: next light   shift and arrows, page up/down: move the eye   h j k l, drag: orbit\n"
+    "+ - : zoom   home: back   n p: next, previous scene   v: next view   t: technique for shadows\n"
+    "space: pause   c: save a picture, tia-0001.png   ?: help   q, escape: quit\n",
+    NULL};

@@ -42,6 +42,27 @@ static int set_colour(struct options *options, const char *value)
     return options->depth_bits || !strcmp(value, "565") ? EXIT_FINE : wrong("--colour", value, "not 565, 888 or 16");
 }
 
+static int set_guide(struct options *options, const char *value)
+{
+    const char *name;
+
+    for (options->guide = TIA_SHOW_NORMAL; (name = tia_shown_guide_name(options->guide)) != NULL; options->guide++)
+        if (!strcmp(name, value))
+            return EXIT_FINE;
+    return wrong("--guide", value, "not normal, depth, albedo or error");
+}
+
+/* What ends a run. */
+static int set_limit(struct options *options, int option, const char *value)
+{
+    if (option == OPT_TIME_LIMIT && (!parse_seconds(value, &options->time_limit) || !options->time_limit))
+        return wrong("--time-limit", value, "not a number of seconds (above 0, to 32767.999, like 10)");
+    if (option == OPT_ERROR &&
+        (!parse_seconds(value, &options->error) || !options->error || options->error > TIA_Q16_ONE))
+        return wrong("--error", value, "not an error (0.0001 to 1, like 0.02)");
+    return EXIT_FINE;
+}
+
 int integration_parse(struct options *options, int option, char *value)
 {
     switch (option) {
@@ -54,6 +75,14 @@ int integration_parse(struct options *options, int option, char *value)
     case OPT_RESUME:
         options->resume = value;
         return EXIT_FINE;
+    case OPT_DENOISE:
+        options->denoise = true;
+        return EXIT_FINE;
+    case OPT_GUIDE:
+        return set_guide(options, value);
+    case OPT_TIME_LIMIT:
+    case OPT_ERROR:
+        return set_limit(options, option, value);
     case OPT_TONE:
         return set_tone(options, value);
     case OPT_EXPOSURE:
@@ -103,6 +132,39 @@ static int check_parts(const struct options *options)
         options->rotate)
         return fail(EXIT_USAGE, "--%s: takes no --frames, --frame-range, --tile-rows, --checksum, --dither or --rotate",
                     option);
+    return EXIT_FINE;
+}
+
+/* The first of those options that are for the whole picture's samples. */
+static const char *rounds_option(const struct options *options)
+{
+    return options->denoise      ? "denoise"
+           : options->guide      ? "guide"
+           : options->time_limit ? "time-limit"
+           : options->error      ? "error"
+                                 : NULL;
+}
+
+/* --denoise, --guide, --time-limit and --error; after choose_depth. */
+static int check_rounds(struct options *options)
+{
+    const char *option = rounds_option(options);
+    unsigned width = options->width ? options->width : 640, height = options->height ? options->height : 480;
+
+    if (!option)
+        return EXIT_FINE;
+    if (options->scene.integration.integrator == TIA_WHITTED || !options->output || !options->depth_bits)
+        return fail(EXIT_USAGE, "--%s: is for .png, .ppm and .pfm files of --integrator ao and path", option);
+    if (options->resume || (options->format == IMAGE_PART && (options->denoise || options->guide)))
+        return fail(EXIT_USAGE, "--%s: not with %s", option, options->resume ? "--resume" : "parts of samples");
+    if (options->denoise && options->guide)
+        return fail(EXIT_USAGE, "--guide: not with --denoise, which it shows the guides of");
+    if ((uint32_t)width * height > 1u << 24)
+        return fail(EXIT_USAGE, "--%s: a picture of at most 16777216 pixels, not %ux%u", option, width, height);
+    if ((options->time_limit || options->error) && !options->spp && !options->samples_range)
+        options->scene.integration.spp = TIA_SPP_MAX;
+    if (options->guide && !options->tone)
+        options->scene.integration.tone = TIA_TONE_LINEAR;
     return EXIT_FINE;
 }
 
@@ -176,5 +238,6 @@ int integration_load(struct options *options)
     if (!status && how->integrator == TIA_PATHS)
         warn_of_darkness(&options->scene);
     status = status ? status : check_parts(options);
-    return status ? status : choose_depth(options);
+    status = status ? status : choose_depth(options);
+    return status ? status : check_rounds(options);
 }

@@ -15,6 +15,11 @@ static uint16_t at_most(uint16_t value, uint16_t limit)
     return value < limit ? value : limit;
 }
 
+static bool has_frame(const struct letterbox *letterbox)
+{
+    return letterbox->checksum || letterbox->keeps;
+}
+
 /* The size that the user asked for, or that of the screen. */
 static void choose_rotation(struct letterbox *letterbox)
 {
@@ -28,7 +33,7 @@ static void choose_rotation(struct letterbox *letterbox)
 
 static int choose_frame(struct letterbox *letterbox)
 {
-    if (!letterbox->checksum)
+    if (!has_frame(letterbox))
         return TIA_OK;
     free(letterbox->frame);
     letterbox->frame = malloc((size_t)letterbox->place.width * letterbox->place.height * sizeof *letterbox->frame);
@@ -123,7 +128,7 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
     struct letterbox *letterbox = ctx;
     struct tia_tile place = on_screen(letterbox, tile);
     struct tia_surface under;
-    if (letterbox->checksum) {
+    if (has_frame(letterbox)) {
         under = (struct tia_surface){in_frame(letterbox, place), sizeof(tia_rgb565),
                                      (ptrdiff_t)(letterbox->place.width * sizeof(tia_rgb565))};
     } else {
@@ -159,7 +164,7 @@ static int letterbox_submit(void *ctx, struct tia_tile tile)
 {
     struct letterbox *letterbox = ctx;
     struct tia_tile place = on_screen(letterbox, tile);
-    if (letterbox->checksum)
+    if (has_frame(letterbox))
         return put_tile(letterbox, place, in_frame(letterbox, place));
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }

@@ -1,7 +1,7 @@
 /* letterbox.h - a display (tia/port.h) that draws on another one: it centres a smaller picture on black, rotates
  * it, puts a label on it, and computes its checksum, without the label.
  *
- * Without a checksum, the picture is drawn straight into the other display's memory.
+ * Without a checksum, and if it need not be kept, the picture is drawn straight into the other display's memory.
  */
 #ifndef TOOLS_TIA_LETTERBOX_H
 #define TOOLS_TIA_LETTERBOX_H
@@ -18,16 +18,17 @@ struct letterbox {
     uint16_t width, height; /* of the picture; 0: as large as the screen */
     unsigned degrees;       /* clockwise */
     bool checksum;
-    char *why; /* [PORT_WHY]: as in port/ports.h */
+    bool keeps; /* the picture is needed after it is shown */
+    char *why;  /* [PORT_WHY]: as in port/ports.h */
 
-    char label[400]; /* see label.h; empty: none. May change from frame to frame */
+    char label[1200]; /* see label.h; empty: none. May change from frame to frame */
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */
     struct tia_mode mode; /* the screen's */
     struct rotation rotation;
     struct tia_tile place; /* of the rotated picture, on the screen */
-    tia_rgb565 *frame;     /* the rotated picture; only with a checksum */
+    tia_rgb565 *frame;     /* the rotated picture; only with a checksum, or if it is kept */
     uint32_t crc;          /* of the frame presented last, rotated */
 };
 

@@ -12,6 +12,10 @@ enum {
     OPT_SPP,
     OPT_SAMPLES_RANGE,
     OPT_RESUME,
+    OPT_DENOISE,
+    OPT_GUIDE,
+    OPT_TIME_LIMIT,
+    OPT_ERROR,
     OPT_TONE,
     OPT_EXPOSURE,
     OPT_COLOUR,
@@ -34,6 +38,11 @@ enum {
     OPT_PROGRESS,
     OPT_VIEW,
     OPT_DRAW_RAYS,
+    OPT_GAZE,
+    OPT_VIEW_ANGLE,
+    OPT_W0,
+    OPT_M,
+    OPT_SMOOTH,
     OPT_LIST,
     OPT_STRICT
 };

@@ -14,9 +14,13 @@ struct options {
     enum action action;
     const char *scene_path; /* NULL: the built-in scene */
     int scene_format;       /* enum tia_format, or SCENE_UNKNOWN */
-    struct scene_file file; /* if there is a path */
-    struct tia_scene scene; /* the scene to draw, with --samples and --depth applied */
-    uint32_t samples;       /* 0: the scene's own; also the depth */
+    char **scene_paths;     /* all that are named; scene_path is one of them */
+    uint32_t scene_count, scene_index;
+    int format_of_scenes;         /* that is given for all of them, or SCENE_UNKNOWN */
+    struct scene_file file;       /* if there is a path */
+    struct tia_scene scene;       /* the scene to draw, with --samples and --depth applied */
+    struct tia_scene plain_scene; /* and as it is without false colours */
+    uint32_t samples;             /* 0: the scene's own; also the depth */
     uint32_t depth;
     uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
     struct tia_shadow_map map; /* what is not 0 overrides the scene's */
@@ -26,12 +30,18 @@ struct options {
     bool samples_range;
     uint32_t first_sample, last_sample; /* for samples_range */
     const char *resume;                 /* NULL: not given */
-    const char *exposure;               /* NULL: not given */
-    unsigned depth_bits;                /* of a picture, see struct image_film */
+    bool denoise;
+    uint32_t guide;            /* enum tia_shown_guide */
+    tia_q16 time_limit, error; /* 0: not given */
+    const char *exposure;      /* NULL: not given */
+    unsigned depth_bits;       /* of a picture, see struct image_film */
     bool colour_given;
-    const char *tessellated; /* NULL: not given */
-    const struct tia_core *core;
-    struct views views;                   /* without its core */
+    const char *tessellated;                  /* NULL: not given */
+    const struct tia_core *core, *plain_core; /* what draws; and what draws without false colours */
+    struct views views;                       /* without its core */
+    struct tia_gaze gaze;                     /* its angle 0: the default */
+    bool gazes;
+    const char *gaze_option;              /* one that needs a gaze; NULL: none is given */
     const struct tia_level *level;        /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;
@@ -52,6 +62,7 @@ struct options {
     bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 
-extern const char options_help[];
+/* Ends with NULL. */
+extern const char *const options_help[];
 
 #endif

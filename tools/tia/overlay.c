@@ -43,6 +43,21 @@ static void add_stats(const struct overlay *overlay, const struct tia_frame *fra
         add_line(lines, "blocks of %u", frame->block);
 }
 
+static void add_moves(const struct overlay *overlay, struct lines *lines)
+{
+    const struct moves *moves = overlay->moves;
+    const struct tia_viewer_state *viewer = overlay->viewer;
+
+    if (moves_help(moves))
+        add_line(lines, "%s", moves_help(moves));
+    if (moves->until_us > clock_now_us())
+        add_line(lines, "%s", moves->message);
+    if (viewer->light > 0)
+        add_line(lines, "light %" PRIu32 " of %" PRIu32, viewer->light + 1, viewer->light_count);
+    if (viewer->paused)
+        add_line(lines, "paused");
+}
+
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size)
 {
     struct lines lines = {text, size, 0};
@@ -53,6 +68,10 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
     if (overlay->labelled)
         add_line(&lines, "%s %" PRIu64 ".%" PRIu64 " ms", tia_shadows_name(frame->shadows), frame->draw_us / 1000,
                  frame->draw_us % 1000 / 100);
+    if (overlay->hints && overlay->viewer->light_count == 0)
+        add_line(&lines, "a d s w put the light");
+    if (overlay->moves)
+        add_moves(overlay, &lines);
     if (overlay->options->stats_overlay)
         add_stats(overlay, frame, &lines);
     if (overlay->options->progress && frame->block > 1)

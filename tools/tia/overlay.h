@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <tia/viewer.h>
 
+#include "move.h"
 #include "options.h"
 
 struct overlay {
@@ -14,6 +15,9 @@ struct overlay {
     uint64_t between_us; /* from the one before to that; 0: not known */
     uint64_t key_us;     /* the latency of the last frame that a key has asked for */
     unsigned width, height, threads;
+    const struct moves *moves;             /* NULL, or what keys have to tell */
+    const struct tia_viewer_state *viewer; /* what they have changed */
+    bool hints;                            /* says which keys put the light, while there is none */
 };
 
 /* The text for a picture that has been drawn but not shown; empty when there is nothing to tell. */

@@ -5,6 +5,7 @@
 #include "arithmetic.h"
 #include "common/thread_pool.h"
 #include "fail.h"
+#include "gaze.h"
 #include "integration.h"
 #include "parse.h"
 
@@ -276,6 +277,10 @@ int parse_option(struct options *options, int option, char *value)
     case OPT_INTEGRATOR:
     case OPT_SPP:
     case OPT_RESUME:
+    case OPT_DENOISE:
+    case OPT_GUIDE:
+    case OPT_TIME_LIMIT:
+    case OPT_ERROR:
     case OPT_TONE:
     case OPT_EXPOSURE:
     case OPT_COLOUR:
@@ -304,6 +309,12 @@ int parse_option(struct options *options, int option, char *value)
         return set_view(options, value);
     case OPT_DRAW_RAYS:
         return set_draw_rays(options, value);
+    case OPT_GAZE:
+    case OPT_VIEW_ANGLE:
+    case OPT_W0:
+    case OPT_M:
+    case OPT_SMOOTH:
+        return gaze_parse(options, option, value);
     case OPT_ROTATE:
         return set_rotate(options, value);
     case OPT_CONNECTOR:

@@ -49,17 +49,29 @@ static void print(const struct progress *progress, uint64_t now)
 
     if (progress->terminal)
         (void)fputc('\r', stderr);
-    if (progress->frames > 1) {
+    if (progress->text[0]) {
+        (void)fprintf(stderr, "drawing: %s", progress->text);
+    } else if (progress->frames > 1) {
         (void)fprintf(stderr, "drawing: %u of %u frames, %u %% of the next", (unsigned)(done / progress->frame_pixels),
                       (unsigned)progress->frames,
                       (unsigned)(done % progress->frame_pixels * 100 / progress->frame_pixels));
     } else {
         (void)fprintf(stderr, "drawing: %3u %%", (unsigned)(done * 100 / progress->frame_pixels));
     }
-    if (progress->asked)
+    if (progress->asked && !progress->text[0])
         (void)fprintf(stderr, ", %u s left", seconds_left(progress, now));
     (void)fputs(progress->terminal ? "\033[K" : "\n", stderr);
     (void)fflush(stderr);
+}
+
+/* With the lock. */
+static void show(struct progress *progress, uint64_t now)
+{
+    if (now < progress->next_us)
+        return;
+    print(progress, now);
+    progress->shown = progress->terminal;
+    progress->next_us = now + (progress->terminal ? STEP_US : LINE_US);
 }
 
 void progress_add(struct progress *progress, uint64_t pixels)
@@ -69,11 +81,17 @@ void progress_add(struct progress *progress, uint64_t pixels)
 
     (void)pthread_mutex_lock(&progress->lock);
     progress->done += pixels;
-    if (told && now >= progress->next_us && progress->done < progress->frame_pixels * progress->frames) {
-        print(progress, now);
-        progress->shown = progress->terminal;
-        progress->next_us = now + (progress->terminal ? STEP_US : LINE_US);
-    }
+    if (told && progress->done < progress->frame_pixels * progress->frames)
+        show(progress, now);
+    (void)pthread_mutex_unlock(&progress->lock);
+}
+
+void progress_say(struct progress *progress, const char *text)
+{
+    (void)pthread_mutex_lock(&progress->lock);
+    (void)snprintf(progress->text, sizeof progress->text, "%s", text);
+    if (progress->terminal || progress->asked)
+        show(progress, clock_now_us());
     (void)pthread_mutex_unlock(&progress->lock);
 }
 

@@ -9,6 +9,8 @@
 
 #include "common/signals.h"
 
+#define PROGRESS_TEXT 80
+
 struct progress {
     bool terminal, asked; /* asked: also where there is no terminal, in lines */
     uint64_t begun_us;
@@ -17,6 +19,7 @@ struct progress {
     pthread_mutex_t lock; /* protects the following members */
     uint64_t done;        /* pixels */
     uint64_t next_us;
+    char text[PROGRESS_TEXT];       /* what is shown instead of percents, if anything */
     atomic_bool shown;              /* the line is there */
     struct signals_cleanup cleanup; /* erases it */
 };
@@ -26,6 +29,9 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
 
 /* Adds completed pixels; call it from any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
+
+/* Shows this from now on. */
+void progress_say(struct progress *progress, const char *text);
 
 /* Erases the line, which may come again; ends it. */
 void progress_erase(struct progress *progress);

@@ -9,12 +9,17 @@
 #include "clock.h"
 #include "common/signals.h"
 #include "fail.h"
+#include "gaze.h"
+#include "pixels/pages.h"
+#include "save.h"
+#include "scenes.h"
 
-struct session *session_create(const struct options *options)
+struct session *session_create(struct options *options)
 {
     struct session *session = calloc(1, sizeof *session);
     if (session) {
         session->options = options;
+        session->is_moved = options->scene_path != NULL;
         signals_catch_waiting();
     }
     return session;
@@ -24,7 +29,8 @@ struct session *session_create(const struct options *options)
 
 int session_open_input(struct session *session, const struct port_input *port)
 {
-    struct port_wish wish = {.device = session->options->input_device, .why = session->why};
+    struct port_wish wish = {
+        .device = session->options->input_device, .pointer = session->is_moved, .why = session->why};
     session->input_ctx = port->create(&wish);
     if (!session->input_ctx)
         return EXIT_INPUT;
@@ -65,6 +71,7 @@ int session_open_display(struct session *session, const struct port_display *por
                                             .height = options->height,
                                             .degrees = options->rotate,
                                             .checksum = options->checksum,
+                                            .keeps = session->is_moved || session->save_to,
                                             .why = session->why};
     int status = letterbox_display.open(&session->letterbox, &session->mode);
     if (status == TIA_ERR_MEMORY)
@@ -94,7 +101,7 @@ static void *get_memory(void *ctx, size_t size)
     struct session *session = ctx;
     if (size > session->memory_bytes) {
         free(session->memory);
-        session->memory = malloc(size);
+        session->memory = pages_alloc(size);
         session->memory_bytes = session->memory ? size : 0;
     }
     return session->memory;
@@ -122,17 +129,24 @@ static void frame_drawn(void *ctx, const struct tia_frame *frame)
 static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
-    if (frame->block > 1) {
+    stats_paced(&session->stats.paced, frame, clock_now_us());
+    if (frame->block > 1 && !frame->moving) {
         if (frame->key_us != 0)
             stats_add(&session->stats.coarse, frame->key_us);
         return TIA_OK;
     }
+    if (session->is_moved)
+        moves_shown(&session->moves, frame);
     overlay_shown(&session->overlay, frame);
     session->stats.frames++;
     session->stats.level = frame->level;
     stats_add(&session->stats.draw, frame->draw_us);
     if (frame->key_us != 0)
         stats_add(&session->stats.flip, frame->key_us);
+    session->stats.pixels += frame->pixels;
+    session->stats.all_pixels += (uint64_t)session->letterbox.rotation.width * session->letterbox.rotation.height;
+    if (session->save_to && save_picture(&session->letterbox, session->save_to, session->options->format, session->why))
+        return TIA_ERR_DEVICE;
     return session->options->checksum ? print_checksum(session, frame->number) : TIA_OK;
 }
 
@@ -159,9 +173,16 @@ static int close_lines(struct session *session)
     return result >= 0 && fflush(stdout) == 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
+/* Whether --fps is a pace: else it is a film's rate. */
+static bool viewer_paces(const struct options *options)
+{
+    return options->rate_given && options->frames == 0;
+}
+
 static struct tia_viewer viewer_of(struct session *session)
 {
     const struct options *options = session->options;
+    bool paces = viewer_paces(options);
     return (struct tia_viewer){.core = options->core,
                                .level = options->level,
                                .scene = &options->scene,
@@ -169,18 +190,23 @@ static struct tia_viewer viewer_of(struct session *session)
                                .light_capacity = session->lights.capacity,
                                .detached = session->lights.detached,
                                .variant = options->scene_path ? &session->variant : NULL,
+                               .gaze = gaze_of(options),
+                               .control = session->is_moved ? &moves_control : NULL,
+                               .control_ctx = &session->moves,
+                               .state = &session->viewer,
                                .options = {.dither = options->dither},
                                .frame_limit = options->frames,
                                .keys = options->keys,
                                .key_count = options->key_count,
                                .time = options->time,
-                               .rate = {options->rate_given ? options->rate[0] : 0, options->rate[1]},
+                               .rate = {options->rate_given && !paces ? options->rate[0] : 0, options->rate[1]},
+                               .pace = {paces ? options->rate[0] : 0, options->rate[1]},
                                .display = &letterbox_display,
-                               .input = session->input->ops,
+                               .input = session->is_moved ? &pointed_input : session->input->ops,
                                .clock = &clock_monotonic,
                                .workers = &threads_workers,
                                .display_ctx = &session->letterbox,
-                               .input_ctx = session->input_ctx,
+                               .input_ctx = session->is_moved ? (void *)&session->pointed : session->input_ctx,
                                .workers_ctx = session->pool,
                                .memory = get_memory,
                                .memory_ctx = session,
@@ -190,6 +216,48 @@ static struct tia_viewer viewer_of(struct session *session)
                                .stop = signals_asked};
 }
 
+/* Who cannot type needs no hint; and keys that are pressed first put the light. */
+static void begin_overlay(struct session *session)
+{
+    const struct options *options = session->options;
+    bool types = strcmp(session->input->name, "none") != 0;
+
+    session->overlay = (struct overlay){.options = options,
+                                        .threads = threads_count(session->pool),
+                                        .moves = session->is_moved ? &session->moves : NULL,
+                                        .viewer = &session->viewer,
+                                        .hints = !options->scene_path && !options->key_text && types};
+    session->moves = (struct moves){.options = options, .letterbox = &session->letterbox};
+    session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
+}
+
+/* After a key that ends the loop: whether there is more to show. A scene that cannot be loaded is told of, on the one
+ * before. */
+static bool go_on(struct session *session)
+{
+    enum move_to to = session->moves.to;
+
+    session->moves.to = MOVE_NOWHERE;
+    session->options->key_count = 0;
+    session->viewer.goes_on = true;
+    if (to == MOVE_NEXT_VIEW) {
+        scenes_next_view(session->options);
+        moves_say(&session->moves, view_name(session->options->views.view));
+        return true;
+    }
+    if (to == MOVE_NOWHERE)
+        return false;
+    if (!scenes_go(session->options, to == MOVE_NEXT_SCENE ? 1 : -1, session->why)) {
+        moves_say(&session->moves, session->why);
+        session->why[0] = '\0';
+        return true;
+    }
+    moves_say(&session->moves, session->options->scene_path);
+    session->viewer.goes_on = false;
+    lights_free(&session->lights);
+    return lights_copy(&session->lights, &session->options->scene);
+}
+
 /* Creates the threads after opening the display: opening may fork, and threads do not survive that. */
 int session_run(struct session *session)
 {
@@ -197,11 +265,16 @@ int session_run(struct session *session)
     session->why[0] = '\0';
     session->pool = threads_create(session->options->threads);
     if (session->pool && lights_copy(&session->lights, &session->options->scene) && !open_lines(session)) {
-        struct tia_viewer viewer = viewer_of(session);
-        session->overlay = (struct overlay){.options = session->options, .threads = threads_count(session->pool)};
-        status = tia_viewer_run(&viewer);
+        begin_overlay(session);
+        do {
+            struct tia_viewer viewer = viewer_of(session);
+            status = tia_viewer_run(&viewer);
+        } while (!status && go_on(session));
     }
     (void)snprintf(session->format, sizeof session->format, "%s", session->mode.format);
+    if (viewer_paces(session->options))
+        session->stats.paced.asked_us = UINT64_C(1000000) * session->options->rate[1] / session->options->rate[0];
+    session->stats.gazes = session->options->gazes;
     session->stats.display = session->display->name;
     session->stats.format = session->format;
     session->stats.width = session->letterbox.rotation.width;

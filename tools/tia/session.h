@@ -7,13 +7,15 @@
 #include "common/lights.h"
 #include "common/thread_pool.h"
 #include "letterbox.h"
+#include "move.h"
 #include "options.h"
 #include "overlay.h"
+#include "pointed.h"
 #include "ports.h"
 #include "stats.h"
 
 struct session {
-    const struct options *options;
+    struct options *options;
     char why[PORT_WHY];                 /* the last failure */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
@@ -24,7 +26,12 @@ struct session {
     struct lights lights;
     struct tia_scene variant; /* the scene, with the technique for shadows that a key has chosen */
     struct overlay overlay;
-    void *memory; /* the viewer's */
+    struct tia_viewer_state viewer; /* what keys have changed */
+    struct pointed pointed;
+    struct moves moves;
+    bool is_moved;       /* keys and the mouse move the eye: in all scenes but the built-in one */
+    const char *save_to; /* NULL, or where the first complete picture is written, as options->format says */
+    void *memory;        /* the viewer's */
     size_t memory_bytes;
     FILE *lines; /* for checksums: standard output, or memory until the display is closed */
     char *text;
@@ -34,7 +41,7 @@ struct session {
 };
 
 /* Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
-struct session *session_create(const struct options *options);
+struct session *session_create(struct options *options);
 
 /* Return an exit status, and the reason in session->why. */
 int session_open_input(struct session *session, const struct port_input *port);

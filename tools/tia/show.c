@@ -86,7 +86,7 @@ static bool is_automatic(const struct port_display *port)
     return strcmp(port->name, "drm") == 0 || strcmp(port->name, "fbdev") == 0;
 }
 
-static int draw_instead(const struct options *options)
+static int draw_instead(struct options *options)
 {
     struct options file = *options;
     file.frames = 0; /* one picture, whatever --frames says */
@@ -124,13 +124,32 @@ static int show_named(struct session *session, const char *name)
     return try_display(session, port);
 }
 
-int show(const struct options *options)
+int show(struct options *options)
 {
     struct session *session = session_create(options);
     if (!session)
         return fail(EXIT_RUNNING, "memory: exhausted");
     bool any = strcmp(options->display, "auto") == 0;
     int status = any ? show_any(session) : show_named(session, options->display);
+    if (status != EXIT_FINE && session->why[0] != '\0')
+        (void)fail(status, "%s", session->why);
+    return session_end(session, status);
+}
+
+/* A gaze needs the whole picture in memory: as on a display that shows nothing. */
+int show_into_file(struct options *options)
+{
+    struct session *session;
+
+    options->display = options->input = "none";
+    options->frames = 1;
+    options->width = options->width ? options->width : 640;
+    options->height = options->height ? options->height : 480;
+    session = session_create(options);
+    if (!session)
+        return fail(EXIT_RUNNING, "memory: exhausted");
+    session->save_to = options->output;
+    int status = show_named(session, options->display);
     if (status != EXIT_FINE && session->why[0] != '\0')
         (void)fail(status, "%s", session->why);
     return session_end(session, status);

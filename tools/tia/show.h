@@ -4,8 +4,11 @@
 
 #include "options.h"
 
-/* Both return the exit status, after an error message if it is not 0. */
-int show(const struct options *options);
+/* All return the exit status, after an error message if it is not 0. */
+int show(struct options *options);
+
+/* One picture into options->output, with a gaze. */
+int show_into_file(struct options *options);
 
 /* Lists every display found or, for --connector help and --mode help, those of the port `only`. */
 int show_list(const char *only);

@@ -36,12 +36,58 @@ static void print_samples(const char *name, struct samples *samples)
                   p50 / 1000, p50 % 1000, p95 / 1000, p95 % 1000);
 }
 
+void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us)
+{
+    unsigned level = 0;
+
+    while (level < 4 && frame->block >> (level + 1))
+        level++;
+    if (frame->moving)
+        paced->blocks[level]++;
+    if (frame->moving && paced->last_us) {
+        paced->sum_us += now_us - paced->last_us;
+        paced->count++;
+    }
+    paced->last_us = frame->moving ? now_us : 0;
+}
+
+static void print_rate(const char *name, uint64_t us, uint64_t count)
+{
+    uint64_t thousandths = us ? (count * UINT64_C(1000000000) + us / 2) / us : 0;
+
+    (void)fprintf(stderr, "\"%s\": %" PRIu64 ".%03" PRIu64 ", ", name, thousandths / 1000, thousandths % 1000);
+}
+
+static void print_paced(const struct paced *paced)
+{
+    if (!paced->asked_us)
+        return;
+    (void)fputs("\"pace\": {", stderr);
+    print_rate("asked", paced->asked_us, 1);
+    print_rate("achieved", paced->sum_us, paced->count);
+    (void)fputs("\"blocks\": {", stderr);
+    for (unsigned i = 0; i < 5; i++)
+        (void)fprintf(stderr, "%s\"%u\": %" PRIu64, i ? ", " : "", 1u << i, paced->blocks[i]);
+    (void)fputs("}}, ", stderr);
+}
+
+/* The share of the pixels that were drawn, of those of all frames. */
+static void print_drawn(const struct stats *stats)
+{
+    uint64_t all = stats->all_pixels ? stats->all_pixels : 1, millionths = stats->pixels * 1000000 / all;
+
+    (void)fprintf(stderr, "\"drawn\": %" PRIu64 ".%06" PRIu64 ", ", millionths / 1000000, millionths % 1000000);
+}
+
 int stats_print(struct stats *stats)
 {
     (void)fprintf(stderr, "{\"frames\": %" PRIu64 ", ", stats->frames);
     print_samples("frame_ms", &stats->draw);
     print_samples("input_to_flip_ms", &stats->flip);
     print_samples("input_to_coarse_ms", &stats->coarse);
+    if (stats->gazes)
+        print_drawn(stats);
+    print_paced(&stats->paced);
     (void)fprintf(stderr,
                   "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"level\": \"%s\", \"threads\": %u, "
                   "\"scale_bits\": %u}\n",

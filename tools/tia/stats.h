@@ -3,6 +3,7 @@
 #define TOOLS_TIA_STATS_H
 
 #include <stdint.h>
+#include <tia/viewer.h>
 
 /* Keeps only the newest samples, since a program may run for weeks. */
 enum { STATS_SAMPLES = 65536 };
@@ -12,13 +13,27 @@ struct samples {
     uint32_t us[STATS_SAMPLES]; /* ring buffer */
 };
 
+/* Frames of what moves, at a pace. */
+struct paced {
+    uint64_t asked_us;      /* between two of them, as asked for; 0: there is no pace */
+    uint64_t sum_us, count; /* between two that follow each other, and how often they do */
+    uint64_t last_us;       /* when the last was shown; 0: that was none */
+    uint64_t blocks[5];     /* how many had blocks of 1, 2, 4, 8 and 16 pixels */
+};
+
 struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
     struct samples coarse;     /* and to the first coarse picture of it, where there was one */
     const char *display, *format, *level;
     unsigned width, height, threads, scale_bits; /* the last: of the scene */
+    uint64_t pixels, all_pixels;                 /* drawn, and those of all frames */
+    bool gazes;                                  /* where these differ */
+    struct paced paced;
 };
+
+/* A picture was shown at that time. */
+void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us);
 
 void stats_add(struct samples *samples, uint64_t us);
 

@@ -29,11 +29,20 @@ static int print(const char *text)
     return EXIT_FINE;
 }
 
-static int act(const struct options *options)
+static int print_help(void)
+{
+    int status = EXIT_FINE;
+
+    for (const char *const *piece = options_help; *piece && status == EXIT_FINE; piece++)
+        status = print(*piece);
+    return status;
+}
+
+static int act(struct options *options)
 {
     switch (options->action) {
     case ACTION_HELP:
-        return print(options_help);
+        return print_help();
     case ACTION_VERSION:
         return print("tia " TIA_VERSION "\n");
     case ACTION_LIST:
@@ -41,6 +50,8 @@ static int act(const struct options *options)
     case ACTION_MODES:
         return show_list(options->display);
     case ACTION_DRAW:
+        if (options->gazes)
+            return show_into_file(options);
         return options->depth_bits ? estimate(options) : draw(options);
     default:
         return show(options);

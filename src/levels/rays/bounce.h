@@ -50,12 +50,12 @@ LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
     return (a - b) / sum;
 }
 
-/* Snell's law and Fresnel's equations as in refract of shade.c: c is within ec, so the square under the root is within
- * ec/4 in quarters, and less in sixteenths. */
+/* Snell's law and Fresnel's equations as in refract of shade.c: c is within ec, so c^2 under the root is within (2 |c|
+ * + ec) ec. */
 static void refract(const struct shade *h, vm glass, vd q, vd part, struct refraction *f)
 {
     vd c = h->facing, ec = h->efacing, square = q * q, inside = square - (1 - c * c) * (part * part), er, es, ep;
-    vd ei = ec * 0.25 + SURE_2(46), x = c * part, ex = ec * 0.25;
+    vd ei = (2 * vabs(c) + ec) * ec * (part * part) + SURE_2(46), x = c * part, ex = ec * part;
     vm fine = mnot(mnone());
 
     f->total = mand(mnot(f->straight), mor(vlt(inside, -ei), vlt(c, -ec)));
@@ -63,10 +63,10 @@ static void refract(const struct shade *h, vm glass, vd q, vd part, struct refra
     vd root = vsqrt(vsel(f->bends, inside, vset(1)));
     er = ei / root + SURE_2(46);
     vd bend = x - root, rs = reflectance_of(x, root, ex + er, &fine, &es);
-    vd rp = reflectance_of(square * c, root * part, square * ec + er * 0.25, &fine, &ep);
+    vd rp = reflectance_of(square * c, root * part, square * ec + er * part, &fine, &ep);
     vd fresnel = 0.5 * (rs * rs + rp * rp), efresnel = (vabs(rs) + es) * es + (vabs(rp) + ep) * ep + SURE_2(46);
     f->to = v3_unit(v3_sub(v3_scale(h->normal, bend), v3_scale(h->viewer, part)),
-                    h->en * vabs(bend) + ex + er + h->ev * 0.25 + SURE_2(47), &f->eto);
+                    h->en * vabs(bend) + ex + er + h->ev * part + SURE_2(47), &f->eto);
     vm known = mor(f->straight, mor(f->total, mand(f->bends, mand(fine, vlt(fresnel + efresnel, vset(1))))));
     f->unsure = mand(glass, mnot(known));
     vm partly = mand(f->bends, h->fresnel);

@@ -87,15 +87,15 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
     num_u threshold[8];
 
     d->kernels->trace(b);
-    for (int i = 0; i < b->width * b->height && !view_stops(d->view); i++) {
+    for (int i = 0; i < b->width * b->height; i++) {
         int x = b->x + i % b->width, y = b->y + i / b->width, first = i * b->samples;
         tia_rgb565 *pixel = &out[i / b->width * pitch + i % b->width];
 
         dither_thresholds(d->dither, y, threshold);
         for (int k = first; k < first + b->samples; k++)
-            if (b->unsure >> k & 1)
+            if (b->unsure >> k & 1 && !view_stops(d->view))
                 replace(d, k, x, y);
-        if (!pixel_of(b, first, (double)threshold[x & 7] * SURE_2(30), pixel))
+        if (!pixel_of(b, first, (double)threshold[x & 7] * SURE_2(30), pixel) && !view_stops(d->view))
             *pixel = exact_pixel(b, x, y, threshold[x & 7]);
     }
 }

@@ -70,8 +70,8 @@ static void attenuate(const struct sure_light *l, vd distance, vd edistance, str
     vd factor = 1 / vsel(fine, sum, vset(1));
 
     f->unsure = mor(f->unsure, mnot(fine));
-    f->e = f->e * factor + f->factor * (1.125 * esum * factor * factor + vsel(far, vset(SURE_2(16)), vset(0))) +
-           SURE_2(43);
+    f->e = f->e * factor +
+           (f->factor + f->e) * (1.125 * esum * factor * factor + vsel(far, vset(SURE_2(16)), vset(0))) + SURE_2(43);
     f->factor = f->factor * factor;
 }
 
@@ -160,7 +160,7 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
     vd shine = vsel(glossy, power(half, h->exponent), vset(0));
     for (int c = 0; c < 3; c++)
         rgb[c] = rgb[c] + h->specular[c] * shine;
-    *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + (1 + h->exponent) * SURE_2(40)), vset(0));
+    *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + vset(SURE_POWER)), vset(0));
 }
 
 /* What has been added up at the points. */

@@ -2,13 +2,19 @@
  *
  * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, z = (m - 1)/(m + 1): |z| <= 0.1716, so the series to z^15 is
  * off by 2 z^17/17 < 1.2e-14, and log2 by 2e-14 with its roundings. The exponential of a fraction in -1/2..1/2 times ln
- * 2 to the power 11: off by 0.3466^12/12! < 7e-15. For y = e log2 x that makes (1 + e) 2^-44 of the result, which is at
- * most 1; users take (1 + e) 2^-40, in which what the integers' squarings and roots round by, below 32 units, is as
- * well. Below 2^-64 the result is 0: with |y| < 64, 1.5 2^52 added to y rounds it. */
+ * 2 to the power 11: off by 0.3466^12/12! < 7e-15.
+ *
+ * The logarithm's error is a part of it: the series ends z^16/17 < 3.4e-14 of it, roundings add 1e-15. So y = e log2 x
+ * is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14, |y| 2^y being 0.531 at most: whatever e is. With
+ * the exponential's 7e-15 and its roundings that is 2.1e-14; the integers' result is rounded to 2^-46, and e squarings
+ * by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| < 64, 1.5 2^52 added
+ * to y rounds it. */
 #ifndef TIA_LEVELS_RAYS_POWER_H
 #define TIA_LEVELS_RAYS_POWER_H
 
 #include "vector.h"
+
+#define SURE_POWER SURE_2(44) /* see above */
 
 /* x + SHIFT is rounded to a whole number, which its lowest bits are. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */

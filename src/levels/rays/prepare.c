@@ -1,5 +1,8 @@
 /* prepare.c - a scene in double precision, from the one that the integers have prepared. */
+#include <tia/motion.h>
+
 #include "render/geometry/triangle.h"
+#include "scene/bvh/tree.h"
 #include "scene/colour.h"
 #include "sure.h"
 
@@ -30,9 +33,11 @@ struct places {
     double (*places)[16][SURE_PLACES][2];
 };
 
+/* Where things move, enough for the hierarchy of any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
-    uint64_t nodes = scene->bvh->objects.node_count, faces = scene->shape_count;
+    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count;
+    uint64_t nodes = tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count;
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         nodes += scene->bvh->meshes[i].node_count;
@@ -42,7 +47,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
     p->nodes = take(room, nodes, sizeof *p->nodes);
     p->meshes = take(room, scene->mesh_count, sizeof *p->meshes);
     p->faces = take(room, faces, sizeof *p->faces);
-    p->of.objects = take(room, (uint64_t)scene->sphere_count + scene->shape_count, sizeof *p->of.objects);
+    p->of.objects = take(room, objects, sizeof *p->of.objects);
     p->of.rounds = take(room, scene->shape_count, sizeof *p->of.rounds);
     p->of.grids = take(room, scene->shape_count, sizeof *p->of.grids);
     p->of.instances = take(room, scene->shape_count, sizeof *p->of.instances);

@@ -21,7 +21,8 @@ struct pack {
     struct origin from;
     struct v3 inv, low, high; /* 1/d and (o +- pad)/d, pad being how far the ray is off anywhere in the scene */
     int near[3];              /* of all lanes the nearer planes: 0 or 3 */
-    bool uniform;             /* all lanes agree on that */
+    bool uniform;             /* all lanes agree on that; then in and out are what of low and high is for the nearer */
+    struct v3 in, out;        /* planes, and for the farther ones */
 };
 
 /* Nearest: t, e are those of the best hit; `low` is the least t - e of every other hit, and of what may be hit. The
@@ -107,6 +108,9 @@ LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm 
         p->uniform = p->uniform && (back[i] == 0 || back[i] == all);
         p->near[i] = back[i] ? 3 : 0;
     }
+    p->in = (struct v3){back[0] ? p->low.x : p->high.x, back[1] ? p->low.y : p->high.y, back[2] ? p->low.z : p->high.z};
+    p->out =
+        (struct v3){back[0] ? p->high.x : p->low.x, back[1] ? p->high.y : p->low.y, back[2] ? p->high.z : p->low.z};
     return vlt(pad, vset((extent + SURE_2(10)) * SURE_2(9)));
 }
 
@@ -117,12 +121,11 @@ LANE_OP vm box_enter(const struct query *q, const double box[6], vd *near)
     vd in, out;
 
     if (p->uniform) {
-        const struct v3 *edge[2] = {&p->high, &p->low};
         int x = p->near[0], y = p->near[1], z = p->near[2];
-        in = vmax(vmax(vset(box[x]) * p->inv.x - edge[x != 0]->x, vset(box[y + 1]) * p->inv.y - edge[y != 0]->y),
-                  vmax(vset(box[z + 2]) * p->inv.z - edge[z != 0]->z, vset(0)));
-        out = vmin(vmin(vset(box[3 - x]) * p->inv.x - edge[x == 0]->x, vset(box[4 - y]) * p->inv.y - edge[y == 0]->y),
-                   vmin(vset(box[5 - z]) * p->inv.z - edge[z == 0]->z, q->limit));
+        in = vmax(vmax(vset(box[x]) * p->inv.x - p->in.x, vset(box[y + 1]) * p->inv.y - p->in.y),
+                  vmax(vset(box[z + 2]) * p->inv.z - p->in.z, vset(0)));
+        out = vmin(vmin(vset(box[3 - x]) * p->inv.x - p->out.x, vset(box[4 - y]) * p->inv.y - p->out.y),
+                   vmin(vset(box[5 - z]) * p->inv.z - p->out.z, q->limit));
     } else {
         vd ax = vset(box[0]) * p->inv.x - p->high.x, bx = vset(box[3]) * p->inv.x - p->low.x;
         vd ay = vset(box[1]) * p->inv.y - p->high.y, by = vset(box[4]) * p->inv.y - p->low.y;

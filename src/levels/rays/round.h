@@ -75,12 +75,12 @@ LANE_OP void beam_of(const struct pack *p, struct beam *b)
     b->flat = vsqrt(b->d0.v * b->d0.v + b->d1.v * b->d1.v);
     vm some = vlt(32 * edir, b->flat);
     b->fine = mand(b->fine, some);
-    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * 2 * over + SURE_2(48);
+    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * 1.0625 * over + SURE_2(48);
     struct ve q0 = ve_of(b->d0.v * over, eq), q1 = ve_of(b->d1.v * over, eq);
     struct ve p0 = ve_of(v3_dot(b->near, a0), epos), p1 = ve_of(v3_dot(b->near, a1), epos);
     b->height = ve_of(v3_dot(b->near, axis), epos);
     b->rise = ve_of(v3_dot(p->d, axis), edir);
-    b->pace = ve_of(b->flat, edir * 2 + SURE_2(44));
+    b->pace = ve_of(b->flat, edir + SURE_2(44));
     b->nearest = ve_neg(ve_add(ve_mul(p0, q0), ve_mul(p1, q1)));
     b->passing = ve_sub(ve_mul(p0, q1), ve_mul(p1, q0));
 }
@@ -109,10 +109,10 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
         vd f = vsqrt(fx.v * fx.v + fy.v * fy.v), ef = fx.e + fy.e;
         vm good = vlt(32 * ef, f);
         b->fine = mand(b->fine, good);
-        vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 2 * inverse + SURE_2(48);
+        vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + SURE_2(48);
         u.n0 = ve_of(fx.v * inverse, en);
         u.n1 = ve_of(fy.v * inverse, en);
-        u.length = ve_of(f, ef * 2 + SURE_2(44));
+        u.length = ve_of(f, ef + SURE_2(44));
     }
     u.g = ve_add(ve_mul(radius, c), ve_mul(b->height, s));
     u.m = ve_mul(b->nearest, c);

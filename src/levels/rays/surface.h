@@ -207,8 +207,11 @@ static void side_normals(struct shade *h, unsigned lanes)
  * move by ep together, so an area does by its edge times that: no more than ew for the two at the first corner, twice
  * that for the third. Their sum stays, the parts' errors add up to 0: so what the corners' normals have in common does
  * not count, only how far those of the other two are from the first's, times their own parts' errors. Where parts are
- * below 0 the integers take 0, and divide by the sum of the others: two may be, of 2 ew together or 3 ew, which the
- * parts then change by once more at most. */
+ * below 0 the integers take 0, and divide by the sum of the others, 1 + N with N what is below 0. Ours are not below
+ * -ew, as the ray meets the face. So a part of which 0 is left changes by ew at most. Another, w <= 1, moves by D and
+ * then changes by (D - N w)/(1 + N) in all. If only the first corner's is below 0, N is at most ew and the two moves of
+ * the others, D among them, which leaves 2 ew; if only the other one's is, N is at most 2 ew: 3 ew. If both are, it
+ * becomes 1 where it was 1 less the two, whose sum is between -2 ew and D. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -236,7 +239,7 @@ static void smooth_normals(struct shade *h, const struct sure_face *const face[L
     vm clear = vlt(2 * epart, vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
     struct v3 total =
         v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
-    struct v3 unit = v3_unit(total, vsel(clear, epart, 6 * epart) * vgather(f, 22) + SURE_2(47), &e);
+    struct v3 unit = v3_unit(total, vsel(clear, epart, 3 * epart) * vgather(f, 22) + SURE_2(47), &e);
     vm m = mof(smooth);
     h->normal = v3_sel(m, unit, h->normal);
     h->en = vsel(m, e, h->en);

@@ -71,7 +71,7 @@ static void grid_coordinates(const struct texture_point *p, struct coordinates *
     box_coordinates(p, min, size, p->element % 6, c);
 }
 
-/* Barycentric coordinates, as smooth_normals has them; then the mesh's own. */
+/* Barycentric coordinates, as smooth_normals has them, where they are within 3 ew as well; then the mesh's own. */
 static bool face_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -90,10 +90,10 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
         const double *s = v[(i + 1) % 3], *t = v[(i + 2) % 3];
         w[i] = s[a] * t[b] - s[b] * t[a];
     }
-    double sum = w[0] + w[1] + w[2], ew = 2 * f->extent * p->e + far * far * SURE_2(49);
+    double sum = w[0] + w[1] + w[2], ew = f->extent * p->e + far * far * SURE_2(49);
     if (!(16 * ew < __builtin_fabs(sum)))
         return false;
-    double part = 6 * (ew / __builtin_fabs(sum) + SURE_2(50));
+    double part = 3 * (ew / __builtin_fabs(sum) + SURE_2(50));
     c->uv[0] = w[1] / sum;
     c->uv[1] = w[2] / sum;
     c->e = part;

@@ -65,8 +65,10 @@ LANE_OP bool resume(struct nodes *w, const struct query *q)
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \
     {                                                                                                                  \
-        struct nodes w = {.depth = 0, .node = 0};                                                                      \
+        struct nodes w; /* not set to zero as a whole: it is large */                                                  \
                                                                                                                        \
+        w.depth = 0;                                                                                                   \
+        w.node = 0;                                                                                                    \
         if (!tree->node_count || !many(box_enter(q, tree->nodes[0].box, &w.near)))                                     \
             return;                                                                                                    \
         do {                                                                                                           \
@@ -166,8 +168,11 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
 {
-    struct group_list groups = {.full = 0};
+    struct group_list groups; /* not set to zero as a whole: it is large */
 
+    groups.full = 0;
+    for (int k = 0; k < LANES; k++)
+        groups.count[k] = 0;
     q->groups = &groups;
     walk_faces(s, o->mesh, q);
     q->groups = NULL;

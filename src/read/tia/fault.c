@@ -23,7 +23,7 @@ static void seek(struct tia_job *job, const struct tia_fault *fault)
     } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
                   {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
                   {"grid", TIA_OF_GRIDS},         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
-                  {"track", TIA_OF_TRACKS}};
+                  {"track", TIA_OF_TRACKS},       {"fall", TIA_OF_FALLS}};
     struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
 
     job->seeking = true;
@@ -60,6 +60,10 @@ static const char *keyword(const struct tia_fault *fault)
         {"transform", "position", "at"},
         {"track", "value", ""},
         {"track", "time", ""},
+        {"track", "target", ""},
+        {"fall", "shape", ""},
+        {"scene", "fall", ""},
+        {"scene", "gravity", ""},
     };
     struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
 
@@ -72,7 +76,7 @@ static const char *keyword(const struct tia_fault *fault)
 /* Whether a name follows the statement's word: it may look like a keyword. */
 static bool is_named(const char *statement)
 {
-    static const char *const named[] = {"material", "texture", "mesh", "grid", "instance", "animate"};
+    static const char *const named[] = {"material", "texture", "mesh", "grid", "instance", "animate", "fall"};
     struct tia_word word = word_of(statement);
 
     for (unsigned i = 0; i < TIA_COUNT_OF(named); i++)

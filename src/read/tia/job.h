@@ -36,6 +36,8 @@ enum tia_job_array {
     TIA_OF_BINDINGS,
     TIA_OF_TRACKS,
     TIA_OF_KEYS,
+    TIA_OF_FALLS,
+    TIA_OF_FALLING,
     TIA_OF_NAMES,    /* all defined names */
     TIA_OF_ANIMATED, /* the names in animate statements */
     TIA_ARRAYS
@@ -79,7 +81,9 @@ struct tia_job {
     struct tia_scene *scene;
     enum tia_pass pass;
     struct tia_array arrays[TIA_ARRAYS];
-    uint32_t once; /* bit n: statement n, which may occur only once, has occurred */
+    struct tia_falling falling; /* gravity, and when it ends */
+    bool hides;                 /* a shape may not be there: the scene needs a mesh without faces */
+    uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
 
     const char *statement; /* the one that was read last */
     struct tia_text rest;  /* what followed its first word */
@@ -115,6 +119,15 @@ void tia_job_animate(struct tia_job *job, const struct tia_word *name);
 bool tia_job_moves(const struct tia_job *job, const struct tia_word *name);
 struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name);
 
+/* Adds a track that shows a shape or light, unless both times are NULL: not given. */
+int tia_job_show(struct tia_job *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
+                 const tia_q16 *vanishes);
+
+/* Before and after a pass; and after the last one, when all shapes are known. events.c */
+void tia_events_begin(struct tia_job *job);
+void tia_events_end(struct tia_job *job);
+void tia_events_resolve(struct tia_job *job);
+
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
 int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name);
 
@@ -147,6 +160,8 @@ int tia_line_grid(struct tia_job *job);
 int tia_line_light(struct tia_job *job);
 int tia_line_key(struct tia_job *job);
 int tia_line_animate(struct tia_job *job);
+int tia_line_gravity(struct tia_job *job);
+int tia_line_fall(struct tia_job *job);
 int tia_line_group(struct tia_job *job);
 int tia_line_end(struct tia_job *job);
 int tia_line_include(struct tia_job *job);

@@ -4,6 +4,7 @@
 
 struct light_line {
     struct tia_word name;
+    tia_q16 appears, vanishes;
     struct tia_emission emission;
     struct tia_light light;
 };
@@ -14,12 +15,17 @@ struct light_line {
     {                                                                                                                  \
         .word = field, .kind = type, .count = n, .offset = offsetof(struct light_line, light.part), .needed = need     \
     }
-/* The name comes first, so that keys, whose lights have no name, can start with the second field. */
+/* These come first, so that keys, whose lights have none of them, can start with what follows. */
+#define OWN 3
 #define NAME                                                                                                           \
+    {.word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)},                             \
+        {.word = "appears", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct light_line, appears)},          \
     {                                                                                                                  \
-        .word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)                            \
+        .word = "vanishes", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct light_line, vanishes)           \
     }
 #define NAMED 1u
+#define APPEARS 2u
+#define VANISHES 4u
 #define EMISSION                                                                                                       \
     {                                                                                                                  \
         .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, emission)                      \
@@ -60,7 +66,7 @@ static const struct tia_form kinds[] = {
 static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
 {
     const struct tia_form *kind = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds));
-    bool skip = !nameable;
+    unsigned skip = nameable ? 0 : OWN;
 
     line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind};
     line->emission = (struct tia_emission){{TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}, 0};
@@ -86,7 +92,8 @@ int tia_line_light(struct tia_job *job)
     uint32_t index = tia_job_add(job, TIA_OF_LIGHTS, &line.light);
     if (given & NAMED)
         tia_job_name(job, TIA_NAMED_MOVER, &line.name, 2 * index + 1);
-    return TIA_OK;
+    return tia_job_show(job, TIA_SHOWS_LIGHT, index, given & APPEARS ? &line.appears : NULL,
+                        given & VANISHES ? &line.vanishes : NULL);
 }
 
 static const struct {

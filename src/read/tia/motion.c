@@ -1,17 +1,27 @@
-/* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0 */
+/* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0    animate gold colour 0: 1 0.8 0  1: 0.5 */
 #include "job.h"
 
-enum moving { CAMERA, LIGHT, SHAPE };
+enum moving { CAMERA, LIGHT, SHAPE, MATERIAL };
 
 static const struct property {
     enum moving of;
     const char *word;
     enum tia_target target;
 } properties[] = {
-    {CAMERA, "eye", TIA_MOVES_EYE},         {CAMERA, "look", TIA_MOVES_REFERENCE},
-    {LIGHT, "at", TIA_MOVES_LIGHT},         {LIGHT, "direction", TIA_ROTATES_LIGHT},
-    {SHAPE, "at", TIA_MOVES_TRANSFORM},     {SHAPE, "rotate", TIA_ROTATES_TRANSFORM},
+    {CAMERA, "eye", TIA_MOVES_EYE},
+    {CAMERA, "look", TIA_MOVES_REFERENCE},
+    {LIGHT, "at", TIA_MOVES_LIGHT},
+    {LIGHT, "direction", TIA_ROTATES_LIGHT},
+    {SHAPE, "at", TIA_MOVES_TRANSFORM},
+    {SHAPE, "rotate", TIA_ROTATES_TRANSFORM},
     {SHAPE, "scale", TIA_SCALES_TRANSFORM},
+    {MATERIAL, "colour", TIA_SETS_COLOUR},
+    {MATERIAL, "transmission", TIA_SETS_TRANSMISSION},
+    {MATERIAL, "emission", TIA_SETS_EMISSION},
+    {MATERIAL, "specular", TIA_SETS_SPECULAR},
+    {MATERIAL, "mirror", TIA_SETS_MIRROR},
+    {MATERIAL, "refraction", TIA_SETS_REFRACTION},
+    {MATERIAL, "facing", TIA_SETS_FACING},
 };
 
 static const char *const expected[] = {"eye or look, of the camera", "at or direction, of a light",
@@ -25,15 +35,18 @@ static const struct property *find_property(enum moving of, const struct tia_wor
     return NULL;
 }
 
-/* Reads the name of the light or shape that moves. Which one it is, the first passes do not know yet. */
+/* Reads the name of what moves. Whether it is a light or a shape, the first passes do not know yet. */
 static int read_target(struct tia_job *job, enum moving *of, struct tia_track *track)
 {
-    struct tia_word word;
+    struct tia_word word, property;
     int status = tia_text_name(&job->text, &word, "a name, or camera");
 
-    *of = tia_word_is(&word, "camera") ? CAMERA : SHAPE;
+    (void)tia_text_peek(&job->text, &property);
+    *of = find_property(MATERIAL, &property) ? MATERIAL : tia_word_is(&word, "camera") ? CAMERA : SHAPE;
     if (status || *of == CAMERA)
         return status;
+    if (*of == MATERIAL)
+        return tia_job_find(job, TIA_NAMED_MATERIAL, &word, "the name of a material", &track->index);
     tia_job_animate(job, &word);
     const struct tia_name *name = tia_job_mover(job, &word);
     if (job->pass != TIA_FILLING)
@@ -60,6 +73,7 @@ static int take_property(struct tia_job *job, struct tia_track *track)
     if (!property)
         return tia_text_error(&job->text, &word, "is nothing that moves", expected[of]);
     track->target = property->target;
+    job->hides |= track->target >= TIA_SETS_SPECULAR;
     return TIA_OK;
 }
 
@@ -89,6 +103,12 @@ static int take_keyframe(struct tia_text *t, enum tia_target target, struct tia_
 
     if (status)
         return status;
+    if (target >= TIA_SETS_COLOUR) {
+        struct tia_rgb colour = {0, 0, 0};
+        status = tia_colour(t, &colour);
+        key->value = (struct tia_vec3){colour.r, colour.g, colour.b};
+        return status;
+    }
     if (target == TIA_SCALES_TRANSFORM)
         return tia_spread(t, &key->value.x, 3);
     if (target == TIA_ROTATES_TRANSFORM || target == TIA_ROTATES_LIGHT)

@@ -164,8 +164,7 @@ void tia_reach_keys(struct tia_reach *r, const struct tia_track *track, struct t
             r->scale_largest = span.max[i] > r->scale_largest ? (tia_q16)span.max[i] : r->scale_largest;
         }
         break;
-    case TIA_ROTATES_LIGHT:
-    case TIA_ROTATES_TRANSFORM:
+    default: /* no places */
         break;
     }
 }
@@ -212,7 +211,7 @@ unsigned tia_reach_bits(const struct tia_reach *reach)
 {
     struct tia_reach r = *reach;
 
-    if (!r.lengths.rounded)
+    if (!r.lengths.rounded || r.falls)
         return 0;
     add_placed(&r);
     unsigned bits = tia_lengths_room(&r.lengths);

@@ -14,6 +14,7 @@ struct tia_reach {
     struct tia_span places;             /* of what is placed */
     int64_t own;                        /* the radius around 0 of the largest thing in its own axes */
     tia_q16 scale_least, scale_largest; /* of anything placed */
+    bool falls;                         /* something does: nobody knows where to */
     int64_t height;                     /* of an eye above a plane, at most */
 };
 

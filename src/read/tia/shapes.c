@@ -6,14 +6,18 @@
 struct shape_line {
     struct tia_word material, name;
     struct tia_transform transform;
+    tia_q16 appears, vanishes;
     struct tia_shape shape;
 };
 
-/* The fields of every shape with a place come first; infinite shapes have only the material. */
-enum { MATERIAL_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
+/* The fields of every shape with a place come first; infinite shapes have only those before the
+ * name. */
+enum { MATERIAL_FIELD, APPEARS_FIELD, VANISHES_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
     {.word = "material", .kind = TIA_NAME_FIELD, OFFSET(material), .needed = true},
+    {.word = "appears", .kind = TIA_NUMBERS, .count = 1, OFFSET(appears)},
+    {.word = "vanishes", .kind = TIA_NUMBERS, .count = 1, OFFSET(vanishes)},
     {.word = "name", .kind = TIA_NAME_FIELD, OFFSET(name)},
     {.word = "at", .kind = TIA_LENGTHS, .count = 3, OFFSET(transform.position)},
     {.word = "rotate", .kind = TIA_NUMBERS, .count = 3, OFFSET(transform.rotation)},
@@ -21,6 +25,7 @@ static const struct tia_field common_fields[COMMON_FIELDS] = {
 };
 #define PLACED (1u << AT_FIELD | 1u << ROTATE_FIELD | 1u << SCALE_FIELD)
 #define NAMED (1u << NAME_FIELD)
+#define SHOWN (1u << APPEARS_FIELD | 1u << VANISHES_FIELD)
 
 static struct tia_field field_of(const struct tia_shape_field *f)
 {
@@ -83,7 +88,7 @@ static void add_transform(struct tia_job *job, struct shape_line *line, uint32_t
     }
 }
 
-/* A sphere that stays where it is belongs to the scene's spheres. */
+/* A sphere that stays where it is, and is always there, belongs to the scene's spheres. */
 static void add_sphere(struct tia_job *job, const struct tia_shape *shape)
 {
     struct tia_sphere sphere = {shape->sphere.centre, shape->sphere.radius, shape->material};
@@ -99,7 +104,7 @@ static void note_reach(struct tia_job *job, const struct shape_line *line, uint3
         tia_reach_plane(&job->reach, &line->shape.plane);
 }
 
-static void add_shape(struct tia_job *job, struct shape_line *line, uint32_t given)
+static int add_shape(struct tia_job *job, struct shape_line *line, uint32_t given)
 {
     bool sphere = line->shape.kind == TIA_SPHERE;
 
@@ -107,10 +112,13 @@ static void add_shape(struct tia_job *job, struct shape_line *line, uint32_t giv
     if (given & NAMED)
         tia_job_name(job, TIA_NAMED_MOVER, &line->name, 0);
     add_transform(job, line, given);
-    if (sphere && !(given & PLACED) && (job->pass != TIA_FILLING || !line->shape.transform))
+    if (sphere && !(given & (PLACED | SHOWN)) && (job->pass != TIA_FILLING || !line->shape.transform))
         add_sphere(job, &line->shape);
-    if (!sphere || line->shape.transform)
+    if (!sphere || line->shape.transform || given & SHOWN)
         (void)tia_job_add(job, TIA_OF_SHAPES, &line->shape);
+    return tia_job_show(job, TIA_SHOWS_SHAPE, tia_job_count(job, TIA_OF_SHAPES) - 1,
+                        given & 1u << APPEARS_FIELD ? &line->appears : NULL,
+                        given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
 }
 
 /* The fields of a shape whose kind and, of an instance, mesh or grid are set. */
@@ -122,7 +130,7 @@ static int read_fields(struct tia_job *job, struct shape_line *line)
     int status = tia_fields(&job->text, description->what, fields, fields_of(description, fields), line, &given);
 
     if (!description->add_bounds)
-        given &= 1u << MATERIAL_FIELD; /* the bits after it are the shape's own fields */
+        given &= NAMED - 1; /* the bits after it are the shape's own fields */
     if (!status && (given & NAMED) && tia_word_is(&line->name, "camera"))
         status = tia_text_error(&job->text, &line->name, "is the camera's name", "another");
     if (!status)
@@ -134,9 +142,7 @@ static int read_fields(struct tia_job *job, struct shape_line *line)
         status = tia_group_place(job, &line->transform, given & NAMED ? &line->name : NULL);
         given |= PLACED;
     }
-    if (!status)
-        add_shape(job, line, given);
-    return status;
+    return status ? status : add_shape(job, line, given);
 }
 
 static struct shape_line line_of(enum tia_shape_kind kind)

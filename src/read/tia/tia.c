@@ -17,6 +17,8 @@ static const struct statement {
     {"light", tia_line_light, false, true},
     {"key", tia_line_key, false, true},
     {"animate", tia_line_animate, false, false},
+    {"fall", tia_line_fall, false, false},
+    {"gravity", tia_line_gravity, true, false},
     {"group", tia_line_group, false, false},
     {"end", tia_line_end, false, false},
     {"include", tia_line_include, false, false},
@@ -105,6 +107,7 @@ static void begin_pass(struct tia_job *job, enum tia_pass pass)
     job->includes.depth = job->includes.count = 0;
     job->includes.next.next = NULL;
     job->group_count = 0;
+    tia_events_begin(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
             tia_array_restart(&job->arrays[i]);
@@ -147,6 +150,8 @@ static int read_pass(struct tia_job *job, enum tia_pass pass)
         if (job->includes.next.next)
             tia_include_begin(job);
     }
+    if (!status)
+        tia_events_end(job);
     return status;
 }
 
@@ -193,7 +198,7 @@ static void resolve_tracks(struct tia_job *job)
     for (uint32_t i = 0; i < job->arrays[TIA_OF_TRACKS].count; i++)
         if (tracks[i].target == TIA_MOVES_REFERENCE)
             look_at(&job->scene->camera, tracks[i].keys->value);
-        else if (tracks[i].target != TIA_MOVES_EYE)
+        else if (tracks[i].target >= TIA_MOVES_LIGHT && tracks[i].target <= TIA_SCALES_TRANSFORM)
             tracks[i].index = names[tracks[i].index].index / 2;
 }
 
@@ -221,6 +226,7 @@ static void set_arrays(struct tia_job *job)
     s->binding_count = tia_job_count(job, TIA_OF_BINDINGS);
     s->tracks = tia_job_at(job, TIA_OF_TRACKS, 0);
     s->track_count = tia_job_count(job, TIA_OF_TRACKS);
+    s->falling = tia_job_count(job, TIA_OF_FALLING) ? tia_job_at(job, TIA_OF_FALLING, 0) : NULL;
 }
 
 static void size_arrays(struct tia_job *job)
@@ -242,6 +248,8 @@ static void size_arrays(struct tia_job *job)
         [TIA_OF_BINDINGS] = sizeof(struct tia_binding),
         [TIA_OF_TRACKS] = sizeof(struct tia_track),
         [TIA_OF_KEYS] = sizeof(struct tia_keyframe),
+        [TIA_OF_FALLS] = sizeof(struct tia_fall),
+        [TIA_OF_FALLING] = sizeof(struct tia_falling),
         [TIA_OF_NAMES] = sizeof(struct tia_name),
         [TIA_OF_ANIMATED] = sizeof(struct tia_name),
     };
@@ -275,6 +283,7 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     if (status || !tia_arena_fits(arena))
         return status;
     resolve_tracks(&job);
+    tia_events_resolve(&job);
     set_arrays(&job);
     return TIA_OK;
 }

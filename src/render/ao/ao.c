@@ -10,8 +10,12 @@ static void radiance(struct estimate *e, const struct ray *first, num_length rgb
     uint32_t u[2];
 
     rgb[0] = rgb[1] = rgb[2] = NUM_LENGTH_ONE;
-    if (!estimate_meet(e, &ray, 0, &hit, &s))
+    if (!estimate_meet(e, &ray, 0, &hit, &s)) {
+        estimate_guide(e, rgb, NULL, 0);
         return;
+    }
+    if (e->guide)
+        estimate_guide(e, rgb, &s.normal, num_norm(num_point_sub(s.point, first->origin)));
     const struct ray_place place = {s.outside, s.geometric, s.normal};
     sampler_pair(&e->sampler, ESTIMATE_FIRST_QUAD, 2, u);
     rgb[0] = ray_openness(e->view, &place, u, given ? num_length_of(given) : NUM_LENGTH_MAX, &e->blocker);
@@ -28,9 +32,9 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
 }
 
 static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                        struct tia_sum *sums, size_t pitch)
+                        const struct tia_gathered *gathered)
 {
-    estimate_sample_tile(view, tile, first, end, sums, pitch, radiance);
+    estimate_sample_tile(view, tile, first, end, gathered, radiance);
 }
 
 static bool draws(const struct tia_scene *scene)

@@ -1,16 +1,27 @@
 /* core.c - sampling as a function of one arithmetic. */
 #include "estimate.h"
 
-static int sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
-                  size_t pitch)
+static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                  const struct tia_gathered *gathered)
 {
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;
     if (!tile.width || !tile.height || tile_right(tile) > view->width || tile_bottom(tile) > view->height ||
         end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
-    view->renderer->sample(view, tile, first, end, sums, pitch);
+    view->renderer->sample(view, tile, first, end, gathered);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
-const struct tia_estimator NUM_ESTIMATOR = {NUM_NAME, sample};
+static int sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
+                  size_t pitch)
+{
+    return gather(view, tile, first, end, &(struct tia_gathered){.sums = sums, .pitch = pitch});
+}
+
+static uint32_t enclosing(const struct tia_view *view, uint32_t light)
+{
+    return view->renderer->sample ? estimate_enclosing(view, light) : TIA_NO_OBJECT;
+}
+
+const struct tia_estimator NUM_ESTIMATOR = {NUM_NAME, sample, gather, enclosing};

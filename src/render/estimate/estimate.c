@@ -5,6 +5,7 @@
 #define PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
 #define RADIANCE_MAX (16384 * NUM_LENGTH_ONE)
 #define LAYER_QUAD UINT32_C(0x40000000) /* the first of those for opacities */
+#define ONE (INT64_C(1) << 24)
 #define HASH UINT32_C(2166136261)
 
 bool estimate_stops(struct estimate *e)
@@ -44,11 +45,37 @@ bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct 
     }
 }
 
-/* Sample number `index` of the pixel, added to its sum. */
-static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
-                       struct tia_sum *sum)
+void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth)
+{
+    struct tia_guide *guide = e->guide;
+
+    e->guide = NULL;
+    if (!guide)
+        return;
+    for (int c = 0; c < 3; c++)
+        guide->albedo[c] += num_q24(num_length_clamp(albedo[c], 0, RADIANCE_MAX));
+    if (!normal)
+        return;
+    guide->depth += num_q24(depth / 256);
+    guide->normal[0] += num_q24(num_length_of_unit(normal->x) + NUM_LENGTH_ONE) - ONE;
+    guide->normal[1] += num_q24(num_length_of_unit(normal->y) + NUM_LENGTH_ONE) - ONE;
+    guide->normal[2] += num_q24(num_length_of_unit(normal->z) + NUM_LENGTH_ONE) - ONE;
+}
+
+/* The square of a sample's luminance, which is below 2^14, in units of 2^-32. */
+static uint64_t square(const int64_t rgb[3])
+{
+    uint64_t luminance = (uint64_t)(rgb[0] + 2 * rgb[1] + rgb[2]) / 4;
+
+    return luminance >> 32 ? (luminance >> 8) * (luminance >> 8) : luminance * luminance >> 16;
+}
+
+/* Sample number `index` of the pixel, added to its sum; returns the square of its luminance. */
+static uint64_t add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
+                           struct tia_sum *sum)
 {
     num_length rgb[3];
+    int64_t rounded[3];
     struct ray ray;
     uint32_t u[2];
 
@@ -57,8 +84,11 @@ static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimat
     sampler_pair(&e->sampler, ESTIMATE_FIRST_QUAD, 0, u);
     ray_camera_ray_within(&e->view->camera, x, y, u, &ray);
     radiance(e, &ray, rgb);
-    for (int c = 0; c < 3; c++)
-        sum->rgb[c] += num_q24(num_length_clamp(rgb[c], 0, RADIANCE_MAX));
+    for (int c = 0; c < 3; c++) {
+        rounded[c] = num_q24(num_length_clamp(rgb[c], 0, RADIANCE_MAX));
+        sum->rgb[c] += rounded[c];
+    }
+    return square(rounded);
 }
 
 static struct estimate begin(const struct tia_view *view)
@@ -68,15 +98,30 @@ static struct estimate begin(const struct tia_view *view)
     return (struct estimate){.view = rays, .bias = num_ray_bias(rays->bias), .blocker = TIA_NO_OBJECT};
 }
 
+/* Samples of one pixel, which is number `at` of those gathered. A sum of squares that stops at its largest value does
+ * not depend on their order either. */
+static void add_samples(struct estimate *e, int x, int y, uint32_t first, uint32_t end,
+                        const struct tia_gathered *gathered, size_t at, estimate_radiance *radiance)
+{
+    for (uint32_t i = first; i < end && !e->stopped; i++) {
+        e->guide = gathered->guides ? &gathered->guides[at] : NULL;
+        uint64_t added = add_sample(e, x, y, i, radiance, &gathered->sums[at]);
+        if (!gathered->squares)
+            continue;
+        uint64_t *squares = &gathered->squares[at];
+        *squares += added <= UINT64_MAX - *squares ? added : UINT64_MAX - *squares;
+    }
+}
+
 void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                          struct tia_sum *sums, size_t pitch, estimate_radiance *radiance)
+                          const struct tia_gathered *gathered, estimate_radiance *radiance)
 {
     struct estimate e = begin(view);
 
-    for (int y = (int)tile.y; y < tile_bottom(tile); y++, sums += pitch)
-        for (int x = (int)tile.x; x < tile_right(tile); x++)
-            for (uint32_t i = first; i < end && !e.stopped; i++)
-                add_sample(&e, x, y, i, radiance, &sums[x - (int)tile.x]);
+    for (int y = 0; y < (int)tile.height; y++)
+        for (int x = 0; x < (int)tile.width; x++)
+            add_samples(&e, (int)tile.x + x, (int)tile.y + y, first, end, gathered,
+                        (size_t)y * gathered->pitch + (size_t)x, radiance);
 }
 
 /* What a row's pixels are made with. */
@@ -127,7 +172,7 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
             struct tia_sum sum = {{0, 0, 0}};
             e.hash = HASH;
             for (uint32_t i = 0; i < packing.spp && !e.stopped; i++)
-                add_sample(&e, x, y, i, radiance, &sum);
+                (void)add_sample(&e, x, y, i, radiance, &sum);
             *(tia_rgb565 *)(void *)out = pack(&packing, &sum, x);
             if (options->path_hash)
                 options->path_hash[at] = e.hash;

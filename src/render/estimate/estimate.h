@@ -11,10 +11,11 @@ struct estimate {
     const struct ray_view *view;
     num_length bias; /* how far off a surface rays start */
     struct sampler sampler;
-    uint32_t layers;  /* opacities that its rays went past */
-    uint32_t hash;    /* of what the rays of all samples of the pixel met */
-    uint32_t blocker; /* what stood before the last shadow ray, or TIA_NO_OBJECT */
-    unsigned rays;    /* since the caller was asked whether to stop */
+    uint32_t layers;         /* opacities that its rays went past */
+    uint32_t hash;           /* of what the rays of all samples of the pixel met */
+    uint32_t blocker;        /* what stood before the last shadow ray, or TIA_NO_OBJECT */
+    struct tia_guide *guide; /* of the pixel; NULL: not asked for, or the sample has it already */
+    unsigned rays;           /* since the caller was asked whether to stop */
     bool stopped;
 };
 
@@ -26,7 +27,7 @@ typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_le
 
 /* See struct renderer. */
 void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                          struct tia_sum *sums, size_t pitch, estimate_radiance *radiance);
+                          const struct tia_gathered *gathered, estimate_radiance *radiance);
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
 
@@ -37,6 +38,12 @@ bool estimate_stops(struct estimate *e);
  * perhaps a light of those kinds, see ray_intersect_lights_of. A ray that goes past a surface starts behind it from
  * then on. */
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
+
+/* What the sample sees first, unless that is known already; `normal` is NULL where it meets nothing. */
+void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth);
+
+/* See struct tia_estimator. */
+uint32_t estimate_enclosing(const struct tia_view *view, uint32_t light);
 
 /* Adds a word to the hash, as tia_options.path_hash has it. */
 static inline void estimate_note(struct estimate *e, uint32_t word)

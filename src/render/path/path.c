@@ -1,5 +1,6 @@
 /* path.c - the radiance along a ray, one path a sample; see tia/integrator.h. */
 #include "emitters.h"
+#include "guide.h"
 #include "math/align.h"
 #include "render/estimate/estimate.h"
 #include "scatter.h"
@@ -18,6 +19,7 @@ struct walk {
     struct num_density density; /* with which it was scattered along the ray */
     bool specular;              /* in one direction alone, or from the eye: no light was looked for */
     num_length throughput[3], sum[3];
+    num_length depth; /* to where it was scattered last, while nothing but mirrors and glass was met */
     struct media media;
     uint32_t bounce, layers;
 };
@@ -72,26 +74,37 @@ static num_unit weight_of(const struct walk *w, const struct emitter *emitter, n
     return num_density_share(w->density, num_density_product(chosen, w->view->emitters.one_of));
 }
 
-static void add_light(struct walk *w, const struct hit *hit)
+static void add_light(struct walk *w, const struct hit *hit, const struct emitter *emitter)
 {
-    const struct ray_light *light = &w->e->view->lights[hit->light];
-    struct emitter emitter;
+    bool is_point = w->e->view->lights[hit->light].kind == TIA_POINT_LIGHT;
 
     estimate_note(w->e, TIA_NO_OBJECT - 1 - hit->light);
-    emitter_of_light(light, &w->e->view->view->lights[hit->light], &emitter);
-    add(w, emitter.radiance, light->kind == TIA_POINT_LIGHT ? NUM_UNIT_ONE : weight_of(w, &emitter, hit->t));
+    add(w, emitter->radiance, is_point ? NUM_UNIT_ONE : weight_of(w, emitter, hit->t));
+}
+
+/* How far the eye sees, past mirrors and glass. */
+static num_length depth_at(const struct walk *w, struct num_point at)
+{
+    return num_sum_within(w->depth, num_norm(num_point_sub(at, w->from)));
 }
 
 /* Where the ray meets no surface. */
 static void add_beyond(struct walk *w, const struct hit *hit)
 {
+    const struct num_dir back = num_dir_negated(w->ray.direction);
     num_length background[3];
+    struct emitter emitter;
 
     if (hit->light != TIA_NO_OBJECT) {
-        add_light(w, hit);
+        emitter_of_light(&w->e->view->lights[hit->light], &w->e->view->view->lights[hit->light], &emitter);
+        if (w->e->guide)
+            guide_add(w->e, w->throughput, emitter.radiance, &back,
+                      depth_at(w, num_point_at(w->ray.origin, w->ray.direction, hit->t)));
+        add_light(w, hit, &emitter);
         return;
     }
     ray_rgb(&w->e->view->scene->background, background);
+    guide_add(w->e, w->throughput, background, NULL, 0);
     add(w, background, NUM_UNIT_ONE);
 }
 
@@ -102,14 +115,14 @@ static void add_glow(struct walk *w, const struct hit *hit, const struct shading
     struct emitter emitter;
     num_length glow[3], facing[3];
 
-    emitter_radiance(&s->material->emission, s->material->emission_bits, glow);
+    if (!guide_glows(s, glow, facing))
+        return;
     if (glow[0] > 0 || glow[1] > 0 || glow[2] > 0) {
         bool is_sphere = hit->object < scene->sphere_count;
         if (is_sphere)
             emitter_of_sphere(scene, hit->object, &emitter);
         add(w, glow, is_sphere ? weight_of(w, &emitter, hit->t) : NUM_UNIT_ONE);
     }
-    ray_rgb(&s->material->facing, facing);
     if (s->facing > 0 && (facing[0] > 0 || facing[1] > 0 || facing[2] > 0))
         add(w, facing, s->facing);
 }
@@ -172,6 +185,8 @@ static void divide(struct walk *w, num_unit probability)
 
 static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bool specular)
 {
+    if (w->e->guide)
+        w->depth = depth_at(w, origin);
     w->ray = (struct ray){.origin = origin, .direction = to};
     w->from = origin;
     w->specular = specular;
@@ -261,6 +276,8 @@ static bool step(struct walk *w)
     }
     add_glow(w, &hit, &s);
     scatter_prepare(&scatter, &s);
+    if (w->e->guide)
+        guide_add_surface(w->e, w->throughput, &scatter, depth_at(w, s.point));
     sampler_pair(&w->e->sampler, quad_of(w, 1), 0, numbers);
     sampler_pair(&w->e->sampler, quad_of(w, 1), 2, numbers + 2);
     if (scatter.black || w->bounce >= (given ? given : TIA_BOUNCES_MAX) || !survives(w, numbers[2]))
@@ -328,9 +345,9 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
 }
 
 static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                        struct tia_sum *sums, size_t pitch)
+                        const struct tia_gathered *gathered)
 {
-    estimate_sample_tile(view, tile, first, end, sums, pitch, radiance);
+    estimate_sample_tile(view, tile, first, end, gathered, radiance);
 }
 
 static bool draws(const struct tia_scene *scene)

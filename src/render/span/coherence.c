@@ -179,7 +179,8 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
 /* Where the colour of `a` ends, were lambert a line from a to b: the last pixel before, or else the first behind. */
 static int guess(const struct colouring *c, const struct coherence_sample *a, const struct coherence_sample *b)
 {
-    num start = num_signed(a->lambert), step = (num_signed(b->lambert) - start) / (num)(b->x - a->x);
+    num_u from = a->lambert, to = b->lambert, apart = (to > from ? to - from : from - to) / (num_u)(b->x - a->x);
+    num start = num_signed(from), step = to > from ? num_signed(apart) : -num_signed(apart);
     int low = a->x, high = b->x;
 
     while (high - low > 1) {

@@ -17,6 +17,7 @@
  * computed c - L.Q + G.P, by |G| |P| e, A.w by 1.1 (|A| + |w|) |P| e and |A|^2 by 2.1 |A| |P| e.
  * Products of T with a form are off by .51 T of their last bit, constants and shifts by half a bit, |P|^2 by
  * T/2 + .51 T^2 / 2^reach_down of its last bit. */
+#include "coherence_proved.h"
 #include "coherence_run.h"
 
 #if defined(__GNUC__)
@@ -104,7 +105,8 @@ static int bound_t(const struct depth *a, const struct depth *b)
 
     if (root < 20)
         return NO_BOUND;
-    return 1 + larger3(36 - root - least_bits(a->sum, b->sum), 1 - least_bits(a->t, b->t), -28);
+    return COHERENCE_DEPTH +
+           larger3(COHERENCE_ROOT - root - least_bits(a->sum, b->sum), 1 - least_bits(a->t, b->t), -COHERENCE_INVERSE);
 }
 
 static num_wide longer(const struct coherence_run *run, int first, int last)
@@ -130,13 +132,15 @@ bool coherence_bound(struct coherence_run *run, int first, int last)
     b->point = b->mantissa + coherence_bits(run->v_most) - sphere->t_exponent - run->primary->exponent;
     b->point = b->point < tangent ? b->point : tangent;
     b->radius = sphere->radius_bits - 17;
-    b->reach = 1 + num_larger(b->mantissa, 2 * b->mantissa - run->light.reach_down) - source->reach_exponent;
-    b->square = 1 + num_larger(b->mantissa + 1 - source->exponent, b->reach);
+    b->reach =
+        COHERENCE_REACH + num_larger(b->mantissa, 2 * b->mantissa - run->light.reach_down) - source->reach_exponent;
+    b->square = COHERENCE_SQUARE + num_larger(b->mantissa + 1 - source->exponent, b->reach);
     int facing_exponent = 15 - sphere->radius_bits + (source->exponent >> 1) - run->light.scale;
     int between = coherence_bits(sum_of_sizes(num_vec_sub(source->light, sphere->centre))) - 16;
-    b->facing = 1 + num_larger(b->mantissa - facing_exponent, between + b->point + b->t);
+    b->facing = COHERENCE_FACING + num_larger(b->mantissa - facing_exponent, between + b->point + b->t);
     int away = 1 + num_larger(light, b->point);
-    b->square_slack = coherence_power(2 + num_larger(b->square, 2 + away + b->point + b->t) + source->exponent);
+    b->square_slack = coherence_power(COHERENCE_TURN + num_larger(b->square, COHERENCE_MOVES + away + b->point + b->t) +
+                                      source->exponent);
     return coherence_power(b->t + 32) <= coherence_power(20);
 }
 
@@ -159,16 +163,17 @@ num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide squar
 {
     const struct coherence_bounds *b = &run->bounds;
     struct distance d = distance_of(run, square);
-    int relative = 1 + num_larger(b->square - d.twice, 2 + b->point + b->t - d.once);
+    int relative = COHERENCE_RELATIVE + num_larger(b->square - d.twice, COHERENCE_MOVES + b->point + b->t - d.once);
 
     if (coherence_power(relative + 25) > coherence_power(20))
         return (num_wide)NUM_ONE;
-    return coherence_power(30 + 3 + larger3(b->facing - b->radius - d.once, relative - 1, -26));
+    return coherence_power(30 + COHERENCE_LAMBERT +
+                           larger3(b->facing - b->radius - d.once, relative - 1, -COHERENCE_KERNELS));
 }
 
 /* The chord from one point to the other is |t2 v2 - t1 v1| <= |t2 - t1| |v1| + t2 |v2 - v1|. Half an arc that is less
- * than half a circle is at most pi/4 of its chord; and 1/2 of it, but for 1.1 %, where the chord is at most a quarter
- * of another one, which is no longer than the diameter. */
+ * than half a circle is at most pi/4 of its chord, which is below 51/64; and 1/2 of it, but for 1.1 %, where the chord
+ * is at most a quarter of another one, which is no longer than the diameter. */
 num_wide coherence_path(const struct coherence_run *run, const struct coherence_sample *a,
                         const struct coherence_sample *b)
 {
@@ -179,7 +184,8 @@ num_wide coherence_path(const struct coherence_run *run, const struct coherence_
     num_wide chord = coherence_shift((t - less + off) * run->v_most, shift) +
                      2 * coherence_shift((t + off) * half_step, shift) + coherence_power(2);
 
-    return 4 * chord <= run->chord ? chord / 2 + chord / 64 + coherence_power(1) : chord - chord / 5;
+    return 4 * chord <= run->chord ? chord / 2 + chord / 64 + coherence_power(1)
+                                   : chord - chord / 8 - chord / 16 - chord / 64;
 }
 
 static num_wide side(const struct coherence_run *run, const struct coherence_sample *s)
@@ -214,9 +220,10 @@ void coherence_bound_caster(const struct coherence_run *run, const struct span_s
     cast->away = coherence_shift((num_wide)coherence_root((num_uwide)num_square30(away)), run->exponent - 15) +
                  coherence_power(num_larger(run->exponent - 15, 0) + 1);
     cast->scale = run->exponent - 31 - e_a + (e_d >> 1);
-    cast->toward_error = 1 + num_larger(b->mantissa - e_a, b->reach);
-    cast->power_error = 3 + num_larger(larger3(b->mantissa + 1 - cast->power_exponent, b->reach, off_sphere),
-                                       larger3(apart, swell, -27));
+    cast->toward_error = COHERENCE_TOWARD + num_larger(b->mantissa - e_a, b->reach);
+    cast->power_error =
+        COHERENCE_POWER +
+        num_larger(larger3(b->mantissa + 1 - cast->power_exponent, b->reach, off_sphere), larger3(apart, swell, -27));
 }
 
 struct coherence_slack coherence_shadow_slack(const struct coherence_run *run, const struct coherence_caster *cast,
@@ -225,7 +232,8 @@ struct coherence_slack coherence_shadow_slack(const struct coherence_run *run, c
     const struct coherence_bounds *b = &run->bounds;
     struct distance d = distance_of(run, square);
     int size = 30 - run->exponent, bias = size - 43 + coherence_bits(lambert_slack);
-    int length = 2 + larger3(1 + num_larger(cast->toward_error, bias) - d.once, size + b->square - d.twice, size - 28);
+    int length = COHERENCE_LENGTH +
+                 larger3(1 + num_larger(cast->toward_error, bias) - d.once, size + b->square - d.twice, size - 28);
     struct coherence_slack slack = {coherence_power(length + run->exponent),
                                     coherence_power(cast->power_error + 2 * run->exponent)};
 

@@ -22,7 +22,8 @@ static bool is_plain_camera(const struct tia_camera *c)
 
 static bool draws(const struct tia_scene *scene)
 {
-    bool plain = !scene->shape_count && scene->sphere_count <= TIA_SPAN_SPHERES && is_plain_camera(&scene->camera);
+    bool plain = !scene->shape_count && !scene->mesh_count && scene->sphere_count <= TIA_SPAN_SPHERES &&
+                 is_plain_camera(&scene->camera);
 
     for (uint32_t i = 0; plain && i < scene->material_count; i++)
         plain = is_matt(&scene->materials[i]);

@@ -6,34 +6,19 @@
  *     of the objects: items, planes, nodes
  *     at the end of the block, only while building: the boxes of the items of one tree
  */
+#include "objects.h"
+
 #include "math/align.h"
 #include "scene/bounds.h"
-#include "tree.h"
 
 /* What a test costs beside a visit to two boxes: about twice as many instructions of a sphere, three times of a
  * triangle, and of cylinders and cones five times, the many included that miss early. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
-struct space {
-    unsigned char *front;
-    struct tia_bounds *boxes;
-    struct asker asker;
-};
-
-static uint64_t object_count(const struct tia_scene *scene)
-{
-    return (uint64_t)scene->sphere_count + scene->shape_count;
-}
-
-static uint64_t tree_size(uint64_t count)
-{
-    return ALIGN(count * sizeof(uint32_t)) + TREE_NODES(count) * sizeof(struct tia_bvh_node);
-}
-
 /* Boxes needed at the same time, at most. */
 static uint64_t box_count(const struct tia_scene *scene)
 {
-    uint64_t most = object_count(scene);
+    uint64_t most = bvh_object_count(scene);
 
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         most = scene->meshes[i].face_count > most ? scene->meshes[i].face_count : most;
@@ -45,8 +30,8 @@ static uint64_t whole_size(const struct tia_scene *scene)
     uint64_t size = ALIGN(sizeof(struct tia_bvh)) + ALIGN(scene->mesh_count * (uint64_t)sizeof(struct tia_bvh_tree));
 
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        size += tree_size(scene->meshes[i].face_count);
-    return size + tree_size(object_count(scene)) + ALIGN(box_count(scene) * sizeof(struct tia_bounds));
+        size += bvh_tree_size(scene->meshes[i].face_count);
+    return size + bvh_tree_size(bvh_object_count(scene)) + ALIGN(box_count(scene) * sizeof(struct tia_bounds));
 }
 
 size_t tia_bvh_size(const struct tia_scene *scene)
@@ -55,27 +40,20 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-static void *allocate(struct space *space, uint64_t size)
-{
-    void *place = space->front;
-    space->front += ALIGN(size);
-    return place;
-}
-
 /* Builds the tree of `count` items, each of which costs so many visits to test. Keeps only the nodes used, of the
  * TREE_NODES(count) that may be needed. */
-static struct tia_bvh_tree build(struct space *space, uint32_t *items, uint32_t count, uint32_t cost)
+static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
     struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, cost, space->boxes, &space->asker);
 
-    allocate(space, tree.node_count * sizeof *nodes);
+    bvh_allocate(space, tree.node_count * sizeof *nodes);
     return tree;
 }
 
-static struct tia_bvh_tree build_mesh(struct space *space, const struct tia_mesh *mesh)
+static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_mesh *mesh)
 {
-    uint32_t *items = allocate(space, mesh->face_count * (uint64_t)sizeof *items);
+    uint32_t *items = bvh_allocate(space, mesh->face_count * (uint64_t)sizeof *items);
 
     for (uint32_t i = 0; i < mesh->face_count && !asker_stops(&space->asker, 1); i++) {
         struct tia_bounds box = tia_bounds_of_face(mesh, i);
@@ -97,9 +75,8 @@ static struct tia_bounds without_margin(const struct tia_bounds *b)
 #undef MORE
 }
 
-/* The box of an object; false when it has none or Q16.16 cannot hold it. */
-static bool find_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
-                     const struct tia_bvh_tree *meshes)
+bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
+                        const struct tia_bvh_tree *meshes)
 {
     const struct tia_shape *shape = object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
     struct bounds_wide wide;
@@ -130,13 +107,13 @@ static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items
 }
 
 /* Objects with a box fill `items` from the front, the others from the back. */
-static void build_objects(struct space *space, struct tia_bvh *bvh, const struct tia_scene *scene)
+void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene)
 {
-    uint32_t count = (uint32_t)object_count(scene), last = count, first = 0;
-    uint32_t *items = allocate(space, count * (uint64_t)sizeof *items);
+    uint32_t count = (uint32_t)bvh_object_count(scene), last = count, first = 0;
+    uint32_t *items = bvh_allocate(space, count * (uint64_t)sizeof *items);
 
     for (uint32_t i = count; !asker_stops(&space->asker, 1) && i-- > 0;)
-        if (find_box(&space->boxes[i], scene, i, bvh->meshes))
+        if (tia_bvh_object_box(&space->boxes[i], scene, i, bvh->meshes))
             items[first++] = i;
         else
             items[--last] = i;
@@ -153,18 +130,18 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
 {
-    struct space space = {memory, NULL, {stop, ctx, 0, false}};
+    struct bvh_space space = {memory, NULL, {stop, ctx, 0, false}};
     size_t needed = tia_bvh_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
     space.boxes = (void *)(space.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
-    struct tia_bvh *whole = allocate(&space, sizeof *whole);
-    struct tia_bvh_tree *meshes = allocate(&space, scene->mesh_count * (uint64_t)sizeof *meshes);
+    struct tia_bvh *whole = bvh_allocate(&space, sizeof *whole);
+    struct tia_bvh_tree *meshes = bvh_allocate(&space, scene->mesh_count * (uint64_t)sizeof *meshes);
     whole->meshes = meshes;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         meshes[i] = build_mesh(&space, &scene->meshes[i]);
-    build_objects(&space, whole, scene);
+    tia_bvh_build_objects(&space, whole, scene);
     if (space.asker.stopped)
         return TIA_STOPPED;
     *bvh = whole;

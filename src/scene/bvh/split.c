@@ -26,6 +26,7 @@ struct binning {
     int64_t first;
     unsigned shift;
     uint32_t scale;
+    bool divides; /* not all centres are the same */
 };
 
 struct split {
@@ -41,12 +42,31 @@ static bool stops(const struct tia_bvh_split_items *items)
     return items->count > ASKER_PATIENCE && asker_stops(items->asker, 1);
 }
 
+static tia_q16 smaller(tia_q16 a, tia_q16 b)
+{
+    return a < b ? a : b;
+}
+
+static tia_q16 larger(tia_q16 a, tia_q16 b)
+{
+    return a > b ? a : b;
+}
+
+/* tia_bounds_add, where a call costs more than what it does. */
+static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
+{
+    to->min = (struct tia_vec3){smaller(to->min.x, more->min.x), smaller(to->min.y, more->min.y),
+                                smaller(to->min.z, more->min.z)};
+    to->max = (struct tia_vec3){larger(to->max.x, more->max.x), larger(to->max.y, more->max.y),
+                                larger(to->max.z, more->max.z)};
+}
+
 struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
     for (uint32_t i = 0; i < items->count && !stops(items); i++)
-        tia_bounds_add(&bounds, &items->boxes[items->items[i]]);
+        add(&bounds, &items->boxes[items->items[i]]);
     return bounds;
 }
 
@@ -80,24 +100,39 @@ static uint64_t area(const struct tia_bounds *b, unsigned shift)
     return x * y + y * z + z * x;
 }
 
-/* False when all centres coincide on that axis, or when it is stopped: an item without a look may have no bin. */
-static bool choose_bins(struct binning *binning, const struct tia_bvh_split_items *items, int axis)
+/* False when all centres coincide on that axis. */
+static bool choose_bins(struct binning *binning, int axis, int64_t least, int64_t most)
 {
-    int64_t least = INT64_MAX, most = INT64_MIN;
-
-    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
-        int64_t c = centre(&items->boxes[items->items[i]], axis);
-        least = c < least ? c : least;
-        most = c > most ? c : most;
-    }
-    if (most <= least || items->asker->stopped)
+    if (most <= least)
         return false;
     /* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
     unsigned bits = 64 - tia_clz64((uint64_t)(most - least));
     unsigned shift = bits > 28 ? bits - 28 : 0;
     uint64_t range = (uint64_t)(most - least) >> shift;
-    *binning = (struct binning){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1))};
+    *binning = (struct binning){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1)), true};
     return true;
+}
+
+/* All axes at once, since the boxes lie about in memory. False when there is no axis to split along, or when it is
+ * stopped: an item without a look may have no bin. */
+static bool choose_axes(struct binning binning[3], const struct tia_bvh_split_items *items)
+{
+    int64_t least[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, most[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
+    bool any = false;
+
+    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
+        const struct tia_bounds *box = &items->boxes[items->items[i]];
+        for (int axis = 0; axis < 3; axis++) {
+            int64_t c = centre(box, axis);
+            least[axis] = c < least[axis] ? c : least[axis];
+            most[axis] = c > most[axis] ? c : most[axis];
+        }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        binning[axis].divides = false;
+        any = choose_bins(&binning[axis], axis, least[axis], most[axis]) || any;
+    }
+    return any && !items->asker->stopped;
 }
 
 static uint32_t bin_of(const struct binning *binning, const struct tia_bounds *b)
@@ -106,40 +141,49 @@ static uint32_t bin_of(const struct binning *binning, const struct tia_bounds *b
     return (uint32_t)(tia_mul_u32(place, binning->scale) >> 28);
 }
 
-static void fill_bins(struct bin bins[BINS], const struct tia_bvh_split_items *items, const struct binning *binning)
+static void fill_bins(struct bin bins[3][BINS], const struct tia_bvh_split_items *items,
+                      const struct binning binning[3])
 {
     for (int i = 0; i < BINS; i++)
-        bins[i] = (struct bin){BOUNDS_NOTHING, 0};
+        bins[0][i] = bins[1][i] = bins[2][i] = (struct bin){BOUNDS_NOTHING, 0};
     for (uint32_t i = 0; i < items->count && !stops(items); i++) {
         const struct tia_bounds *box = &items->boxes[items->items[i]];
-        struct bin *bin = &bins[bin_of(binning, box)];
-        tia_bounds_add(&bin->bounds, box);
-        bin->count++;
+        for (int axis = 0; axis < 3; axis++) {
+            if (!binning[axis].divides)
+                continue;
+            struct bin *bin = &bins[axis][bin_of(&binning[axis], box)];
+            add(&bin->bounds, box);
+            bin->count++;
+        }
     }
 }
 
-/* Sets *best to the best plane of one axis if that is better. */
-static void choose_split(struct split *best, const struct tia_bvh_split_items *items, const struct binning *binning,
+/* Sets *best to the best plane of one axis if that is better. A plane behind an empty bin is as good as the one before
+ * it, which was tried. */
+static void choose_split(struct split *best, uint32_t items, const struct bin bins[BINS], const struct binning *binning,
                          unsigned shift)
 {
-    struct bin bins[BINS];
-    uint64_t right[BINS]; /* cost of a second child that starts at bin i */
+    uint64_t right[BINS], cost = 0; /* right: cost of a second child that starts at bin i */
     struct tia_bounds bounds = BOUNDS_NOTHING;
     uint32_t count = 0;
 
-    fill_bins(bins, items, binning);
     for (int i = BINS - 1; i > 0; i--) {
-        tia_bounds_add(&bounds, &bins[i].bounds);
-        count += bins[i].count;
-        right[i] = area(&bounds, shift) * count;
+        if (bins[i].count) {
+            add(&bounds, &bins[i].bounds);
+            count += bins[i].count;
+            cost = area(&bounds, shift) * count;
+        }
+        right[i] = cost;
     }
     bounds = BOUNDS_NOTHING;
     count = 0;
     for (uint32_t i = 1; i < BINS; i++) {
-        tia_bounds_add(&bounds, &bins[i - 1].bounds);
+        if (!bins[i - 1].count)
+            continue;
+        add(&bounds, &bins[i - 1].bounds);
         count += bins[i - 1].count;
-        uint64_t cost = area(&bounds, shift) * count + right[i];
-        if (count && count < items->count && cost < best->cost)
+        cost = area(&bounds, shift) * count + right[i];
+        if (count < items && cost < best->cost)
             *best = (struct split){cost, *binning, i, count};
     }
 }
@@ -159,6 +203,19 @@ static void partition(const struct tia_bvh_split_items *items, const struct spli
     }
 }
 
+static void find_split(struct split *best, const struct tia_bvh_split_items *items, unsigned shift)
+{
+    struct binning binning[3];
+    struct bin bins[3][BINS];
+
+    if (!choose_axes(binning, items))
+        return;
+    fill_bins(bins, items, binning);
+    for (int axis = 0; axis < 3; axis++)
+        if (binning[axis].divides)
+            choose_split(best, items->count, bins[axis], &binning[axis], shift);
+}
+
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds, uint32_t most)
 {
     struct split best = {.cost = UINT64_MAX};
@@ -167,11 +224,7 @@ uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const stru
 
     if (items->count < 2)
         return 0;
-    for (int axis = 0; axis < 3; axis++) {
-        struct binning binning;
-        if (choose_bins(&binning, items, axis))
-            choose_split(&best, items, &binning, shift);
-    }
+    find_split(&best, items, shift);
     bool leaf = best.cost == UINT64_MAX || best.cost + visit / items->cost >= visit * items->count;
     if (leaf && items->count <= SPLIT_ITEMS_MOST)
         return 0;

@@ -60,6 +60,11 @@ int tia_check_mesh(const struct check *check);
 int tia_check_grid(const struct check *check);
 int tia_check_shape(const struct check *check);
 int tia_check_track(const struct check *check);
+int tia_check_fall(const struct check *check);
+
+/* The balls that fall as a whole, if there are any; whether something can be hidden, see motion.h. */
+int tia_check_falling(const struct check *check);
+bool tia_check_can_hide(const struct check *check);
 
 int tia_check_light(const struct check *check, const struct tia_light *light);
 /* Whether all its points are near the eye. */

@@ -43,10 +43,10 @@ static int check_whole(struct check *check)
     REQUIRE(tia_check_is_unit(&scene->background), "background", CHECK_UNIT);
     REQUIRE(scene->depth <= TIA_DEPTH_MAX, "depth", "must be in 1..16");
     REQUIRE(is_bvh(scene), "bvh", "must be of this scene");
-    return TIA_OK;
+    return tia_check_falling(check);
 }
 
-enum part { MATERIALS, SPHERES, LIGHTS, KEYS, TEXTURES, TRANSFORMS, MESHES, GRIDS, SHAPES, TRACKS, PARTS };
+enum part { MATERIALS, SPHERES, LIGHTS, KEYS, TEXTURES, TRANSFORMS, MESHES, GRIDS, SHAPES, TRACKS, FALLS, PARTS };
 
 static int check_one(const struct check *check, enum part part)
 {
@@ -70,8 +70,10 @@ static int check_one(const struct check *check, enum part part)
     case SHAPES:
         return tia_check_shape(check);
     case TRACKS:
-    default:
         return tia_check_track(check);
+    case FALLS:
+    default:
+        return tia_check_fall(check);
     }
 }
 
@@ -92,6 +94,7 @@ static int check_parts(struct check *check)
         [GRIDS] = {"grid", s->grid_count},
         [SHAPES] = {"shape", s->shape_count},
         [TRACKS] = {"track", s->track_count},
+        [FALLS] = {"fall", s->falling ? s->falling->count : 0},
     };
     int status = TIA_OK;
 

@@ -1,6 +1,7 @@
 #include <tia/motion.h>
 
 #include "check.h"
+#include "scene/colour.h"
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
@@ -25,18 +26,55 @@ static int check_value(const struct check *check, const struct tia_track *track,
     case TIA_SCALES_TRANSFORM:
         VALUE(tia_check_is_scale(value), "must be in 2^-10..1024");
         break;
+    case TIA_SHOWS_SHAPE:
+    case TIA_SHOWS_LIGHT:
+        VALUE((value.x == 0 || value.x == 1) && !value.y && !value.z, "must be 0 or 1");
+        break;
+    case TIA_SETS_COLOUR:
+    case TIA_SETS_TRANSMISSION:
+    case TIA_SETS_EMISSION:
+    case TIA_SETS_SPECULAR:
+    case TIA_SETS_MIRROR:
+    case TIA_SETS_REFRACTION:
+    case TIA_SETS_FACING:
+        VALUE(tia_check_is_unit(&(struct tia_rgb){value.x, value.y, value.z}), CHECK_UNIT);
+        break;
     case TIA_MOVES_EYE:
     case TIA_ROTATES_TRANSFORM:
+    case TIA_TARGETS:
         break;
     }
+    return TIA_OK;
+}
+
+/* What the thing that changes must have besides. */
+static int check_target(const struct check *check, const struct tia_track *track)
+{
+    bool needs_mesh = track->target == TIA_SHOWS_SHAPE || track->target >= TIA_SETS_SPECULAR;
+
+    REQUIRE(!needs_mesh || tia_check_can_hide(check), "target", "needs a last mesh without faces in the scene");
+    if (track->target < TIA_SETS_COLOUR)
+        return TIA_OK;
+    const struct tia_material *m = &check->scene->materials[track->index];
+    REQUIRE(track->target != TIA_SETS_SPECULAR || tia_check_is_between(m->exponent, TIA_Q16_ONE, TIA_EXPONENT_MAX),
+            "target", "must be of a material with an exponent in 1..10000");
+    REQUIRE(track->target != TIA_SETS_REFRACTION || tia_check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX),
+            "target", "must be of a material with an index in 0.25..4");
+    REQUIRE(track->target != TIA_SETS_EMISSION || (!colour_is_black(&m->emission) && !m->emission_bits), "target",
+            "must be of a material that emits, at most 1");
     return TIA_OK;
 }
 
 /* How many there are of what the track moves. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
-    bool light = target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT;
-    return light ? scene->light_count : target >= TIA_MOVES_TRANSFORM ? scene->transform_count : UINT32_MAX;
+    if (target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT || target == TIA_SHOWS_LIGHT)
+        return scene->light_count;
+    if (target >= TIA_MOVES_TRANSFORM && target <= TIA_SCALES_TRANSFORM)
+        return scene->transform_count;
+    if (target >= TIA_SETS_COLOUR)
+        return scene->material_count;
+    return target == TIA_SHOWS_SHAPE ? scene->shape_count : UINT32_MAX;
 }
 
 int tia_check_track(const struct check *check)
@@ -45,9 +83,11 @@ int tia_check_track(const struct check *check)
     int64_t before = -1;
     int status = TIA_OK;
 
-    REQUIRE((unsigned)track->target <= TIA_SCALES_TRANSFORM, "target", "must be something that moves");
-    REQUIRE(track->index < targets(check->scene, track->target), "index", "must be the index of a light or transform");
+    REQUIRE((unsigned)track->target < TIA_TARGETS, "target", "must be something that moves");
+    REQUIRE(track->index < targets(check->scene, track->target), "index",
+            "must be the index of a light, transform, shape or material");
     REQUIRE(track->key_count && track->keys, "keys", "must be one or more");
+    status = track->target >= TIA_SHOWS_SHAPE ? check_target(check, track) : TIA_OK;
     for (uint32_t i = 0; !status && i < track->key_count; i++) {
         if (asker_stops(check->asker, 1))
             return TIA_STOPPED;

@@ -1,0 +1,124 @@
+#include "paths.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <tia/tia.h>
+
+#include "common/scene/scene.h"
+#include "float_paths.h"
+#include "milliseconds.h"
+
+enum { SIDE = 128, SPP = 16, ROUNDS = 2 };
+
+/* Who draws: samples of processor time, of all rounds the least, and the picture's mean. */
+struct run {
+    double ms, mean[3];
+};
+
+static void must(int status)
+{
+    if (status) {
+        (void)fprintf(stderr, "bench: status %d\n", status);
+        exit(1);
+    }
+}
+
+static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_scene *scene,
+                      struct run *run)
+{
+    static struct tia_sum sums[SIDE * SIDE];
+    size_t size = core->view_size(scene, scene->light_count);
+    void *memory = malloc(size);
+    struct tia_view *view;
+
+    must(memory ? TIA_OK : TIA_ERR_MEMORY);
+    must(core->view_init(&view, memory, size, scene, scene->light_count, SIDE, SIDE));
+    memset(sums, 0, sizeof sums);
+    double start = cpu_milliseconds();
+    must(estimator->sample(view, (struct tia_tile){0, 0, SIDE, SIDE}, 0, SPP, sums, SIDE));
+    keep_least(&run->ms, cpu_milliseconds() - start);
+    memset(run->mean, 0, sizeof run->mean);
+    for (unsigned i = 0; i < SIDE * SIDE * 3; i++)
+        run->mean[i % 3] += (double)sums[i / 3].rgb[i % 3] / 16777216 / SPP / SIDE / SIDE;
+    free(memory);
+}
+
+static uint64_t draw_floats(const struct float_paths *paths, struct run *run)
+{
+    static float rgb[SIDE * SIDE * 3];
+    double start = cpu_milliseconds();
+    uint64_t rays = float_paths_draw(paths, SPP, rgb);
+
+    keep_least(&run->ms, cpu_milliseconds() - start);
+    memset(run->mean, 0, sizeof run->mean);
+    for (unsigned i = 0; i < SIDE * SIDE * 3; i++)
+        run->mean[i % 3] += (double)rgb[i] / SIDE / SIDE;
+    return rays;
+}
+
+static void print(const char *name, const struct run *run, double rays)
+{
+    const double samples = (double)SIDE * SIDE * SPP;
+
+    printf(" %s | %.0f | %.0f | %.4f %.4f %.4f |\n", name, samples / run->ms * 1000, run->ms * 1e6 / rays, run->mean[0],
+           run->mean[1], run->mean[2]);
+}
+
+/* The balls have highlights and mirrors: together they reflect more than they get, and light along paths has no end. */
+static struct tia_material *without_highlights(struct tia_scene *scene)
+{
+    struct tia_material *copy = calloc(scene->material_count + 1, sizeof *copy);
+
+    must(copy ? TIA_OK : TIA_ERR_MEMORY);
+    for (uint32_t i = 0; i < scene->material_count; i++) {
+        copy[i] = scene->materials[i];
+        copy[i].specular = (struct tia_rgb){0, 0, 0};
+    }
+    scene->materials = copy;
+    return copy;
+}
+
+static void measure(const char *path)
+{
+    struct scene_file file;
+    struct run q16 = {0}, f64 = {0}, floats = {0};
+    double rays = 0;
+
+    if (scene_open(&file, path, scene_format_of(path), false)) {
+        printf("%s\n", file.why);
+        return;
+    }
+    struct tia_material *materials = without_highlights(&file.scene);
+    file.scene.integration = (struct tia_integration){.integrator = TIA_PATHS};
+    struct float_paths *paths = float_paths_open(&file.scene, SIDE, SIDE);
+    must(paths ? TIA_OK : TIA_ERR_UNSUPPORTED);
+    for (int i = 0; i < ROUNDS; i++) {
+        rays = (double)draw_floats(paths, &floats);
+        draw_sums(&tia_core_q16, &tia_estimator_q16, &file.scene, &q16);
+#ifdef TIA_HAVE_F64
+        draw_sums(&tia_core_f64, &tia_estimator_f64, &file.scene, &f64);
+#endif
+    }
+    printf("| `%s`, %.2f rays a sample |", path, rays / SIDE / SIDE / SPP);
+    print("q16", &q16, rays);
+    if (f64.ms > 0) {
+        printf("| |");
+        print("f64", &f64, rays);
+    }
+    printf("| |");
+    print("small float tracer", &floats, rays);
+    float_paths_close(paths);
+    scene_close(&file);
+    free(materials);
+}
+
+/* The estimators are the same, so the rays that the small tracer counts are those of all, on average. */
+void bench_paths(void)
+{
+    printf("\n| paths, %dx%d, %d samples a pixel | | samples/s | ns a ray | mean |\n|---|---|--:|--:|---|\n", SIDE,
+           SIDE, SPP);
+    measure("scenes/cornell.tia");
+    measure("scenes/nff/balls_4.nff");
+}

@@ -1,0 +1,27 @@
+/* ray_scenes.h - scenes of any size for the ray renderer, their hierarchy built. */
+#ifndef BENCH_RAY_SCENES_H
+#define BENCH_RAY_SCENES_H
+
+#include <tia/tia.h>
+
+#include "mesh.h"
+
+struct ray_scene {
+    struct tia_scene scene;
+    double built; /* milliseconds of CPU time that the hierarchy took */
+    void *memory[5];
+};
+
+/* The databases' sphere flake: (9^(level + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff; levels
+ * 1 to 4 are balls_1.nff to balls_4.nff. */
+void ray_scene_balls(struct ray_scene *s, int level);
+
+/* The solids of bench_mesh as one mesh of 84 4^level + 12 faces. */
+void ray_scene_mesh(struct ray_scene *s, int level);
+
+void ray_scene_free(struct ray_scene *s);
+
+/* malloc, but the program ends when there is none. */
+void *ray_scene_memory(size_t size);
+
+#endif

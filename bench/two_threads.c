@@ -1,0 +1,197 @@
+#include "two_threads.h"
+
+#include <malloc.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <tia/tia.h>
+
+#include "common/thread_pool.h"
+#include "milliseconds.h"
+#include "pixels/pages.h"
+
+enum { WIDTH = 1920, HEIGHT = 1080, ROWS = 16, ROUNDS = 25, FRAMES = 10, STARTS = 15 };
+
+/* What a frame is drawn with, and into. */
+struct stage {
+    struct tia_scene scene;
+    struct tia_view *view;
+    struct tia_hits *hits;
+    void *part[4]; /* view, level, hits, picture */
+    bool relit;
+};
+
+static void *checked(void *memory)
+{
+    if (!memory) {
+        (void)fprintf(stderr, "bench: out of memory\n");
+        exit(1);
+    }
+    return memory;
+}
+
+/* Memory as tia takes it. */
+static void set(struct stage *s, const struct tia_level *level)
+{
+    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+
+    *s = (struct stage){.scene = tia_thesis_scene};
+    s->scene.lights = &tia_thesis_scene.bindings[0].state;
+    s->scene.light_count = 1;
+    size_t view = tia_view_size(&s->scene, 1), more = tia_level_size(level, &s->scene, 1);
+    size_t hits = tia_hits_size(&s->scene, all);
+    s->part[0] = checked(malloc(view));
+    s->part[1] = checked(malloc(more + 1));
+    s->part[2] = checked(pages_alloc(hits));
+    s->part[3] = checked(pages_alloc_cleared((size_t)WIDTH * HEIGHT * sizeof(tia_rgb565)));
+    if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, WIDTH, HEIGHT) ||
+        tia_view_set_level(s->view, level, s->part[1], more) || tia_hits_init(&s->hits, s->part[2], hits, s->view, all))
+        exit(1);
+}
+
+static void strike(struct stage *s)
+{
+    for (int i = 0; i < 4; i++)
+        free(s->part[i]);
+}
+
+static void strip(void *arg, unsigned index)
+{
+    const struct stage *s = arg;
+    unsigned y = index * ROWS, rows = HEIGHT - y < ROWS ? HEIGHT - y : ROWS;
+    const struct tia_tile tile = {0, (uint16_t)y, WIDTH, (uint16_t)rows};
+    const struct tia_surface surface = {(tia_rgb565 *)s->part[3] + (size_t)y * WIDTH, 2, 2 * WIDTH};
+
+    if (s->relit ? tia_light_tile(s->view, s->hits, tile, &surface, NULL)
+                 : tia_render(s->view, s->hits, tile, &surface, NULL))
+        exit(1);
+}
+
+static void draw(struct threads *pool, struct stage *s, bool relit)
+{
+    s->relit = relit;
+    threads_workers.run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
+}
+
+/* Whoever runs job n gets the n-th of the processors that this program may use, for itself: schedulers may put threads
+ * that run for half a millisecond on one. Each job waits for the other, so that no thread runs both. */
+static void settle(void *arg, unsigned index)
+{
+    atomic_uint *settled = arg;
+    cpu_set_t all, own;
+    unsigned n = 0;
+
+    CPU_ZERO(&own);
+    if (sched_getaffinity(0, sizeof all, &all) == 0)
+        for (size_t i = 0; i < CPU_SETSIZE; i++)
+            if (CPU_ISSET(i, &all) && n++ == index)
+                CPU_SET(i, &own);
+    if (n >= 2)
+        (void)sched_setaffinity(0, sizeof own, &own);
+    atomic_fetch_add(settled, 1u);
+    while (atomic_load(settled) < 2)
+        (void)sched_yield();
+}
+
+/* Wall and CPU time of a frame. */
+struct cost {
+    double wall, cpu;
+};
+
+/* Frames one after the other, as they are when a key is held; the first are not counted: until the other thread looks
+ * for the next one. */
+static void take(struct threads *pool, struct stage *s, bool relit, struct cost *best)
+{
+    for (int i = 0; i < FRAMES; i++)
+        draw(pool, s, relit);
+    double wall = milliseconds(), cpu = cpu_milliseconds();
+    for (int i = 0; i < FRAMES; i++)
+        draw(pool, s, relit);
+    keep_least(&best->wall, (milliseconds() - wall) / FRAMES);
+    keep_least(&best->cpu, (cpu_milliseconds() - cpu) / FRAMES);
+}
+
+/* One thread and two in turns, so that a change of the machine's speed meets both. */
+static void measure_frames(const struct tia_level *level)
+{
+    struct threads *pool[2] = {checked(threads_create(1)), checked(threads_create(2))};
+    struct cost full[2] = {{0, 0}}, relit[2] = {{0, 0}};
+    atomic_uint settled = 0;
+    cpu_set_t before;
+    struct stage s;
+
+    set(&s, level);
+    (void)sched_getaffinity(0, sizeof before, &before);
+    threads_workers.run(pool[1], settle, &settled, 2);
+    for (int i = 0; i < (level ? ROUNDS : ROUNDS / 5); i++)
+        for (int k = 0; k < 2; k++) {
+            take(pool[k], &s, false, &full[k]);
+            take(pool[k], &s, true, &relit[k]);
+        }
+    for (int k = 0; k < 2; k++)
+        printf("| %s | %u | %.3f | %.3f | %.3f | %.3f | %.2f | %.2f |\n", tia_view_level(s.view),
+               threads_count(pool[k]), full[k].wall, full[k].cpu, relit[k].wall, relit[k].cpu,
+               full[0].wall / full[k].wall, relit[0].wall / relit[k].wall);
+    (void)fflush(stdout);
+    (void)sched_setaffinity(0, sizeof before, &before);
+    strike(&s);
+    threads_destroy(pool[0]);
+    threads_destroy(pool[1]);
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double values[STARTS])
+{
+    qsort(values, STARTS, sizeof *values, by_value);
+    return values[STARTS / 2];
+}
+
+/* New memory and a new pool each time. */
+static void measure_start(const struct tia_level *level)
+{
+    double memory[STARTS], first[STARTS], tenth[STARTS];
+    const char *name = "";
+
+    for (int i = 0; i < STARTS; i++) {
+        struct stage s;
+        double start = milliseconds();
+        struct threads *pool = checked(threads_create(2));
+        set(&s, level);
+        memory[i] = milliseconds() - start;
+        name = tia_view_level(s.view);
+        for (int frame = 1; frame <= 10; frame++) {
+            start = milliseconds();
+            draw(pool, &s, false);
+            *(frame == 1 ? &first[i] : &tenth[i]) = milliseconds() - start;
+        }
+        strike(&s);
+        threads_destroy(pool);
+    }
+    double m = median(memory), f = median(first), t = median(tenth);
+    printf("| %s | %.3f | %.3f | %.3f | %.2f |\n", name, m, f, t, f / t);
+    (void)fflush(stdout);
+}
+
+void bench_threads(void)
+{
+    const struct tia_level *level = tia_level_best();
+
+    (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* what is taken again comes from the system again */
+    printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", WIDTH, HEIGHT);
+    printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
+    measure_frames(NULL);
+    if (level)
+        measure_frames(level);
+    printf("\n| %ux%u, 2 threads | memory, ms | first frame, ms | tenth | first/tenth |\n", WIDTH, HEIGHT);
+    printf("|---|--:|--:|--:|--:|\n");
+    measure_start(NULL);
+    if (level)
+        measure_start(level);
+}

@@ -1,0 +1,46 @@
+/* gaze.h - where the eye looks, and how few pixels it needs elsewhere: the acuity model of Guenter et al., "Foveated 3D
+ * Graphics" (2012). Two points that are e degrees off the gaze are told apart when they are at least
+ *
+ *     MAR(e) = w0 + m e
+ *
+ * degrees apart, the minimum angle of resolution. So pixels are drawn as the corners of blocks of 1, 2, 4, 8 or 16
+ * pixels, the largest that is no wider than that; within TIA_FOVEA of the gaze every pixel is, and e counts as 90 where
+ * it is more. A pixel in the middle of the picture is taken for the size of all: towards the edges they look smaller,
+ * so no block is too large there.
+ *
+ * The eye is before the middle of the picture, as far away as makes it `view_angle` wide.
+ */
+#ifndef TIA_GAZE_H
+#define TIA_GAZE_H
+
+#include <tia/fixed.h>
+
+#define TIA_FOVEA TIA_Q16(2.5) /* degrees: half of the fovea's 5 */
+#define TIA_GAZE_W0 349525u    /* 1/48 degree, Q8.24 */
+#define TIA_GAZE_M 461373u     /* 0.0275 */
+#define TIA_GAZE_BLOCK 16      /* the largest block */
+#define TIA_GAZE_LEVELS 4      /* blocks of 2, 4, 8, 16 */
+
+struct tia_gaze {
+    uint16_t x, y;      /* the pixel that is looked at; where the picture has none, every pixel is drawn */
+    tia_q16 view_angle; /* degrees, TIA_Q16(1)..TIA_Q16(170); 0: every pixel is drawn */
+    uint32_t w0, m;     /* degrees, and degrees a degree: Q8.24, below 2^31 */
+    bool smooth;        /* interpolate between the pixels that are drawn, instead of repeating them */
+};
+
+/* What does not change while a picture is drawn. */
+struct tia_acuity {
+    unsigned width, height;
+    uint32_t distance;                 /* of the eye from the picture, half pixels: at most 2^20 */
+    int32_t gaze[3];                   /* its direction, Q2.30 */
+    uint32_t cosine2[TIA_GAZE_LEVELS]; /* squared, Q0.20, of the angle from which on a block of 2, 4, 8, 16 will do */
+    unsigned levels;                   /* the blocks that will do anywhere */
+};
+
+/* Sets it up for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn. */
+bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height);
+
+/* The block at a pixel: 1, 2, 4, 8 or 16. */
+unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y);
+
+#endif

@@ -1,0 +1,99 @@
+# install.mk - what others link, and what is installed where; the Makefile includes it.
+#
+#   make install PREFIX=/usr LIBDIR=lib/x86_64-linux-gnu DESTDIR=root
+
+PREFIX  ?= /usr/local
+DESTDIR ?=
+LIBDIR  ?= lib
+
+# ---- the shared library: the core and the vector units ----
+# Of its symbols those are seen that libtia.map lists: what the installed headers declare.
+$(BUILD)/pic/%.o: %.c
+	$(call compile,CC pic,$(CORE) $(PIC))
+$(BUILD)/pic/src/levels/%.o: src/levels/%.c
+	$(call compile,CC pic,$(call level_flags,$*) $(PIC))
+$(BUILD)/pic/port/levels/%.o: port/levels/%.c
+	$(call compile,CC pic,$(HOSTED) $(HAVE_LEVELS) $(PIC))
+PIC := -fPIC -fno-semantic-interposition
+$(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map
+	$(call say,LD,$@)$(CC) -shared $(CFLAGS) $(LDFLAGS) -Wl,-soname,$(notdir $@) -Wl,--version-script,libtia.map -Wl,-z,defs \
+	    -o $@ $(filter %.o,$^) -lm
+
+# ---- how other builds find it ----
+define PC
+prefix=$(PREFIX)
+libdir=$${prefix}/$(LIBDIR)
+includedir=$${prefix}/include
+
+Name: $(1)
+Description: $(2)
+Version: $(VERSION)
+Cflags: -I$${includedir}
+Libs: -L$${libdir} -l$(1)
+Libs.private: $(3)
+
+endef
+# A static library that another one needs, and that needs it, stands twice.
+$(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
+	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-levels -ltia -lm)))@:
+$(BUILD)/tia-spheres.pc: install.mk include/tia/tia.h FORCE
+	$(file >$@,$(call PC,tia-spheres,integer-only ray tracer for scenes of spheres alone,))@:
+
+# Scenes of spheres alone: the smallest, or with SPHERES=fast what decides many pixels at once (src/render/span/coherence.h),
+# 8 KB of flash for 0.6 of the time.
+SPHERES ?= small
+SPHERES_SRC := $(if $(filter fast,$(SPHERES)),$(SMALL_SRC),$(call without_coherence,$(SMALL_SRC)))
+$(LIBSPHERES): $(call obj,q16,$(SPHERES_SRC))
+
+# The freestanding ports: a panel on a serial bus, a keyboard's bytes.
+PORTABLE := port/spi-panel/spi_panel port/ps2/ps2
+PORT_HEADERS := $(PORTABLE:%=%.h)
+$(LIBDEVICES): $(patsubst %,$(BUILD)/q16/%.o,$(PORTABLE))
+$(BUILD)/q16/port/%.o: CORE += -Iport
+
+# ---- what is installed: mode:file:place below PREFIX ----
+INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
+PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
+    644:man/tia-scene.5:share/man/man5/tia-scene.5 \
+    $(foreach l,$(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
+    $(if $(BARE),,644:$(LIBSHARED):$(LIBDIR)/libtia.so.$(VERSION)) \
+    $(foreach n,tia tia-spheres,644:$(BUILD)/$(n).pc:$(LIBDIR)/pkgconfig/$(n).pc) \
+    $(foreach n,$(wildcard package/cmake/*.cmake),644:$(BUILD)/$(notdir $(n)):$(LIBDIR)/cmake/tia/$(notdir $(n))) \
+    $(foreach h,$(wildcard include/tia/*.h),644:$(h):$(h)) \
+    $(foreach h,$(PORT_HEADERS),644:$(h):include/tia/ports/$(notdir $(h))) \
+    $(foreach s,$(wildcard scenes/*.* scenes/*/*.*),644:$(s):share/tia/$(s)) \
+    644:LICENSE:share/doc/tia/LICENSE 644:README.md:share/doc/tia/README.md \
+    $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
+    644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)
+# The reference, a page for each header and one that leads to it for each function: python3 writes it.
+PYTHON ?= $(call found,python3)
+MAN3 := $(sort $(patsubst tia_tia,tia,$(patsubst include/tia/%.h,tia_%,$(wildcard include/tia/*.h))) \
+    $(patsubst %;,%,$(filter tia_%;,$(file <libtia.map))))
+MAN3_DIR = $(DESTDIR)$(PREFIX)/share/man/man3
+$(BUILD)/man3.made: tools/generate/reference.py libtia.map man/tia.1 $(wildcard include/tia/*.h)
+	$(call say,PAGES,$(BUILD)/man3)$(PYTHON) $< $(BUILD)/man3 && touch $@
+.PHONY: man3
+ifneq ($(PYTHON),)
+man3: $(BUILD)/man3.made
+put_man3 = $(call say,INSTALL,$(MAN3_DIR))install -d $(MAN3_DIR) && install -m 644 $(MAN3:%=$(BUILD)/man3/%.3) $(MAN3_DIR)
+else
+man3:
+	@echo "note: no python3: without the man pages of section 3 (make deps check installs it)"
+endif
+
+# Names of the shared library that lead to it.
+SHARED_LINKS := $(if $(BARE),,$(LIBDIR)/libtia.so.0 $(LIBDIR)/libtia.so)
+$(BUILD)/%.cmake: package/cmake/%.cmake include/tia/tia.h
+	@sed 's/@VERSION@/$(VERSION)/' $< >$@
+mode_of = $(word 1,$(subst :, ,$(1)))
+from    = $(word 2,$(subst :, ,$(1)))
+place   = $(word 3,$(subst :, ,$(1)))
+put     = $(call say,INSTALL,$(DESTDIR)$(PREFIX)/$(call place,$(1)))install -D -m $(call mode_of,$(1)) $(call from,$(1)) $(DESTDIR)$(PREFIX)/$(call place,$(1))$(newline)
+shared_link = @ln -sf libtia.so.$(VERSION) $(DESTDIR)$(PREFIX)/$(1)$(newline)
+install: all man3 $(if $(BARE),,$(LIBSHARED)) $(filter $(BUILD)/%.pc $(BUILD)/%.cmake,$(foreach p,$(PLACES),$(call from,$(p))))
+	$(foreach p,$(PLACES),$(call put,$(p)))$(foreach l,$(SHARED_LINKS),$(call shared_link,$(l)))
+	$(put_man3)
+# Folders that are left empty are removed, too, up to PREFIX.
+uninstall:
+	$(call say,REMOVE,$(DESTDIR)$(PREFIX))cd $(DESTDIR)$(PREFIX) && rm -f $(foreach p,$(PLACES),$(call place,$(p))) $(SHARED_LINKS) \
+	    $(MAN3:%=share/man/man3/%.3) && rmdir -p $(sort share/man/man3/ $(foreach p,$(PLACES),$(dir $(call place,$(p))))) 2>/dev/null || :

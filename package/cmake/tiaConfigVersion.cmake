@@ -1,0 +1,11 @@
+# Before 1.0.0 a new minor version may change the interface; afterwards a new major one.
+set(PACKAGE_VERSION "@VERSION@")
+string(REGEX MATCH "^0\\.[0-9]+|^[0-9]+" tia_kept "${PACKAGE_VERSION}")
+set(PACKAGE_VERSION_COMPATIBLE FALSE)
+if(NOT PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION AND
+   "${PACKAGE_FIND_VERSION}." MATCHES "^${tia_kept}\\.")
+    set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
+if(PACKAGE_FIND_VERSION VERSION_EQUAL PACKAGE_VERSION)
+    set(PACKAGE_VERSION_EXACT TRUE)
+endif()

@@ -1,0 +1,152 @@
+#include "answers.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "clock.h"
+#include "console/guardian.h"
+#include "descriptor.h"
+#include "typed.h"
+
+#define ESC 0x1b
+#define SIXEL_ATTRIBUTE 4
+
+enum { GROUND, ESCAPE, CSI, ATTRIBUTES, MESSAGE, MESSAGE_ESCAPE };
+
+/* A picture of one pixel, only to be checked; and the device's attributes. */
+static const char ask_kitty[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\", ask_attributes[] = "\033[c";
+
+static void begin(struct answers *a, uint8_t state)
+{
+    a->state = state;
+    a->number = 0;
+    a->length = 0;
+}
+
+static void after_attribute(struct answers *a, uint8_t byte)
+{
+    if (byte >= '0' && byte <= '9') {
+        a->number = a->number < 1000 ? (uint16_t)(a->number * 10 + byte - '0') : a->number;
+        return;
+    }
+    a->sixel |= a->number == SIXEL_ATTRIBUTE;
+    a->number = 0;
+    a->complete |= byte == 'c';
+    if (byte != ';')
+        begin(a, GROUND);
+}
+
+/* Of "Gi=31;OK" the last three count; the number is the one that we chose. */
+static void after_message(struct answers *a, uint8_t byte)
+{
+    if (byte == ESC) {
+        a->kitty |= a->length == sizeof a->message && memcmp(a->message, "Gi=31;OK", sizeof a->message) == 0;
+        a->state = MESSAGE_ESCAPE;
+    } else if (a->length < sizeof a->message) {
+        a->message[a->length++] = (char)byte;
+    }
+}
+
+void answers_byte(struct answers *a, uint8_t byte)
+{
+    switch (a->state) {
+    case ESCAPE:
+        begin(a, byte == '[' ? CSI : byte == '_' ? MESSAGE : byte == ESC ? ESCAPE : GROUND);
+        break;
+    case CSI:
+        begin(a, byte == '?' ? ATTRIBUTES : byte == ESC ? ESCAPE : GROUND);
+        break;
+    case ATTRIBUTES:
+        after_attribute(a, byte);
+        break;
+    case MESSAGE:
+        after_message(a, byte);
+        break;
+    default:
+        begin(a, byte == ESC ? ESCAPE : GROUND);
+        break;
+    }
+}
+
+static void read_answers(int fd, struct answers *answers)
+{
+    uint64_t end = clock_now_us() + ANSWERS_MS * UINT64_C(1000), now;
+    uint8_t bytes[64];
+
+    while (!answers->complete && (now = clock_now_us()) < end) {
+        struct pollfd ready = {.fd = fd, .events = POLLIN};
+        if (poll(&ready, 1, (int)((end - now) / 1000) + 1) <= 0)
+            return;
+        ssize_t n = read(fd, bytes, sizeof bytes);
+        if (n <= 0 && errno != EAGAIN && errno != EINTR)
+            return;
+        if (n > 0)
+            typed_keep(bytes, (size_t)n);
+        for (ssize_t i = 0; i < n; i++)
+            answers_byte(answers, bytes[i]);
+    }
+}
+
+static bool say(int fd, const char *text)
+{
+    return write(fd, text, strlen(text)) == (ssize_t)strlen(text);
+}
+
+static bool is_multiplexer(const char *term)
+{
+    return !term || strncmp(term, "tmux", 4) == 0 || strncmp(term, "screen", 6) == 0;
+}
+
+static void ask(int fd, const char *term, struct answers *answers)
+{
+    if ((is_multiplexer(term) || say(fd, ask_kitty)) && say(fd, ask_attributes))
+        read_answers(fd, answers);
+}
+
+/* Keys that are typed in between are kept for the keyboard. Where that has the terminal already, its modes, and what
+ * the guardian knows of them, stay. */
+static void ask_raw(int fd, const char *term, struct answers *answers)
+{
+    struct termios before, raw;
+
+    if (tcgetattr(fd, &before) != 0)
+        return;
+    typed_forget();
+    if (!(before.c_lflag & (tcflag_t)ICANON)) {
+        ask(fd, term, answers);
+        return;
+    }
+    raw = before;
+    raw.c_lflag &= ~(tcflag_t)(ECHO | ICANON);
+    raw.c_cc[VMIN] = 1;
+    raw.c_cc[VTIME] = 0;
+    (void)guardian_keep_terminal(fd, &raw);
+    if (tcsetattr(fd, TCSANOW, &raw) == 0)
+        ask(fd, term, answers);
+    (void)tcsetattr(fd, TCSANOW, &before);
+    guardian_forget_terminal(fd);
+}
+
+static enum pictures best(const struct answers *answers)
+{
+    enum pictures characters = answers->complete ? PICTURES_SYMBOLS : PICTURES_HALF_BLOCKS;
+
+    return answers->kitty ? PICTURES_KITTY : answers->sixel ? PICTURES_SIXEL : characters;
+}
+
+enum pictures answers_ask(int fd, const char *term)
+{
+    struct answers answers = {0};
+    int both = descriptor_copy(fd, O_RDWR);
+
+    if (both < 0)
+        return PICTURES_HALF_BLOCKS;
+    if (tcgetpgrp(both) == getpgrp())
+        ask_raw(both, term, &answers);
+    (void)close(both);
+    return best(&answers);
+}

@@ -1,0 +1,55 @@
+/* window.c - how large pictures are in a terminal's window. */
+#include <stdlib.h>
+#include <sys/ioctl.h>
+
+#include "terminal/pictures.h"
+#include "terminal/symbols.h"
+
+static const struct cell symbols_cell = {SYMBOLS_WIDTH, SYMBOLS_HEIGHT};
+
+static bool cell_is_known(int fd, struct cell *cell)
+{
+    struct winsize size;
+
+    if (ioctl(fd, TIOCGWINSZ, &size) != 0 || !size.ws_col || !size.ws_row)
+        return false;
+    *cell = (struct cell){size.ws_xpixel / size.ws_col, size.ws_ypixel / size.ws_row};
+    return cell->width && cell->height >= PICTURES_BAND;
+}
+
+enum pictures pictures_find(int fd, struct cell *cell)
+{
+    if (!cell_is_known(fd, cell))
+        return PICTURES_HALF_BLOCKS;
+    enum pictures found = answers_ask(fd, getenv("TERM"));
+    if (found == PICTURES_SYMBOLS)
+        *cell = symbols_cell;
+    return found;
+}
+
+const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
+{
+    if (pictures == PICTURES_SYMBOLS)
+        *cell = symbols_cell;
+    if (pictures <= PICTURES_SYMBOLS || cell_is_known(fd, cell))
+        return NULL;
+    return "does not say how many pixels its window has";
+}
+
+static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
+{
+    return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
+}
+
+uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most)
+{
+    return (uint16_t)whole_cells(columns, cell->width, most);
+}
+
+uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsigned rows, unsigned most)
+{
+    unsigned used = pictures == PICTURES_SYMBOLS ? rows : rows > 1 ? rows - 1 : 1;
+    unsigned height = whole_cells(used, cell->height, most);
+
+    return (uint16_t)(pictures == PICTURES_SIXEL ? height - height % PICTURES_BAND : height);
+}

@@ -1,0 +1,51 @@
+/* none.c - builds without libchafa: a terminal shows half blocks and is asked nothing. */
+#include <stddef.h>
+
+#include "terminal/pictures.h"
+#include "terminal/symbols.h"
+
+enum pictures pictures_find(int fd, struct cell *cell)
+{
+    (void)fd, (void)cell;
+    return PICTURES_HALF_BLOCKS;
+}
+
+const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
+{
+    (void)fd, (void)cell;
+    return pictures == PICTURES_HALF_BLOCKS ? NULL : "built without libchafa, shows halfblocks alone";
+}
+
+uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most)
+{
+    (void)cell, (void)columns;
+    return (uint16_t)most;
+}
+
+uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsigned rows, unsigned most)
+{
+    (void)pictures, (void)cell, (void)rows;
+    return (uint16_t)most;
+}
+
+void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                   unsigned cell_width, unsigned cell_height, struct text *text)
+{
+    (void)pictures, (void)pixels, (void)width, (void)height, (void)cell_width, (void)cell_height, (void)text;
+}
+
+void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height, bool direct,
+                  struct text *text)
+{
+    (void)symbols, (void)pixels, (void)width, (void)height, (void)direct, (void)text;
+}
+
+void symbols_forget(struct symbols *symbols)
+{
+    (void)symbols;
+}
+
+void symbols_free(struct symbols *symbols)
+{
+    (void)symbols;
+}

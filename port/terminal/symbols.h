@@ -1,0 +1,29 @@
+/* symbols.h - pixels as characters in two colours each, chosen by libchafa: blocks, lines and Braille. */
+#ifndef PORT_TERMINAL_SYMBOLS_H
+#define PORT_TERMINAL_SYMBOLS_H
+
+#include <tia/port.h>
+
+#include "encode.h"
+
+/* Pixels of a character. libchafa compares 8 x 8 points; a character is about twice as high as it is wide. */
+#define SYMBOLS_WIDTH 4
+#define SYMBOLS_HEIGHT 8
+
+struct symbol;
+
+/* What the terminal shows from its upper left corner. Zero: nothing is known of it. */
+struct symbols {
+    struct symbol *cells;
+    unsigned columns, rows;
+    bool known;
+};
+
+/* Adds the text that shows width x height pixels, whole characters, in 24-bit colours (`direct`) or the nearest of the
+ * 256; only of characters that changed. If text->failed gets set, nothing is added and nothing is known any more. */
+void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height, bool direct,
+                  struct text *text);
+void symbols_forget(struct symbols *symbols); /* the window may show anything */
+void symbols_free(struct symbols *symbols);
+
+#endif

@@ -1,0 +1,114 @@
+/* events.c - what happens while a scene plays:  sphere ... appears 2 vanishes 5    fall ball velocity 1 0 0 */
+#include "job.h"
+
+#define END_DEFAULT TIA_Q16(10)
+
+static void add_key(struct tia_job *job, tia_q16 time, bool there)
+{
+    struct tia_keyframe key = {time, {there, 0, 0}};
+    (void)tia_job_add(job, TIA_OF_KEYS, &key);
+}
+
+int tia_job_show(struct tia_job *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
+                 const tia_q16 *vanishes)
+{
+    struct tia_track track = {.target = target, .index = index};
+    uint32_t first = tia_job_count(job, TIA_OF_KEYS);
+    tia_q16 from = appears ? *appears : 0;
+
+    if (!appears && !vanishes)
+        return TIA_OK;
+    if (from < 0)
+        return tia_text_error(&job->text, &job->first, "appears too early", "a time of 0 or more");
+    if (vanishes && *vanishes <= from)
+        return tia_text_error(&job->text, &job->first, "vanishes before it appears", "a later time");
+    if (from > 0)
+        add_key(job, 0, false);
+    add_key(job, from, true);
+    if (vanishes)
+        add_key(job, *vanishes, false);
+    job->hides |= target == TIA_SHOWS_SHAPE;
+    track.keys = tia_job_at(job, TIA_OF_KEYS, first);
+    track.key_count = tia_job_count(job, TIA_OF_KEYS) - first;
+    (void)tia_job_add(job, TIA_OF_TRACKS, &track);
+    return TIA_OK;
+}
+
+static const struct tia_field gravity_fields[] = {
+    {.word = "until", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_falling, end)},
+};
+
+int tia_line_gravity(struct tia_job *job)
+{
+    int status = tia_text_vec3(&job->text, &job->falling.gravity);
+
+    return status
+               ? status
+               : tia_fields(&job->text, "gravity", gravity_fields, TIA_COUNT_OF(gravity_fields), &job->falling, NULL);
+}
+
+static const struct tia_field fall_fields[] = {
+    {.word = "velocity", .kind = TIA_NUMBERS, .count = 3, .offset = offsetof(struct tia_fall, velocity)},
+    {.word = "restitution", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_fall, restitution)},
+    {.word = "mass", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_fall, mass)},
+};
+
+/* Until all are known, a ball has the place of its name as its shape. */
+int tia_line_fall(struct tia_job *job)
+{
+    struct tia_fall fall = {.restitution = TIA_Q16_ONE, .mass = TIA_Q16_ONE};
+    struct tia_word word;
+    int status = tia_text_name(&job->text, &word, "the name of a sphere");
+
+    if (status)
+        return status;
+    tia_job_animate(job, &word);
+    const struct tia_name *name = tia_job_mover(job, &word);
+    if (job->pass == TIA_FILLING && (!name || name->index % 2))
+        return tia_text_error(&job->text, &word, name ? "is a light" : "is not defined", "the name of a sphere");
+    if (name)
+        fall.shape = (uint32_t)(name - (const struct tia_name *)tia_job_at(job, TIA_OF_NAMES, 0));
+    status = tia_fields(&job->text, "a ball that falls", fall_fields, TIA_COUNT_OF(fall_fields), &fall, NULL);
+    job->reach.falls = job->hides = true;
+    if (!status)
+        (void)tia_job_add(job, TIA_OF_FALLS, &fall);
+    return status;
+}
+
+void tia_events_begin(struct tia_job *job)
+{
+    job->falling = (struct tia_falling){.end = END_DEFAULT};
+    job->hides = false;
+}
+
+void tia_events_end(struct tia_job *job)
+{
+    const struct tia_mesh nothing = {0};
+
+    if (job->hides)
+        (void)tia_job_add(job, TIA_OF_MESHES, &nothing);
+    job->falling.balls = tia_job_at(job, TIA_OF_FALLS, 0);
+    job->falling.count = tia_job_count(job, TIA_OF_FALLS);
+    if (job->falling.count)
+        (void)tia_job_add(job, TIA_OF_FALLING, &job->falling);
+}
+
+/* The shape that has the transform. */
+static uint32_t shape_of(const struct tia_job *job, uint32_t transform)
+{
+    const struct tia_shape *shapes = tia_job_at(job, TIA_OF_SHAPES, 0);
+    uint32_t count = tia_job_count(job, TIA_OF_SHAPES), i = 0;
+
+    while (i < count && shapes[i].transform != transform + 1)
+        i++;
+    return i;
+}
+
+void tia_events_resolve(struct tia_job *job)
+{
+    struct tia_fall *falls = (struct tia_fall *)(void *)job->arrays[TIA_OF_FALLS].items;
+    const struct tia_name *names = tia_job_at(job, TIA_OF_NAMES, 0);
+
+    for (uint32_t i = 0; i < tia_job_count(job, TIA_OF_FALLS); i++)
+        falls[i].shape = shape_of(job, names[falls[i].shape].index / 2);
+}

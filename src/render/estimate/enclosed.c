@@ -1,0 +1,72 @@
+/* enclosed.c - lights that nobody sees, since they are inside of something. */
+#include "estimate.h"
+
+enum { WAYS = 14 };
+
+/* To the faces and corners of a cube, and off all symmetries a little. */
+static struct num_dir way(unsigned i)
+{
+    const num_unit much = NUM_UNIT_ONE / 2, little = NUM_UNIT_ONE / 64;
+    num_unit part[3];
+
+    for (unsigned c = 0; c < 3; c++) {
+        part[c] = little * (num_unit)(1 + c);
+        if (i >= 6)
+            part[c] += (i - 6) >> c & 1 ? -much : much;
+        else if (i / 2 == c)
+            part[c] = i & 1 ? -much : much;
+    }
+    return num_dir_normalised((struct num_dir){part[0], part[1], part[2]});
+}
+
+static bool is_opaque(const struct ray_view *view, const struct hit *hit)
+{
+    const struct tia_material *m = &view->scene->materials[ray_material(view, hit->object, hit->element)];
+
+    return !m->opacity && !m->refraction.r && !m->refraction.g && !m->refraction.b;
+}
+
+/* What all ways from the point end at, `least` away or more. */
+static uint32_t around(const struct ray_view *view, struct num_point point, num_length least)
+{
+    uint32_t object = TIA_NO_OBJECT;
+
+    for (unsigned i = 0; i < WAYS; i++) {
+        const struct ray ray = {.origin = point, .direction = way(i)};
+        struct hit hit;
+        ray_intersect(view, &ray, &hit);
+        if (hit.object == TIA_NO_OBJECT || hit.t < least || (i && hit.object != object) || !is_opaque(view, &hit))
+            return TIA_NO_OBJECT;
+        object = hit.object;
+    }
+    return object;
+}
+
+/* Of a rectangle its corners, of a disc two places on its edge. */
+static bool edge_is_inside(const struct ray_view *view, const struct ray_light *light, uint32_t object)
+{
+    for (int i = 0; i < 4; i++) {
+        struct num_point at = light->centre;
+        if (light->kind == TIA_DISC_LIGHT)
+            at = num_point_at(at, light->axes[i >> 1], i & 1 ? -light->radius : light->radius);
+        for (int s = 0; s < 2 && light->kind == TIA_RECTANGLE_LIGHT; s++)
+            at = i >> s & 1 ? num_point_sub(at, light->side[s]) : num_point_add(at, light->side[s]);
+        if (around(view, at, 0) != object)
+            return false;
+    }
+    return true;
+}
+
+uint32_t estimate_enclosing(const struct tia_view *view, uint32_t number)
+{
+    const struct ray_view *rays = view->prepared;
+    const struct ray_light *light = &rays->lights[number];
+    bool flat = light->kind == TIA_DISC_LIGHT || light->kind == TIA_RECTANGLE_LIGHT;
+
+    if (light->kind == TIA_DIRECTIONAL_LIGHT || light->kind == TIA_AMBIENT_LIGHT)
+        return TIA_NO_OBJECT;
+    uint32_t object = around(rays, light->centre, flat ? 0 : light->radius);
+    if (object == TIA_NO_OBJECT || (flat && !edge_is_inside(rays, light, object)))
+        return TIA_NO_OBJECT;
+    return around(rays, num_point_of(view->scene->camera.eye), 0) == object ? TIA_NO_OBJECT : object;
+}

@@ -1,0 +1,148 @@
+/* move.c - the hierarchy of a scene whose objects have moved.
+ *
+ * The tree of the scene that stands still is kept as it is, but for the boxes of what moved and those around them. It
+ * may fit worse and worse: where the boxes of a level overlap, rays visit more of them. What a ray visits is in
+ * proportion to the boxes' areas (split.c), so when their sum has grown by half, the tree of the objects is built anew,
+ * from their boxes alone. Those of the meshes always stay.
+ */
+#include "objects.h"
+
+#include "math/integer.h"
+#include "scene/bounds.h"
+
+size_t tia_bvh_move_size(const struct tia_scene *scene)
+{
+    uint64_t count = bvh_object_count(scene);
+    uint64_t size =
+        ALIGN(sizeof(struct tia_bvh)) + bvh_tree_size(count) + ALIGN(count * (uint64_t)sizeof(struct tia_bounds));
+
+    return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
+}
+
+/* The bytes between fields may differ: then it only seems to have moved. */
+static bool same(const void *a, const void *b, size_t size)
+{
+    const unsigned char *one = a, *other = b;
+    size_t i = 0;
+
+    while (a != b && i < size && one[i] == other[i])
+        i++;
+    return a == b || i == size;
+}
+
+/* While the tree follows. */
+struct following {
+    const struct tia_scene *scene, *standing;
+    struct tia_bvh_node *nodes;
+    bool fits; /* all that moved still has a box */
+};
+
+/* Spheres without a transform never do. */
+static bool has_moved(const struct following *f, uint32_t object)
+{
+    if (object < f->scene->sphere_count)
+        return false;
+    uint32_t i = object - f->scene->sphere_count, transform = f->scene->shapes[i].transform;
+    bool same_place = !transform || same(&f->scene->transforms[transform - 1], &f->standing->transforms[transform - 1],
+                                         sizeof(struct tia_transform));
+    return !same_place || !same(&f->scene->shapes[i], &f->standing->shapes[i], sizeof(struct tia_shape));
+}
+
+/* The box of a leaf, which is as it was when nothing in it moved. */
+static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
+{
+    const struct tia_bvh *bvh = f->standing->bvh;
+    const uint32_t *items = bvh->objects.items + leaf->index;
+    struct tia_bounds bounds = BOUNDS_NOTHING, box;
+    bool moved = false;
+
+    for (uint32_t i = 0; i < leaf->count; i++)
+        moved = moved || has_moved(f, items[i]);
+    for (uint32_t i = 0; i < leaf->count && moved; i++) {
+        f->fits = f->fits && tia_bvh_object_box(&box, f->scene, items[i], bvh->meshes);
+        if (f->fits)
+            tia_bounds_add(&bounds, &box);
+    }
+    if (moved)
+        leaf->bounds = bounds;
+}
+
+/* Children come behind their parents, so from the last node to the first both are done before. */
+static void follow(struct following *f, struct asker *asker)
+{
+    const struct tia_bvh_tree *tree = &f->standing->bvh->objects;
+
+    for (uint32_t i = tree->node_count; i-- > 0 && f->fits && !asker_stops(asker, 1);) {
+        struct tia_bvh_node *node = &f->nodes[i];
+        *node = tree->nodes[i];
+        if (node->count) {
+            follow_leaf(f, node);
+        } else {
+            node->bounds = f->nodes[i + 1].bounds;
+            tia_bounds_add(&node->bounds, &f->nodes[node->index].bounds);
+        }
+    }
+}
+
+static uint64_t extent(tia_q16 min, tia_q16 max)
+{
+    return max < min ? 0 : (uint64_t)((int64_t)max - min);
+}
+
+static uint64_t largest(const struct tia_bounds *b)
+{
+    return extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
+}
+
+/* The sum of half the areas; extents of 18 bits keep it below 3 * 2^36 a node. */
+static uint64_t areas(const struct tia_bvh_node *nodes, uint32_t count, unsigned shift)
+{
+    uint64_t sum = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        const struct tia_bounds *b = &nodes[i].bounds;
+        uint64_t x = extent(b->min.x, b->max.x) >> shift, y = extent(b->min.y, b->max.y) >> shift,
+                 z = extent(b->min.z, b->max.z) >> shift, area = x * y + y * z + z * x;
+        sum = sum < UINT64_MAX - area ? sum + area : UINT64_MAX;
+    }
+    return sum;
+}
+
+static bool is_good(const struct following *f)
+{
+    const struct tia_bvh_tree *tree = &f->standing->bvh->objects;
+    uint32_t count = tree->node_count;
+
+    if (!f->fits || !count)
+        return f->fits;
+    uint64_t all = largest(&f->nodes[0].bounds) | largest(&tree->nodes[0].bounds);
+    unsigned bits = all ? 64 - tia_clz64(all) : 0, shift = bits > 18 ? bits - 18 : 0;
+    uint64_t before = areas(tree->nodes, count, shift);
+    return areas(f->nodes, count, shift) <= before + before / 2;
+}
+
+int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
+                 const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
+{
+    uint64_t boxes = ALIGN(bvh_object_count(scene) * (uint64_t)sizeof(struct tia_bounds));
+    struct bvh_space space = {memory, NULL, {stop, ctx, 0, false}}, anew;
+    size_t needed = tia_bvh_move_size(scene);
+
+    if (needed == SIZE_MAX || size < needed)
+        return TIA_ERR_MEMORY;
+    space.boxes = (void *)(space.front + needed - boxes);
+    struct tia_bvh *whole = bvh_allocate(&space, sizeof *whole);
+    anew = space;
+    struct following f = {scene, standing, (struct tia_bvh_node *)(void *)space.front, true};
+    *whole = *standing->bvh;
+    follow(&f, &space.asker);
+    whole->objects.nodes = f.nodes;
+    if (!space.asker.stopped && !is_good(&f)) {
+        tia_bvh_build_objects(&anew, whole, scene);
+        space.asker = anew.asker;
+    }
+    if (space.asker.stopped)
+        return TIA_STOPPED;
+    *bvh = whole;
+    return TIA_OK;
+}

@@ -1,0 +1,39 @@
+/* objects.h - the hierarchy of a scene's objects, as it is built and as it follows them. */
+#ifndef TIA_SCENE_BVH_OBJECTS_H
+#define TIA_SCENE_BVH_OBJECTS_H
+
+#include "math/align.h"
+#include "tree.h"
+
+/* A block of memory that fills from the front. */
+struct bvh_space {
+    unsigned char *front;
+    struct tia_bounds *boxes; /* of the items of one tree, while it is built */
+    struct asker asker;
+};
+
+static inline uint64_t bvh_object_count(const struct tia_scene *scene)
+{
+    return (uint64_t)scene->sphere_count + scene->shape_count;
+}
+
+static inline uint64_t bvh_tree_size(uint64_t count)
+{
+    return ALIGN(count * sizeof(uint32_t)) + TREE_NODES(count) * sizeof(struct tia_bvh_node);
+}
+
+static inline void *bvh_allocate(struct bvh_space *space, uint64_t size)
+{
+    void *place = space->front;
+    space->front += ALIGN(size);
+    return place;
+}
+
+/* The box of an object; false when it has none or Q16.16 cannot hold it. */
+bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
+                        const struct tia_bvh_tree *meshes);
+
+/* Builds bvh->objects; the meshes' trees are there already. */
+void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
+
+#endif

@@ -1,0 +1,27 @@
+/* ranges.h - the bounds of the filter in occluder.h and of the cells in technique_map_exact.c. `make prove` puts these
+ * numbers into tests/proofs/shadow_*.g, which show that they suffice. */
+#ifndef TIA_SHADOW_RANGES_H
+#define TIA_SHADOW_RANGES_H
+
+/* Of the difference between M.D and m s, both below 2^62: what the products and shifts lose; and what M.D loses more
+ * where its three numbers are cut, at columns and rows below 2^13. */
+#define OCCLUDER_UNSURE 15
+#define OCCLUDER_CUT 16383
+
+/* What a pixel sees is off by less than SEEN_OFF in units of 2^-SEEN_BITS of a vertex's; places of more than SEEN_FAR
+ * bits are not told. */
+#define SEEN_BITS 8
+#define SEEN_OFF 5
+#define SEEN_FAR 52
+
+/* Views of the alias-free map have 2^28 units to each side of their middle, and 2^CELL_BITS cells. A place relative to
+ * a point light with fewer than CELL_NEAR bits is in no certain cell. Across a direction the places of corners are
+ * below 2^ACROSS_BITS, are off by less than ACROSS_OFF, and with twice an area from 2^ACROSS_THIN on their order is
+ * sure. */
+#define CELL_BITS 13
+#define CELL_NEAR 17
+#define ACROSS_BITS 27
+#define ACROSS_OFF 2
+#define ACROSS_THIN 33
+
+#endif

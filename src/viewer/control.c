@@ -1,0 +1,170 @@
+/* control.c - what keys and pointers do beyond moving lights. */
+#include "loop.h"
+
+static bool is_pointer(const struct tia_event *event)
+{
+    return event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE;
+}
+
+/* Those keys of the loop that lights have nothing to do with. */
+static bool is_own(const struct loop *loop, uint16_t key)
+{
+    return loop->viewer->control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
+}
+
+enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event)
+{
+    const struct tia_viewer *v = loop->viewer;
+    enum tia_effect other = v->control ? v->control->weigh(v->control_ctx, event) : TIA_EFFECT_NONE;
+
+    if (event->kind == TIA_EVENT_RELEASE)
+        return TIA_EFFECT_NONE;
+    if (is_pointer(event))
+        return other == TIA_EFFECT_NONE && loop->gaze.view_angle && loop->canvas ? TIA_EFFECT_PICTURE : other;
+    if (tia_viewer_is_switch(loop, event->key) || tia_viewer_lights(loop, event))
+        return TIA_EFFECT_CAMERA;
+    if (is_own(loop, event->key))
+        return TIA_EFFECT_PICTURE;
+    return v->control ? other : TIA_EFFECT_END;
+}
+
+/* ---- the camera ---- */
+
+static void set_camera(struct loop *loop, const struct tia_camera *camera)
+{
+    struct tia_scene *variant = loop->viewer->variant;
+
+    variant->camera = *camera;
+    loop->state.camera = *camera;
+    if (loop->current)
+        loop->current->camera = *camera;
+    loop->view_ready = false;
+    loop->changed = true;
+    if (loop->core->view_size(loop->base, loop->viewer->light_capacity) != loop->view_size)
+        loop->view = NULL; /* another renderer draws it */
+}
+
+static void move_camera(struct loop *loop, const struct tia_camera *camera)
+{
+    struct tia_scene tried = *loop->scene;
+
+    tried.camera = *camera;
+    if (tia_scene_check(&tried, NULL))
+        return;
+    loop->state.moved = true;
+    set_camera(loop, camera);
+}
+
+static void go_home(struct loop *loop)
+{
+    loop->state.moved = false;
+    set_camera(loop, &loop->viewer->scene->camera);
+    if (loop->plays)
+        loop->time = -1; /* another: the camera follows its track again */
+}
+
+static bool same_place(struct tia_vec3 a, struct tia_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+bool tia_viewer_go_back(struct loop *loop)
+{
+    const struct tia_camera *now = &loop->state.camera;
+
+    if (!loop->state.moved ||
+        (same_place(now->eye, loop->good.eye) && same_place(now->reference, loop->good.reference) &&
+         same_place(now->up, loop->good.up) && now->fov == loop->good.fov))
+        return false;
+    set_camera(loop, &loop->good);
+    return true;
+}
+
+/* ---- events ---- */
+
+static void pause(struct loop *loop)
+{
+    uint64_t now = viewer_now(loop);
+
+    loop->state.paused = !loop->state.paused;
+    if (loop->state.paused)
+        loop->paused_us = now;
+    else
+        loop->start_us += now - loop->paused_us;
+    loop->covered = true;
+}
+
+/* The next one that is not ambient, and round again. */
+static bool choose_light(struct loop *loop)
+{
+    uint32_t count = loop->state.light_count, from = loop->state.light < count ? loop->state.light : 0;
+
+    while (from + 1 < count && loop->viewer->lights[from].kind == TIA_AMBIENT_LIGHT)
+        from++;
+    for (uint32_t i = 1; i <= count; i++) {
+        uint32_t next = (from + i) % count;
+        if (loop->viewer->lights[next].kind != TIA_AMBIENT_LIGHT) {
+            loop->state.light = next;
+            loop->covered = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+static int act(struct loop *loop, const struct tia_event *event)
+{
+    const struct tia_viewer *v = loop->viewer;
+    struct tia_camera camera = loop->scene->camera;
+    enum tia_effect effect = v->control->act(v->control_ctx, event, &camera);
+
+    if (effect == TIA_EFFECT_CAMERA)
+        move_camera(loop, &camera);
+    else if (effect == TIA_EFFECT_HOME)
+        go_home(loop);
+    loop->covered = loop->covered || effect != TIA_EFFECT_NONE;
+    return TIA_OK;
+}
+
+int tia_viewer_control(struct loop *loop, const struct tia_event *event)
+{
+    const struct tia_viewer *v = loop->viewer;
+
+    if (tia_viewer_effect(loop, event) == TIA_EFFECT_END) {
+        loop->last = *event;
+        return VIEWER_QUIT;
+    }
+    if (is_pointer(event) && tia_viewer_point(loop, event) && !event->drag)
+        return TIA_OK;
+    if (!v->control)
+        return TIA_OK;
+    if (is_own(loop, event->key) && event->key == TIA_KEY_SPACE) {
+        pause(loop);
+        return TIA_OK;
+    }
+    if (is_own(loop, event->key) && choose_light(loop))
+        return TIA_OK;
+    return act(loop, event);
+}
+
+static int32_t at_most(int32_t step)
+{
+    return step > INT16_MAX ? INT16_MAX : step < -INT16_MAX ? -INT16_MAX : step;
+}
+
+/* A pointer tells of every step, so the last of those that wait is enough. */
+bool tia_viewer_joins(struct loop *loop, const struct tia_event *event)
+{
+    struct tia_event *last = loop->queued ? &loop->queue[loop->queued - 1] : NULL;
+
+    if (!last || last->kind != event->kind || last->drag != event->drag || !is_pointer(event))
+        return false;
+    if (event->kind == TIA_EVENT_MOVE) {
+        last->x = at_most(last->x + event->x);
+        last->y = at_most(last->y + event->y);
+    } else {
+        last->x = event->x;
+        last->y = event->y;
+    }
+    return true;
+}

@@ -1,0 +1,45 @@
+/* pace.c - how fine a frame of something that moves can be, so that it comes in time. */
+#include "loop.h"
+
+uint64_t tia_viewer_period_us(const struct loop *loop)
+{
+    const uint32_t *pace = loop->viewer->pace;
+
+    return pace[0] ? (UINT64_C(1000000) * pace[1] + pace[0] - 1) / pace[0] : VIEWER_PERIOD_US;
+}
+
+bool tia_viewer_is_moving(const struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+    bool plays = loop->plays && !loop->state.paused && loop->end > v->time;
+
+    return v->pace[0] && v->clock && (plays || tia_viewer_repeat_us(loop));
+}
+
+/* As many as in the last frame; before that, three for each of the pass before, which is a 4^-n of the picture. */
+static uint64_t pass_pixels(const struct loop *loop)
+{
+    uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
+
+    if (loop->pass_pixels[loop->pass])
+        return loop->pass_pixels[loop->pass];
+    return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
+}
+
+/* The picture must be shown, too, which takes as long as the last time. A pass less in doubt: an eighth to spare. */
+bool tia_viewer_has_time(const struct loop *loop)
+{
+    uint64_t period = tia_viewer_period_us(loop), spent = viewer_now(loop) - loop->begun_us + loop->show_cost_us;
+    uint64_t pass = pass_pixels(loop) * loop->cost_ns / 1000;
+
+    return spent + pass + pass / 8 <= period;
+}
+
+void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us)
+{
+    uint64_t ns = pixels ? us * 1000 / pixels : 0;
+
+    loop->pass_pixels[loop->pass] = pixels;
+    if (pixels)
+        loop->cost_ns = (uint32_t)(ns < 1 ? 1 : ns < UINT32_MAX ? ns : UINT32_MAX);
+}

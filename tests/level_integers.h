@@ -1,0 +1,31 @@
+/* level_integers.h - what the integer code computes of a pixel of a run, and its first light. */
+#ifndef TESTS_LEVEL_INTEGERS_H
+#define TESTS_LEVEL_INTEGERS_H
+
+#include "levels/prepare.h"
+
+struct level_integers {
+    num_u t;
+    bool lit; /* the rest is there: the pixel faces the light */
+    struct lit light;
+    num_u cosine;
+};
+
+static inline struct level_integers level_integers_at(const struct level_fine *f, int x)
+{
+    const struct span_view *spans = span_view_of(f->view);
+    const struct span_sphere *sphere = &spans->spheres[f->sphere];
+    struct light_source source = {.sphere = sphere, .light = f->light[0].lamp->light};
+    struct light_line line;
+    struct level_integers o;
+
+    span_distances(spans, f->sphere, f->row->y, x, 1, &o.t);
+    light_line_prepare(&spans->primary, &source, x, f->row->y, &line);
+    line.count = 1;
+    o.lit = spans->kernels->light(&line, &o.t, &o.light);
+    if (o.lit)
+        spans->kernels->lambert(&o.light, sphere->inverse, 1, &o.cosine);
+    return o;
+}
+
+#endif

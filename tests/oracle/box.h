@@ -1,0 +1,21 @@
+/* box.h - the Cornell box as scenes/cornell.tia has it, its light followed along random paths in double precision:
+ * other intersections, other random numbers, other directions, and no balance heuristic. */
+#ifndef TESTS_ORACLE_BOX_H
+#define TESTS_ORACLE_BOX_H
+
+#include <stdint.h>
+
+/* Adds the mean radiance of rows^2 samples to each pixel of a square picture, three numbers a pixel. Other seeds:
+ * independent samples. */
+void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb);
+
+/* The reflectances of white, red and green, and the lamp's radiance: of the spectra of Cornell's page of data. */
+extern const double oracle_box_colours[4][3];
+
+/* Of each polygon its four corners, in the page's order. */
+extern const double oracle_box_polygons[15][4][3];
+
+/* The lamp: two corners that lie across. */
+extern const double oracle_box_lamp[2][3];
+
+#endif

@@ -1,0 +1,363 @@
+/* Pictures on terminals: what a terminal answers, on a pseudo-terminal too, and sixel's and kitty's bytes decoded
+ * again. */
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <time.h>
+
+#include "pseudo.h"
+#include "terminal/answers.h"
+#include "terminal/colour.h"
+#include "terminal/pictures.h"
+#include "terminal/terminal.h"
+
+#include "random.h"
+
+/* ---- answers ---- */
+
+static struct answers heard(const char *text)
+{
+    struct answers a = {0};
+
+    for (const char *c = text; *c; c++)
+        answers_byte(&a, (uint8_t)*c);
+    return a;
+}
+
+static void check_heard(const char *text, bool sixel, bool kitty, bool complete)
+{
+    struct answers a = heard(text);
+
+    CHECK_MSG(a.sixel == sixel && a.kitty == kitty && a.complete == complete, "%s: %d %d %d", text + 1, a.sixel,
+              a.kitty, a.complete);
+}
+
+#define KITTY_OK "\033_Gi=31;OK\033\\"
+
+TEST(what_terminals_answer)
+{
+    check_heard("\033[?63;1;2;4;6;9;15;22c", true, false, true);
+    check_heard("\033[?62;4c", true, false, true);
+    check_heard("\033[?64;1;2;6;9;14;24;44c", false, false, true);
+    check_heard("\033[?1;2c", false, false, true);
+    check_heard("\033[?6c", false, false, true);
+    check_heard("\033[?62;4", false, false, false);
+    check_heard("\033[62;4c", false, false, false);
+    check_heard(KITTY_OK "\033[?62;c", false, true, true);
+    check_heard(KITTY_OK, false, true, false);
+    check_heard("\033_Gi=31;ENOENT\033\\\033[?62;4c", true, false, true);
+    check_heard("\033_Gi=30;OK\033\\\033[?62c", false, false, true);
+    check_heard("ab\033\033[?62;4;99999999999999c", true, false, true);
+    check_heard("\033[A\033[?62;65540c", false, false, true);
+}
+
+/* ---- a terminal that answers, or not ---- */
+
+#ifdef TIA_HAVE_CHAFA
+struct result {
+    struct tia_mode mode;
+    char format[40];
+    long ms;
+    bool same; /* the terminal's modes afterwards as before */
+};
+
+static long now_ms(void)
+{
+    struct timespec t;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    return (long)t.tv_sec * 1000 + t.tv_nsec / 1000000;
+}
+
+/* The program: opens the display on its controlling terminal and tells what it found. */
+static void play_program(const char *name, const char *term, int out)
+{
+    char why[PORT_WHY] = "";
+    struct port_wish wish = {.why = why};
+    struct result r = {.ms = now_ms()};
+    struct termios after;
+
+    (void)setsid();
+    int fd = open(name, O_RDWR);
+    (void)dup2(fd, STDIN_FILENO);
+    (void)dup2(fd, STDOUT_FILENO);
+    (void)setenv("TERM", term, 1);
+    void *t = port_terminal_create(&wish);
+    if (port_terminal_display.open(t, &r.mode))
+        (void)snprintf(r.format, sizeof r.format, "%.39s", why);
+    else
+        (void)snprintf(r.format, sizeof r.format, "%.39s", r.mode.format);
+    r.ms = now_ms() - r.ms;
+    r.same = tcgetattr(fd, &after) == 0 && after.c_lflag == before.c_lflag;
+    (void)!write(out, &r, sizeof r);
+    port_terminal_display.close(t);
+    _exit(0);
+}
+
+static bool kitty_asked;
+
+/* Answers `text` to the question for the device's attributes, until the program has told. */
+static struct result play_terminal(const char *text, int in)
+{
+    struct pollfd two[2] = {{.fd = master, .events = POLLIN}, {.fd = in, .events = POLLIN}};
+    struct result r = {.ms = -1};
+    char c, seen[3] = "";
+
+    kitty_asked = false;
+    while (poll(two, 2, 5000) > 0 && !(two[1].revents & (POLLIN | POLLHUP))) {
+        if (two[0].revents & POLLIN && read(master, &c, 1) == 1) {
+            seen[0] = seen[1];
+            seen[1] = seen[2];
+            seen[2] = c;
+            kitty_asked |= memcmp(seen, "\033_G", 3) == 0;
+            if (memcmp(seen, "\033[c", 3) == 0)
+                (void)!write(master, text, strlen(text));
+        }
+    }
+    (void)!read(in, &r, sizeof r);
+    return r;
+}
+
+static struct result opened(const char *answer, const char *term, struct winsize size)
+{
+    struct result r = {.ms = -1};
+    int told[2];
+
+    if (!open_terminal() || pipe(told) != 0)
+        return r;
+    (void)ioctl(terminal, TIOCSWINSZ, &size);
+    pid_t child = fork();
+    if (child == 0)
+        play_program(ptsname(master), term, told[1]);
+    (void)close(told[1]);
+    r = play_terminal(answer, told[0]);
+    (void)close(told[0]);
+    close_terminal();
+    (void)kill(child, SIGKILL);
+    (void)waitpid(child, NULL, 0);
+    CHECK(r.ms >= 0 && r.ms < 2000 && r.same);
+    return r;
+}
+
+static void check_mode(const char *answer, const char *term, unsigned width, unsigned height, const char *format)
+{
+    struct result r = opened(answer, term, (struct winsize){24, 80, 800, 480});
+
+    CHECK_MSG(r.mode.width == width && r.mode.height == height && !strcmp(r.format, format), "%s: %ux%u %s", answer,
+              r.mode.width, r.mode.height, r.format);
+    CHECK_MSG(kitty_asked == !strcmp(term, "xterm"), "%s", term);
+}
+
+#endif
+
+TEST(terminals_are_asked)
+{
+#ifdef TIA_HAVE_CHAFA
+    (void)unsetenv("COLORTERM");
+    check_mode("\033[?62;4c", "xterm", 800, 456, "sixel");
+    check_mode(KITTY_OK "\033[?62;4c", "xterm", 800, 460, "kitty's pictures");
+    check_mode("\033[?62;4c", "tmux-256color", 800, 456, "sixel");
+    check_mode("\033[?62c", "screen", 320, 192, "symbols, 256 colours");
+    check_mode("", "xterm", 80, 48, "256 colours");
+    (void)setenv("COLORTERM", "truecolor", 1);
+    check_mode("\033[?62c", "xterm", 320, 192, "symbols, 24-bit colours");
+    struct result r = opened("\033[?62;4c", "xterm", (struct winsize){24, 80, 0, 0});
+    CHECK(r.mode.width == 80 && r.mode.height == 48);
+#else
+    SKIP("built without libchafa (libchafa-dev)");
+#endif
+}
+
+/* ---- pictures, decoded ---- */
+
+#ifdef TIA_HAVE_CHAFA
+#define WIDTH 60
+#define HEIGHT 40
+
+static tia_rgb565 pixels[WIDTH * HEIGHT];
+static uint8_t decoded[4 * WIDTH * HEIGHT + 4000];
+
+static int base64(char c)
+{
+    const char *all = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/", *at = strchr(all, c);
+    return c && at ? (int)(at - all) : -1;
+}
+
+/* All that the APC sequences carry, after one another. */
+static size_t decode_kitty(const char *text, unsigned *width, unsigned *height)
+{
+    unsigned bits = 0, have = 0;
+    size_t count = 0;
+
+    for (const char *s = strstr(text, "\033_G"); s; s = strstr(s, "\033_G")) {
+        const char *end = strstr(s, "\033\\"), *payload = memchr(s, ';', (size_t)(end - s));
+        const char *w = strstr(s, "s="), *h = strstr(s, "v=");
+        if (w && w < end && h && h < end) {
+            *width = (unsigned)strtoul(w + 2, NULL, 10);
+            *height = (unsigned)strtoul(h + 2, NULL, 10);
+        }
+        have = 0; /* each ends with its own padding */
+        for (; payload && ++payload < end;) {
+            if (base64(*payload) < 0)
+                continue;
+            bits = bits << 6 | (unsigned)base64(*payload);
+            have += 6;
+            if (have < 8)
+                continue;
+            if (count < sizeof decoded)
+                decoded[count++] = (uint8_t)(bits >> (have - 8));
+            have -= 8;
+        }
+        s = end;
+    }
+    return count;
+}
+
+static uint32_t palette[256];
+static uint32_t shown[HEIGHT + 12][WIDTH + 12];
+
+static unsigned number(const char **s)
+{
+    char *end;
+    unsigned n = (unsigned)strtoul(*s, &end, 10);
+
+    *s = end;
+    return n;
+}
+
+/* #n;2;r;g;b in per cent, or #n: a colour. */
+static unsigned take_colour(const char **s)
+{
+    unsigned n = number(s) % 256, c[4] = {0};
+
+    for (int i = 0; i < 4 && **s == ';'; i++) {
+        ++*s;
+        c[i] = number(s);
+    }
+    if (c[0] == 2)
+        palette[n] = 1u << 24 | (c[1] * 255 + 50) / 100 << 16 | (c[2] * 255 + 50) / 100 << 8 | (c[3] * 255 + 50) / 100;
+    return n;
+}
+
+/* After the VT340's manual. Returns whether all was understood. */
+static bool decode_sixel(const char *text)
+{
+    const char *s = strstr(text, "\033P");
+    unsigned x = 0, y = 0, colour = 0, repeat = 1;
+
+    memset(shown, 0, sizeof shown);
+    for (s = s ? strchr(s, 'q') + 1 : ""; *s && *s != '\033';) {
+        char c = *s++;
+        if (c == '#') {
+            colour = take_colour(&s);
+        } else if (c == '!') {
+            repeat = number(&s);
+        } else if (c == '$' || c == '-') {
+            y += c == '-' ? 6 : 0;
+            x = 0;
+        } else if (c == '"') {
+            while (*s == ';' || (*s >= '0' && *s <= '9'))
+                s++;
+        } else if (c >= '?' && c <= '~') {
+            for (; repeat > 0; repeat--, x++)
+                for (unsigned i = 0; i < 6; i++)
+                    if ((unsigned)(c - '?') >> i & 1 && x < WIDTH + 12 && y + i < HEIGHT + 12)
+                        shown[y + i][x] = palette[colour];
+            repeat = 1;
+        } else if (c != '\n' && c != '\r') {
+            return false;
+        }
+    }
+    return *s == '\033' && s[1] == '\\';
+}
+
+/* Patches of eleven colours, some a pixel high or wide. */
+static void draw_patches(void)
+{
+    tia_rgb565 colours[11];
+
+    for (int i = 0; i < 11; i++)
+        colours[i] = (tia_rgb565)random_u32();
+    for (unsigned y = 0; y < HEIGHT; y++)
+        for (unsigned x = 0; x < WIDTH; x++)
+            pixels[y * WIDTH + x] = colours[(x / 7 + y / 5 + (x == 13 ? 1u : 0u) + (y == 22 ? 3u : 0u)) % 11];
+}
+
+static void check_kitty(unsigned columns, unsigned rows)
+{
+    struct text text = {0};
+    unsigned across = 10 * columns, down = 20 * rows, width = 0, height = 0;
+
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++)
+        pixels[i] = (tia_rgb565)random_u32();
+    pictures_draw(PICTURES_KITTY, pixels, across, down, 10, 20, &text);
+    char *whole = calloc(1, text.count + 1);
+    memcpy(whole, text.bytes, text.count);
+    size_t count = decode_kitty(whole, &width, &height);
+    CHECK(width == across && height == down);
+    CHECK_EQ(count, 4 * across * down);
+    for (size_t i = 0; i < across * down; i++) {
+        const struct rgb8 c = colour_expand(pixels[i]);
+        const uint8_t *d = decoded + 4 * i;
+        CHECK_MSG(d[0] == c.r && d[1] == c.g && d[2] == c.b && d[3] == 255,
+                  "%ux%u, %zu: %02x%02x%02x %02x, not %02x%02x%02x", across, down, i, d[0], d[1], d[2], d[3], c.r, c.g,
+                  c.b);
+    }
+    free(whole);
+    text_free(&text);
+}
+
+/* Also where the last part has one byte or two in its last group. */
+TEST(kittys_pictures)
+{
+    for (unsigned columns = 1; columns <= 6; columns++)
+        for (unsigned rows = 1; rows <= 2; rows++)
+            check_kitty(columns, rows);
+}
+
+static unsigned apart(uint32_t a, uint32_t b)
+{
+    return a > b ? a - b : b - a;
+}
+
+/* A channel has 101 levels there: 255/100 apart, and one more for libchafa's own palette. */
+TEST(sixel)
+{
+    for (int n = 0; n < 5; n++) {
+        struct text text = {0};
+        draw_patches();
+        pictures_draw(PICTURES_SIXEL, pixels, WIDTH, 36, 10, 20, &text);
+        char *whole = calloc(1, text.count + 1);
+        memcpy(whole, text.bytes, text.count);
+        CHECK(decode_sixel(whole));
+        for (unsigned y = 0; y < 36; y++)
+            for (unsigned x = 0; x < WIDTH; x++) {
+                struct rgb8 c = colour_expand(pixels[y * WIDTH + x]);
+                uint32_t got = shown[y][x];
+                CHECK_MSG(got >> 24 && apart(got >> 16 & 255, c.r) < 5 && apart(got >> 8 & 255, c.g) < 5 &&
+                              apart(got & 255, c.b) < 5,
+                          "(%u, %u): %06x, not %02x%02x%02x", x, y, (unsigned)got, c.r, c.g, c.b);
+            }
+        free(whole);
+        text_free(&text);
+    }
+}
+#else
+TEST(kittys_pictures)
+{
+    SKIP("built without libchafa (libchafa-dev)");
+}
+
+TEST(sixel)
+{
+    SKIP("built without libchafa (libchafa-dev)");
+}
+#endif
+
+int main(void)
+{
+    RUN(what_terminals_answer);
+    RUN(terminals_are_asked);
+    RUN(kittys_pictures);
+    RUN(sixel);
+    return check_status();
+}

@@ -1,0 +1,263 @@
+/* src/levels/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
+ * hardly meet at the end of a bound, and coordinates of textures, against the integers. */
+#include "ray_edges.h"
+
+#include "ray_steps.h"
+#include "render/trace/texture.h"
+
+#define WITHIN .9999L /* of what a bound allows */
+
+/* ---- rays: what doubles are sure of is true of the integers' ray ---- */
+
+#define CELL "grid g size 1 1 1 corner 0 0 0 cell 0.1\nrow 1\nend\n"
+
+/* The integers' ray, whose d need not be of length 1; ours starts eo beside it in the direction `off` and is turned by
+ * ed there. An object far away makes the scene so large that this is not too much for its boxes. */
+static const struct end {
+    const char *name, *shape;
+    double o[3], d[3], off[3], eo, ed;
+} ends[] = {
+    {"past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0.01, 0},
+    {"turned past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0, 0.002},
+    {"out of a needle",
+     "cylinder base 0 0 0 top 0 0 1 radius 0.001 capped",
+     {0, 0, 0.999},
+     {0, 0, 1},
+     {0, 0, 1},
+     0.02,
+     0},
+    {"out of a cone",
+     "cone base 0 0 0 top 0 0 1 radii 0.01 0.001 capped",
+     {0, 0, 0.999},
+     {0, 0, 1},
+     {0, 0, 1},
+     0.02,
+     0},
+    {"to a cone's top",
+     "cone base 0 0 0 top 0 0.1 0 radii 4 3.9 capped",
+     {0, 0.01, 0},
+     {2, 0.09, 0},
+     {0, -1, 0},
+     0,
+     0.001},
+    {"to a cone's side",
+     "cone base 0 0 0 top 0 2 0 radii 0.3 0.2 capped",
+     {0, 0.01, 0},
+     {0.3, 1, 0},
+     {-1, 0.3, 0},
+     0,
+     0.001},
+    {"under a grid", CELL, {-0.1, -0.0001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0.01, 0},
+    {"turned under a grid", CELL, {-4, -0.00001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0, 0.00125},
+    {"falling onto a grid", CELL, {-4, 0.103, 0.05}, {1, -0.00125, 0}, {0, 1, 0}, 0, 0.00125},
+};
+
+static void open_text(const char *name, const char *text)
+{
+    const struct world world = {name, text};
+
+    open_world(&world);
+}
+
+static struct real3 real3_of(const double v[3], long double by)
+{
+    return (struct real3){{v[0] * by, v[1] * by, v[2] * by}};
+}
+
+/* The ray as doubles have it: its ends moved by up to eo and turned by up to ed. */
+static void move(const struct end *end, const struct ray *ray, double part, struct pack *p)
+{
+    double at[3], to[3], length = 0, eo = end->eo * part * (double)unit, ed = end->ed * part;
+
+    *p = (struct pack){.eo = eo + SURE_2(44), .ed = ed * 1.0001 + SURE_2(50), .from = {-1, 0, 0}};
+    sure_point(at, ray->origin);
+    sure_dir(to, ray->direction);
+    for (int i = 0; i < 3; i++) {
+        at[i] += eo * (double)WITHIN * end->off[i];
+        to[i] += ed * (double)WITHIN * end->off[i];
+        length += to[i] * to[i];
+    }
+    p->o = v3_set(at);
+    p->d = v3_scale(v3_set(to), 1 / sqrt(length));
+}
+
+static void check_end(const struct end *end, struct used *distances)
+{
+    const char *far = "sphere centre -30 -30 -30 radius 8 material plain";
+    bool grid = !strncmp(end->shape, "grid", 4);
+    char text[500];
+    struct hit hit;
+
+    (void)snprintf(text, sizeof text, "%s%s material plain\n%s\n", grid ? CELL : "", grid ? "instance g" : end->shape,
+                   far);
+    open_text(end->name, text);
+    struct ray ray = {place(real3_of(end->o, unit)), towards(real3_of(end->d, 1))};
+    meet(&ray, &hit);
+    for (int i = 0; i <= 1024; i++) {
+        struct pack p;
+        struct query q;
+        move(end, &ray, i / 1024.0, &p);
+        find_nearest(scene, &q, &p, 1);
+        bool sky = q.t >= NEVER && q.low >= NEVER, met = hit.object != TIA_NO_OBJECT;
+        if (!sky && !(q.t + q.e < q.low)) {
+            distances->open++;
+            continue;
+        }
+        CHECK_MSG(sky != met, "%s: %d/1024 of the bound: surely %s", end->name, i, sky ? "nothing" : "something");
+        use(distances, met ? sure_length(hit.t) - q.t : 0, q.e + SURE_2(46));
+    }
+    close_world();
+}
+
+TEST(rays)
+{
+    struct used distances = {.name = "distance"};
+
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        check_end(&ends[i], &distances);
+    check_used(&distances);
+}
+
+/* ---- textures ---- */
+
+/* Points in the axes of the shape, times its unit: around it, where coordinates are the whole direction's; in it for
+ * faces, of which `element` is any. */
+static const struct textured {
+    const char *name, *shape;
+    uint32_t element;
+    double centre[3], size[3];
+} surfaces[] = {
+    {"plane", "plane point 0 -0.5 0 normal 0.1 1 0", 0, {0, 0, 0}, {1, 1, 1}},
+    {"disc", "disc centre 0.2 0.3 0 normal 0.5 0.1 1 radius 0.8", 0, {0.2, 0.3, 0}, {0.5, 0.5, 0.5}},
+    {"long box", "box min -0.4 -0.3 -0.01 max 0.5 0.4 0.01", 0, {0, 0, 0}, {0.3, 0.3, 0.01}},
+    {"flat box", "box min -0.4 -0.03 -0.4 max 0.5 0.04 0.2", 3, {0, 0, 0}, {0.3, 0.03, 0.1}},
+    {"sphere", "sphere centre 0.3 0 0 radius 0.9", 0, {0.3, 0, 0}, {0.5, 0.5, 0.5}},
+    {"sphere's pole", "sphere centre 0 0 0 radius 1", 0, {0, 0, 0}, {0.1, 1, 0.1}},
+    {"sphere's seam", "sphere centre 0 0 0 radius 1", 0, {-1, 0, 0}, {0.5, 0.5, 0.001}},
+    {"cylinder",
+     "cylinder base -0.4 -0.1 0 top 0.5 0.5 0.2 radius 0.3 capped",
+     ROUND_SIDE,
+     {0, 0.2, 0},
+     {0.4, 0.4, 0.4}},
+    {"short cylinder", "cylinder base 0 0 0 top 0 0.01 0 radius 0.8 capped", ROUND_SIDE, {0, 0, 0}, {0.8, 0.1, 0.8}},
+    {"needle's cap", "cylinder base 0 0 0 top 0.3 1 0 radius 0.01 capped", ROUND_BASE, {0, 0, 0}, {0.01, 0.01, 0.01}},
+    {"cone's top", "cone base 0 0 0 top 0 1 0 radii 0.5 0.2 capped", ROUND_TOP, {0, 1, 0}, {0.2, 0.1, 0.2}},
+    {"triangle", "triangle a 0 0 0 b 1 0.1 0 c 0 1 0", 0, {0.3, 0.3, 0}, {0.29, 0.29, 0}},
+    {"triangle's edge", "triangle a 0 0 0 b 1 0.1 0 c 0 1 0", 0, {0.3, 0.5, 0}, {0.3, 0.5, 0}},
+    {"face",
+     "instance f material squares\nmesh f\nvertex 0 0 0\nvertex 1 0 0.1\nvertex 0 1 0\nuv 0 0\nuv 3 0\nuv 0 0\n"
+     "face 1/1 2/2 3/3\nend",
+     0,
+     {0.3, 0.3, 0.03},
+     {0.29, 0.29, 0}},
+};
+
+/* In the face itself, as what a ray surely meets is. */
+static bool is_in_face(const struct sure_object *o, const double at[3])
+{
+    const struct sure_face *f = o->kind == SURE_MESH ? &o->mesh->faces[0] : o->face;
+    long double part[3], least = 1;
+
+    if (o->kind != SURE_MESH && o->kind != SURE_TRIANGLE)
+        return true;
+    for (int i = 0; i < 3; i++) {
+        const double *a = f->at[(i + 1) % 3], *b = f->at[(i + 2) % 3];
+        part[i] = (a[0] - at[0]) * (long double)(b[1] - at[1]) - (a[1] - at[1]) * (long double)(b[0] - at[0]);
+        least = fminl(least, part[i]);
+    }
+    return least >= 0;
+}
+
+static void try_coordinates(const struct textured *surface, struct used *u)
+{
+    const struct hit hit = {.object = 0, .light = TIA_NO_OBJECT, .element = surface->element};
+    struct texture_point p = {&scene->object[0], surface->element, {0, 0, 0}, (double)unit * some_size(6, 30)};
+    struct real off = real_random();
+    struct coordinates c;
+    struct real3 theirs;
+    num_length uv[2];
+
+    if (random_bits() % 2)
+        off = (struct real){{random_bits() % 3 == 0, random_bits() % 2, 0}};
+    if (real_dot(off, off) == 0)
+        off.v[2] = 1;
+    for (int i = 0; i < 3; i++) {
+        p.at[i] = (double)unit * (surface->centre[i] + surface->size[i] * random_double());
+        theirs.v[i] = (p.at[i] + p.e * WITHIN / sqrtl(real_dot(off, off)) * off.v[i] * (long double)some_sign());
+    }
+    p.e += 2 * UNIT; /* as the integers have it, theirs is rounded */
+    if (!is_in_face(p.object, p.at))
+        return;
+    if (!coordinates_of(&p, &c)) {
+        u->open++;
+        return;
+    }
+    ray_uv(view, &hit, place(theirs), uv);
+    for (int i = 0; i < 2; i++)
+        use(u, sure_length(uv[i]) - c.uv[i], c.e + SURE_2(44));
+}
+
+TEST(coordinates)
+{
+    for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++) {
+        const struct textured *s = &surfaces[i];
+        struct used u = {.name = s->name};
+        char text[500];
+        (void)snprintf(text, sizeof text, "%s%s\n", s->shape,
+                       strncmp(s->shape, "instance", 8) ? " material squares" : "");
+        open_text(s->name, text);
+        for (int k = 0; k < 10000; k++)
+            try_coordinates(s, &u);
+        close_world();
+        check_used(&u);
+    }
+}
+
+/* An image of four texels, blended, on a plane: how it changes where the coordinates are off. */
+static void try_blend(struct used *u)
+{
+    static const uint8_t texels[12] = {255, 255, 0, 0, 0, 0, 0, 255, 0, 255, 255, 255};
+    const struct tia_texture t = {TIA_IMAGE, {TIA_Q16_ONE, TIA_Q16_ONE}, {0, 0}, {{0, 0, 0}, {0, 0, 0}}, true, 2, 2,
+                                  texels};
+    const struct sure_material m = {.texture = &t, .repeat = {1, 1}};
+    struct texture_point p = {&scene->object[0], 0, {0, 0, 0}, (double)unit * some_size(4, 30)};
+    struct coordinates c;
+    num_length uv[2], value[3];
+    double rgb[3], e;
+
+    for (int i = 0; i < 3; i++)
+        p.at[i] = (double)unit * random_double();
+    (void)coordinates_of(&p, &c);
+    if (!texture_colour(&m, &p, rgb, &e)) {
+        u->open++;
+        return;
+    }
+    for (int i = 0; i < 2; i++)
+        uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / UNIT);
+    (void)ray_texture(&t, uv, value);
+    for (int i = 0; i < 3; i++)
+        use(u, sure_length(value[i]) - rgb[i], e + SURE_2(44));
+}
+
+TEST(blends)
+{
+    struct used u = {.name = "blend of texels"};
+
+    open_text("plane", "plane point 0 0 0 normal 0 0 1 material squares\n");
+    for (int i = 0; i < 20000; i++)
+        try_blend(&u);
+    close_world();
+    check_used(&u);
+}
+
+int main(void)
+{
+    (void)trace;
+    (void)edge_ray;
+    (void)moved;
+    (void)random_size;
+    RUN(rays);
+    RUN(coordinates);
+    RUN(blends);
+    return check_status();
+}

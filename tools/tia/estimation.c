@@ -1,0 +1,59 @@
+#include "estimation.h"
+
+#include <stdlib.h>
+
+#include "common/image/image.h"
+#include "common/sink.h"
+
+/* A band is at most a part of the picture: a pixel of it has two sums and 4 bytes, so that a pixel of the picture has
+ * less than 16. */
+enum { BAND_PIXELS = 1 << 16, BANDS_MIN = 4 };
+
+unsigned estimation_band_rows(const struct estimation *e)
+{
+    unsigned most = BAND_PIXELS / e->film.width, part = e->film.height / BANDS_MIN, rows = part < most ? part : most;
+
+    return rows ? rows : 1;
+}
+
+int estimation_open(struct estimation *e)
+{
+    const struct options *options = e->options;
+
+    if (options->format != IMAGE_PART) {
+        e->image = image_create_film(options->output, options->format, &e->film, e->why);
+        return e->image ? TIA_OK : TIA_ERR_DEVICE;
+    }
+    e->sink = calloc(1, sizeof *e->sink);
+    if (!e->sink)
+        return TIA_ERR_MEMORY;
+    int status = sink_open(e->sink, options->output, e->why);
+    if (status) {
+        free(e->sink);
+        e->sink = NULL;
+        return status;
+    }
+    return TIA_OK;
+}
+
+int estimation_head(struct estimation *e)
+{
+    char header[SUMS_HEADER];
+
+    return e->sink ? sink_write(e->sink, header, sums_print(header, &e->sums)) : TIA_OK;
+}
+
+void estimation_develop(struct estimation *e, unsigned y, unsigned row, const struct tia_sum *sums)
+{
+    unsigned char *at = e->bytes + row * e->row_bytes;
+
+    if (e->sink)
+        sums_put_row(at, &e->sums, y + row, sums);
+    else
+        sums_develop(at, &e->sums, sums, e->film.depth);
+}
+
+int estimation_write(struct estimation *e, unsigned rows)
+{
+    return e->sink ? sink_write(e->sink, e->bytes, rows * e->row_bytes) : image_rows(e->image, e->bytes, rows);
+}

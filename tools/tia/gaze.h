@@ -1,0 +1,16 @@
+/* gaze.h - the options that say where the eye looks and how sharply it sees, include/tia/gaze.h. */
+#ifndef TOOLS_TIA_GAZE_H
+#define TOOLS_TIA_GAZE_H
+
+#include "options.h"
+
+/* As parse_option. */
+int gaze_parse(struct options *options, int option, const char *value);
+
+/* EXIT_FINE, or EXIT_USAGE after an error message. Sets the defaults of what is not given. */
+int gaze_check(struct options *options);
+
+/* The viewer's gaze: none where none is given. */
+struct tia_gaze gaze_of(const struct options *options);
+
+#endif

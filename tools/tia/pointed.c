@@ -1,0 +1,69 @@
+#include "pointed.h"
+
+static int pointed_open(void *ctx)
+{
+    const struct pointed *pointed = ctx;
+    return pointed->input->open(pointed->input_ctx);
+}
+
+static unsigned inside(int32_t part, unsigned screen, unsigned from, unsigned size)
+{
+    unsigned at = (unsigned)((uint32_t)part * (uint64_t)screen >> 16);
+
+    return at < from ? 0 : at - from < size ? at - from : size - 1;
+}
+
+/* The middle of a pixel. */
+static int32_t part_of(unsigned at, unsigned size)
+{
+    return (int32_t)((2 * at + 1) * UINT32_C(32768) / size);
+}
+
+static void turn_place(const struct letterbox *letterbox, struct tia_event *event)
+{
+    const struct tia_tile *place = &letterbox->place;
+    struct rotation back = rotation_inverse(&letterbox->rotation);
+
+    if (place->width == 0 || place->height == 0)
+        return;
+    struct tia_tile pixel = {(uint16_t)inside(event->x, letterbox->mode.width, place->x, place->width),
+                             (uint16_t)inside(event->y, letterbox->mode.height, place->y, place->height), 1, 1};
+    pixel = rotation_tile(&back, pixel);
+    event->x = part_of(pixel.x, letterbox->rotation.width);
+    event->y = part_of(pixel.y, letterbox->rotation.height);
+}
+
+/* The picture is rotated clockwise: what goes to the right on the screen goes up in one that is rotated by 90. */
+static void turn_way(unsigned degrees, struct tia_event *event)
+{
+    int32_t x = event->x, y = event->y;
+
+    event->x = degrees == 90 ? y : degrees == 180 ? -x : degrees == 270 ? -y : x;
+    event->y = degrees == 90 ? -x : degrees == 180 ? -y : degrees == 270 ? x : y;
+}
+
+static int pointed_poll(void *ctx, struct tia_event *event)
+{
+    const struct pointed *pointed = ctx;
+    int status = pointed->input->poll(pointed->input_ctx, event);
+
+    if (status > 0 && event->kind == TIA_EVENT_POINT)
+        turn_place(pointed->letterbox, event);
+    if (status > 0 && event->kind == TIA_EVENT_MOVE)
+        turn_way(pointed->letterbox->degrees, event);
+    return status;
+}
+
+static int pointed_wait(void *ctx, int timeout_ms)
+{
+    const struct pointed *pointed = ctx;
+    return pointed->input->wait(pointed->input_ctx, timeout_ms);
+}
+
+static void pointed_close(void *ctx)
+{
+    const struct pointed *pointed = ctx;
+    pointed->input->close(pointed->input_ctx);
+}
+
+const struct tia_input pointed_input = {pointed_open, pointed_poll, pointed_wait, pointed_close};

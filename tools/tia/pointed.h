@@ -1,0 +1,16 @@
+/* pointed.h - an input (tia/port.h) around another one, whose pointer is at a place of the screen: here it is at one of
+ * the picture that a letterbox puts there. */
+#ifndef TOOLS_TIA_POINTED_H
+#define TOOLS_TIA_POINTED_H
+
+#include "letterbox.h"
+
+struct pointed {
+    const struct tia_input *input;
+    void *input_ctx;
+    const struct letterbox *letterbox;
+};
+
+extern const struct tia_input pointed_input; /* the context is a struct pointed, whose input is open */
+
+#endif

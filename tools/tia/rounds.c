@@ -1,0 +1,297 @@
+/* rounds.c - a picture of samples, a sample of each pixel at a time, so that it can end after any of them. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clock.h"
+#include "common/signals.h"
+#include "estimation.h"
+#include "fail.h"
+
+/* A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete, and those with
+ * the next round. A round of a small picture is several samples, so that threads have something to do. Of fewer than
+ * SPREAD_MIN samples nobody knows how much they differ. */
+enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000 };
+
+struct gathered {
+    struct tia_gathered all;
+    void *memory;
+};
+
+struct rounds {
+    struct estimation *e;
+    size_t pixels;
+    struct gathered kept, next;
+    uint32_t done, round; /* samples in `kept`, and how many are to be added */
+    uint64_t begun_us, told_us;
+    double error; /* estimated, < 0: not yet */
+};
+
+bool rounds_possible(const struct estimation *e)
+{
+    return !e->options->resume && (uint64_t)e->film.width * e->film.height <= PIXELS_MAX;
+}
+
+/* ---- memory ---- */
+
+static bool watched(const struct estimation *e)
+{
+    return e->progress.terminal || e->progress.asked;
+}
+
+static bool has_guides(const struct options *options)
+{
+    return options->denoise || options->guide;
+}
+
+/* A row: the same places in each array. */
+static struct tia_gathered at(const struct tia_gathered *g, size_t place)
+{
+    struct tia_gathered row = *g;
+
+    row.sums += place;
+    row.guides = row.guides ? row.guides + place : NULL;
+    row.squares = row.squares ? row.squares + place : NULL;
+    return row;
+}
+
+/* Squares are for whoever asks for an error, is told of it, or has noise taken out by it. */
+static bool has_squares(const struct estimation *e)
+{
+    return has_guides(e->options) || e->options->error || e->options->time_limit || watched(e);
+}
+
+static size_t pixels_of(const struct estimation *e)
+{
+    return (size_t)e->film.width * e->film.height;
+}
+
+/* Of one of the two. */
+static size_t gathered_size(const struct estimation *e)
+{
+    size_t guide = has_guides(e->options) ? sizeof(struct tia_guide) : 0,
+           square = has_squares(e) ? sizeof(uint64_t) : 0;
+
+    return pixels_of(e) * (sizeof(struct tia_sum) + guide + square);
+}
+
+size_t rounds_size(const struct estimation *e)
+{
+    return 2 * gathered_size(e);
+}
+
+static bool get_memory(struct gathered *g, const struct rounds *r)
+{
+    bool guides = has_guides(r->e->options);
+    size_t sums = r->pixels * sizeof *g->all.sums, more = guides ? r->pixels * sizeof *g->all.guides : 0;
+
+    g->memory = calloc(1, gathered_size(r->e));
+    g->all.sums = g->memory;
+    g->all.guides = guides ? (void *)((char *)g->memory + sums) : NULL;
+    g->all.squares = has_squares(r->e) ? (void *)((char *)g->memory + sums + more) : NULL;
+    g->all.pitch = r->e->film.width;
+    return g->memory;
+}
+
+/* The mean of the pixels' standard errors over that of their luminance. */
+static double estimated_error(const struct rounds *r)
+{
+    uint64_t errors = 0, light = 0;
+
+    for (size_t i = 0; i < r->pixels; i++) {
+        const struct tia_sum *s = &r->kept.all.sums[i];
+        errors += tia_standard_error(s, r->kept.all.squares[i], r->done);
+        light += (uint64_t)(s->rgb[0] + 2 * s->rgb[1] + s->rgb[2]) / 4 / r->done >> 8;
+    }
+    return light ? (double)errors / (double)light : 0;
+}
+
+/* ---- a round ---- */
+
+static void draw_row(void *arg, unsigned y)
+{
+    struct rounds *r = arg;
+    struct estimation *e = r->e;
+    size_t width = e->film.width, place = y * width;
+    struct tia_gathered from = at(&r->kept.all, place), to = at(&r->next.all, place);
+    struct tia_tile row = {0, (uint16_t)y, (uint16_t)width, 1};
+    uint32_t first = e->sums.first + r->done;
+
+    memcpy(to.sums, from.sums, width * sizeof *to.sums);
+    if (to.squares)
+        memcpy(to.squares, from.squares, width * sizeof *to.squares);
+    if (to.guides)
+        memcpy(to.guides, from.guides, width * sizeof *to.guides);
+    int status = e->estimator->gather(e->film_scene.view, row, first, first + r->round, &to);
+    if (status)
+        atomic_store(&e->status, status);
+    if (r->done == 0)
+        progress_add(&e->progress, width);
+}
+
+static int draw_round(struct rounds *r)
+{
+    struct gathered kept = r->next;
+
+    threads_workers.run(r->e->pool, draw_row, r, r->e->film.height);
+    if (atomic_load(&r->e->status))
+        return atomic_load(&r->e->status);
+    r->next = r->kept;
+    r->kept = kept;
+    r->done += r->round;
+    return TIA_OK;
+}
+
+/* ---- what is said ---- */
+
+/* Seconds until the first limit that will be reached, as far as is known. */
+static double seconds_left(const struct rounds *r, uint64_t now)
+{
+    double took = (double)(now - r->begun_us) / 1e6, each = took / r->done,
+           limit = (double)r->e->options->error / 65536;
+    double left = each * (r->e->sums.count - r->done), by_error;
+
+    if (r->e->end_us != UINT64_MAX && (double)(r->e->end_us - now) / 1e6 < left)
+        left = (double)(r->e->end_us - now) / 1e6;
+    if (limit > 0 && r->error >= 0) {
+        by_error = took * (r->error * r->error / (limit * limit) - 1);
+        left = by_error < left ? by_error : left;
+    }
+    return left > 0 ? left : 0;
+}
+
+static void tell(struct rounds *r, uint64_t now)
+{
+    char text[PROGRESS_TEXT];
+    int used = snprintf(text, sizeof text, "%u", (unsigned)r->done);
+
+    if (r->e->sums.count < TIA_SPP_MAX)
+        used += snprintf(text + used, sizeof text - (size_t)used, " of %u", (unsigned)r->e->sums.count);
+    used += snprintf(text + used, sizeof text - (size_t)used, " samples");
+    if (r->error >= 0)
+        used += snprintf(text + used, sizeof text - (size_t)used, ", error %.4f", r->error);
+    (void)snprintf(text + used, sizeof text - (size_t)used, ", %.0f s left", seconds_left(r, now) + 0.5);
+    progress_say(&r->e->progress, text);
+}
+
+/* The error is looked at where it matters, or for those who watch: that takes a while, too. */
+static void look(struct rounds *r)
+{
+    bool tells = watched(r->e);
+    uint64_t now = clock_now_us();
+
+    if (r->done < SPREAD_MIN || (!r->e->options->error && (!tells || now < r->told_us))) {
+        if (tells && r->done < SPREAD_MIN)
+            tell(r, now);
+        return;
+    }
+    r->told_us = now + TOLD_US;
+    r->error = estimated_error(r);
+    if (tells)
+        tell(r, now);
+}
+
+static bool is_good(const struct rounds *r)
+{
+    const struct options *options = r->e->options;
+
+    return options->error && r->error >= 0 && r->error * 65536 <= options->error;
+}
+
+/* TIA_STOPPED: not a single round is complete. */
+static int draw(struct rounds *r)
+{
+    uint32_t count = r->e->sums.count;
+    uint32_t most = r->pixels < ROUND_PIXELS ? (uint32_t)(ROUND_PIXELS / r->pixels) : 1;
+    int status = TIA_OK;
+
+    while (r->done < count && !is_good(r) && !status) {
+        r->round = count - r->done < most ? count - r->done : most;
+        status = draw_round(r);
+        if (!status)
+            look(r);
+    }
+    return status == TIA_STOPPED && r->done ? TIA_OK : status;
+}
+
+/* ---- the file ---- */
+
+static int write_all(struct rounds *r)
+{
+    struct estimation *e = r->e;
+    unsigned height = e->film.height, band = estimation_band_rows(e), count = (height + band - 1) / band;
+    bool bottom_up = e->image && image_bottom_up(e->image);
+    int status = estimation_head(e);
+
+    for (unsigned i = 0; i < count && !status; i++) {
+        unsigned y = (bottom_up ? count - 1 - i : i) * band, rows = height - y < band ? height - y : band;
+        for (unsigned row = 0; row < rows; row++)
+            estimation_develop(e, y, row, r->kept.all.sums + (size_t)(y + row) * e->film.width);
+        status = estimation_write(e, rows);
+    }
+    return status;
+}
+
+static int finish(struct rounds *r)
+{
+    const struct options *options = r->e->options;
+    int status = TIA_OK;
+
+    r->e->sums.count = r->done;
+    if (options->denoise)
+        status = denoise_sums(r->e, &r->kept.all);
+    else if (options->guide)
+        status = show_guide(r->e, &r->kept.all);
+    return status ? status : write_all(r);
+}
+
+/* The limits of --time-limit and --error leave how many samples there are to chance, and so do signals: that is said.
+ */
+static void say_samples(const struct rounds *r, uint32_t asked)
+{
+    bool limited = r->e->options->time_limit || r->e->options->error;
+    double error = r->done < SPREAD_MIN || !has_squares(r->e) ? -1
+                   : r->error >= 0 && r->e->options->error    ? r->error
+                                                              : estimated_error(r);
+
+    if (r->done == asked && !limited)
+        return;
+    progress_erase(&r->e->progress);
+    if (error < 0)
+        note("%u samples a pixel", (unsigned)r->done);
+    else
+        note("%u samples a pixel, estimated error %.4f", (unsigned)r->done, error);
+}
+
+static int begin(struct rounds *r)
+{
+    struct estimation *e = r->e;
+
+    if (!get_memory(&r->kept, r) || !get_memory(&r->next, r))
+        return ROUNDS_NO_MEMORY;
+    int status = estimation_open(e);
+    if (status)
+        return status;
+    signals_catch_waiting();
+    r->begun_us = clock_now_us();
+    e->end_us = e->options->time_limit ? r->begun_us + (uint64_t)e->options->time_limit * 1000000 / 65536 : UINT64_MAX;
+    return TIA_OK;
+}
+
+int rounds_draw(struct estimation *e)
+{
+    struct rounds r = {.e = e, .pixels = pixels_of(e), .error = -1};
+    uint32_t asked = e->sums.count;
+    int status = begin(&r);
+
+    if (!status)
+        status = draw(&r);
+    signals_release(); /* another signal ends it at once */
+    if (!status) {
+        say_samples(&r, asked);
+        status = finish(&r);
+    }
+    free(r.kept.memory);
+    free(r.next.memory);
+    return status;
+}

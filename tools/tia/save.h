@@ -1,0 +1,16 @@
+/* save.h - keeps in a file what a display shows. */
+#ifndef TOOLS_TIA_SAVE_H
+#define TOOLS_TIA_SAVE_H
+
+#include "common/image/image.h"
+#include "device.h"
+#include "letterbox.h"
+
+/* Writes the picture of a letterbox that keeps it. A negative status, and the reason in `why`, [PORT_WHY]. */
+int save_picture(const struct letterbox *letterbox, const char *path, enum image_format format, char *why);
+
+/* Writes it to the first of tia-0001.png, tia-0002.png, ... that is not there; .ppm without libpng. `text` says so, or
+ * why not. *number is the last one that was found to be there, 0 at first. */
+void save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY]);
+
+#endif

@@ -1,0 +1,39 @@
+#include "scenes.h"
+
+#include "arguments.h"
+#include "check.h"
+#include "fail.h"
+
+/* Keys were for the first scene. */
+bool scenes_go(struct options *options, int step, char *why)
+{
+    struct options next = *options;
+    int count = (int)options->scene_count;
+
+    next.scene_index = (uint32_t)(((int)options->scene_index + step + count) % count);
+    next.scene_path = options->scene_paths[next.scene_index];
+    next.scene_format = options->format_of_scenes;
+    next.file = (struct scene_file){.path = NULL};
+    next.core = options->plain_core;
+    next.key_text = NULL;
+    fail_into(why, PORT_WHY);
+    int status = check_scene(&next);
+    bool opened = !status;
+    status = status ? status : arguments_load(&next);
+    fail_into(NULL, 0);
+    if (status) {
+        if (opened)
+            scene_close(&next.file);
+        return false;
+    }
+    next.key_count = 0;
+    scene_close(&options->file);
+    *options = next;
+    return true;
+}
+
+void scenes_next_view(struct options *options)
+{
+    options->views.view = (options->views.view + 1) % VIEW_COUNT;
+    arguments_set_view(options);
+}

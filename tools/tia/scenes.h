@@ -1,0 +1,15 @@
+/* scenes.h - the scenes of the command line, one after the other. */
+#ifndef TOOLS_TIA_SCENES_H
+#define TOOLS_TIA_SCENES_H
+
+#include "device.h"
+#include "options.h"
+
+/* Loads the scene that is so many steps further, and round again; the one before is closed. False: it cannot be loaded,
+ * for the reason in `why`, [PORT_WHY]; then the one before stays. */
+bool scenes_go(struct options *options, int step, char *why);
+
+/* Shows the next view of the scene, see view.h. */
+void scenes_next_view(struct options *options);
+
+#endif
