@@ -21,7 +21,8 @@ static const struct tia_estimator *estimator_of(const struct tia_core *core)
     return &tia_estimator_q16;
 }
 
-/* Threads ask after every few rays; somebody looks for signals now and then. */
+/* Threads ask after every few rays; somebody looks for signals now and then. The time of the last look has 32 bits,
+ * since not every processor has atomic 64; whatever it is, the next is at most LOOK_US away. */
 static bool stops(void *ctx)
 {
     struct estimation *e = ctx;
@@ -29,8 +30,8 @@ static bool stops(void *ctx)
 
     if (!e->end_us || atomic_load(&e->stopped))
         return e->end_us != 0;
-    if ((int32_t)((uint32_t)now - atomic_load(&e->look_us)) >= 0) {
-        atomic_store(&e->look_us, (uint32_t)now + LOOK_US);
+    if ((uint32_t)now - atomic_load(&e->looked_us) >= LOOK_US) {
+        atomic_store(&e->looked_us, (uint32_t)now);
         if (now >= e->end_us || signals_asked(NULL))
             atomic_store(&e->stopped, true);
     }

@@ -26,7 +26,7 @@ struct estimation {
     struct progress progress;
     atomic_int status; /* of what threads do */
     uint64_t end_us;   /* when the time is over; 0: the drawing is not one that is asked to stop */
-    atomic_uint look_us;
+    atomic_uint looked_us; /* clock_now_us() at the last look for a reason to stop, mod 2^32 */
     atomic_bool stopped;
     char why[PORT_WHY];
 };
