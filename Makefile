@@ -328,7 +328,11 @@ include port/boards/boards.mk
 endif
 
 # The pictures of README.md and docs/, which a test compares with what is drawn.
-.PHONY: gallery
+.PHONY: gallery docs
+docs: gallery
+	@sed -n 's,^    build/\(tia.* docs/course/[a-z0-9-]*\.png.*\),$(BUILD)/\1,p' docs/course/*.md | \
+	    while read -r command; do echo "  DRAW    $${command##*docs/course/}"; sh -c "$$command" >/dev/null || exit; done
+
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
@@ -381,7 +385,7 @@ help:
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
-	@echo "gallery            draws the pictures of docs again"
+	@echo "docs               draws the pictures of docs again; gallery: those without the course's"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
 	@echo "lint clean help"
