@@ -44,12 +44,12 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->view = NULL; /* another renderer draws it */
 }
 
+/* Whether all of the scene is within reach of it shows when the view is prepared: tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
-    struct tia_scene tried = *loop->scene;
+    const struct tia_scene alone = {.camera = *camera};
 
-    tried.camera = *camera;
-    if (tia_scene_check(&tried, NULL))
+    if (tia_scene_check(&alone, NULL))
         return;
     loop->state.moved = true;
     set_camera(loop, camera);

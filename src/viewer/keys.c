@@ -99,18 +99,19 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
-/* Presses held keys that are due again. When more than a second was missed, drops the missed steps: the light would
- * jump. */
+/* Presses held keys that are due again. Where pictures come so slowly that more than TIA_HOLD_STEPS are due at once,
+ * drops the others: the eye could not follow, and the key would be let go too late. */
 int tia_viewer_repeat_held(struct loop *loop)
 {
+    const uint64_t most = (uint64_t)(TIA_HOLD_STEPS - 1) * TIA_HOLD_STEP_US;
     uint64_t time = viewer_now(loop);
     int status = TIA_OK;
 
     for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++) {
         struct held *held = &loop->held[i];
         const struct tia_event again = {.kind = TIA_EVENT_PRESS, .key = held->key, .shift = held->shift};
-        if (held->due_us && time > held->due_us + 1000000)
-            held->due_us = time;
+        if (held->due_us && time > held->due_us + most)
+            held->due_us = time - most;
         for (; !status && held->due_us && time >= held->due_us; held->due_us += TIA_HOLD_STEP_US)
             status = tia_viewer_press(loop, &again);
     }
