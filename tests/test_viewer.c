@@ -166,7 +166,7 @@ TEST(a_long_pause_is_no_jump)
     world_event(w, START + 3000001, TIA_EVENT_RELEASE, TIA_KEY_RIGHT);
     quit_at(w, START + 9000000);
     CHECK_EQ(world_play(w), TIA_OK);
-    CHECK(w->lights[0].centre.x <= -18 * ONE);
+    CHECK(w->lights[0].centre.x <= (-19 + TIA_HOLD_STEPS) * ONE);
 }
 
 TEST(released_at_once)

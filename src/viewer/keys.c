@@ -99,19 +99,26 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
-/* Presses held keys that are due again. Where pictures come so slowly that more than TIA_HOLD_STEPS are due at once,
- * drops the others: the eye could not follow, and the key would be let go too late. */
+/* Where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS, drops the other steps: the eye could
+ * not follow, and the key would be let go too late. */
+static void drop_steps(struct held *held, uint64_t time)
+{
+    uint64_t late = held->due_us && time > held->due_us ? (time - held->due_us) / TIA_HOLD_STEP_US : 0;
+
+    if (late >= TIA_HOLD_STEPS)
+        held->due_us += (late - (TIA_HOLD_STEPS - 1)) * TIA_HOLD_STEP_US;
+}
+
+/* Presses held keys that are due again. */
 int tia_viewer_repeat_held(struct loop *loop)
 {
-    const uint64_t most = (uint64_t)(TIA_HOLD_STEPS - 1) * TIA_HOLD_STEP_US;
     uint64_t time = viewer_now(loop);
     int status = TIA_OK;
 
     for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++) {
         struct held *held = &loop->held[i];
         const struct tia_event again = {.kind = TIA_EVENT_PRESS, .key = held->key, .shift = held->shift};
-        if (held->due_us && time > held->due_us + most)
-            held->due_us = time - most;
+        drop_steps(held, time);
         for (; !status && held->due_us && time >= held->due_us; held->due_us += TIA_HOLD_STEP_US)
             status = tia_viewer_press(loop, &again);
     }

@@ -40,13 +40,18 @@ def typed(s):
     return s.after
 
 
+NAMES = {'ps2': 'PS/2 Mouse', 'usb-mouse': 'HID Mouse', 'usb-tablet': 'HID Tablet', 'virtio-mouse-pci': 'Virtio Mouse',
+         'virtio-tablet-pci': 'Virtio Tablet'}
+
+
 def plug(s, kind):
-    """Plugs a pointer in and waits until tia has opened it; one that is built in is there."""
-    if kind == 'ps2':
-        return
-    before = opened(s)
-    s.guest.qmp('device_add', driver=kind, id='plugged', **({'bus': 'usb.0'} if kind.startswith('usb') else {}))
-    s.guest.wait(lambda: opened(s) > before, kind)
+    """Plugs a pointer in, unless it is built in, and waits until tia has opened it and QEMU sends it what is moved."""
+    if kind != 'ps2':
+        before = opened(s)
+        s.guest.qmp('device_add', driver=kind, id='plugged', **({'bus': 'usb.0'} if kind.startswith('usb') else {}))
+        s.guest.wait(lambda: opened(s) > before, kind)
+    s.guest.wait(lambda: any(mouse['current'] and NAMES[kind] in mouse['name'] for mouse in s.guest.qmp('query-mice')),
+                 kind + ' to be asked by the guest')
 
 
 def unplug(s, kind):
@@ -125,14 +130,18 @@ def mouse(s, kind):
 
 
 def elsewhere(s):
-    """What it does while another console is in front is not for tia."""
+    """What it does while another console is in front is not for tia, once the kernel has told of it."""
+    node = s.guest.sh("sed -n '/Mouse/,/^$/s/.*\\(event[0-9]*\\).*/\\1/p' /proc/bus/input/devices").split()[-1]
     s.guest.tap('ctrl-alt-f2')
     s.guest.wait(lambda: is_active(s, 2), 'console 2')
+    s.guest.sh('head -c 96 /dev/input/%s >/tmp/moved & :' % node)      # button, x, and a SYN after each or both
+    s.guest.wait(lambda: '/dev/input/' in s.guest.sh('ls -l /proc/$(pidof head)/fd', check=False), 'a reader')
     send(s, button('left', True))
     move(s, 40, 0)
+    send(s, button('left', False))
+    s.guest.wait(lambda: s.guest.sh('pidof head', check=False) == '', 'the mouse to be read')
     s.guest.tap('ctrl-alt-f1')
     s.guest.wait(lambda: is_active(s, 1), 'console 1')
-    send(s, button('left', False))
     shows(s, 'hk+')
 
 
