@@ -206,7 +206,7 @@ static void set_event(const struct tty *tty, uint16_t key, struct tia_event *eve
     const struct decoder *d = &tty->decoder;
     struct winsize size = {.ws_col = 0};
 
-    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key, .shift = d->shift};
+    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key, .shift = d->shift, .time_us = tty->last_us};
     if (key != DECODED_POINTER)
         return;
     if (ioctl(tty->fd, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)

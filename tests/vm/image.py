@@ -214,6 +214,8 @@ def pack():
     for name in ('console', 'session'):
         archive.file('/bin/' + name, os.path.join(HERE, name))
     archive.file('/scenes/pointer.tia', os.path.join(HERE, 'pointer.tia'))
+    for source in glob.glob(os.path.join(HERE, '../../scenes/*.*')):
+        archive.file('/scenes/' + os.path.basename(source), source)
     archive.tree(os.path.join(KERNEL, 'root'))
     for name in ('tia', 'vm/probe', 'tests/test_ports'):
         archive.program(os.path.join(BUILD, name))
