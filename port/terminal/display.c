@@ -137,7 +137,8 @@ static void tell_place(const struct terminal *t)
 {
     const struct grid *grid = &t->grid;
     unsigned across = t->pictures ? t->cell.width : 1, down = t->pictures ? t->cell.height : 2;
-    struct place place = {.width = t->canvas.width * PLACE_CELL / across, .height = t->canvas.height * PLACE_CELL / down};
+    struct place place = {.width = t->canvas.width * PLACE_CELL / across,
+                          .height = t->canvas.height * PLACE_CELL / down};
 
     if (!t->pictures && grid->spaces)
         place = (struct place){.width = 2 * t->canvas.width * PLACE_CELL, .height = t->canvas.height * PLACE_CELL};

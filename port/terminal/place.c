@@ -10,7 +10,8 @@ void place_set(const struct place *place)
 
 static int32_t part_of(unsigned at, unsigned from, uint32_t size)
 {
-    int64_t middle = ((int64_t)at - 1 - from) * PLACE_CELL + PLACE_CELL / 2, part = size ? middle * 65536 / size : 65535;
+    int64_t middle = ((int64_t)at - 1 - from) * PLACE_CELL + PLACE_CELL / 2,
+            part = size ? middle * 65536 / size : 65535;
 
     return (int32_t)(part < 0 ? 0 : part > 65535 ? 65535 : part);
 }
