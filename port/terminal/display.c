@@ -132,23 +132,6 @@ static void draw_picture(struct terminal *t)
                       &t->text);
 }
 
-/* Pictures are in the upper left corner, cells in the middle. */
-static void tell_place(const struct terminal *t)
-{
-    const struct grid *grid = &t->grid;
-    unsigned across = t->pictures ? t->cell.width : 1, down = t->pictures ? t->cell.height : 2;
-    struct place place = {.width = t->canvas.width * PLACE_CELL / across,
-                          .height = t->canvas.height * PLACE_CELL / down};
-
-    if (!t->pictures && grid->spaces)
-        place = (struct place){.width = 2 * t->canvas.width * PLACE_CELL, .height = t->canvas.height * PLACE_CELL};
-    if (!t->pictures) {
-        place.left = grid->left;
-        place.top = grid->top;
-    }
-    place_set(&place);
-}
-
 /* Adapts to the window's current size. */
 static int fit_window(struct terminal *t)
 {
@@ -171,7 +154,10 @@ static int fit_window(struct terminal *t)
     }
     t->columns = columns;
     t->rows = rows;
-    tell_place(t);
+    if (t->pictures)
+        place_of_picture(&t->cell, width, height);
+    else
+        place_of_grid(&t->grid, width, height);
     t->clear = true;
     return TIA_OK;
 }
@@ -264,7 +250,7 @@ static void terminal_close(void *ctx)
         (void)close(t->fd);
     t->fd = -1;
     t->columns = t->rows = 0;
-    place_set(&(struct place){0});
+    place_forget();
     t->sent = 0;
     text_free(&t->text);
     grid_free(&t->grid);

@@ -3,16 +3,13 @@
 #ifndef PORT_TERMINAL_PLACE_H
 #define PORT_TERMINAL_PLACE_H
 
-#include <stdint.h>
+#include "pictures.h"
 
-#define PLACE_CELL 256 /* parts of a cell's width and height that the size is told in */
-
-struct place {
-    unsigned left, top;     /* cells, from 0 */
-    uint32_t width, height; /* 1/PLACE_CELL cells; 0: the whole window */
-};
-
-void place_set(const struct place *place);
+/* A picture of width x height pixels is in the window's upper left corner; or is this grid; or there is none, and the
+ * window counts instead. */
+void place_of_picture(const struct cell *cell, unsigned width, unsigned height);
+void place_of_grid(const struct grid *grid, unsigned width, unsigned height);
+void place_forget(void);
 
 /* Where a cell's middle is, 2^-16 of the picture, 0..65535: at its edge if it is beyond. Columns and rows count from 1,
  * the window has so many. */
