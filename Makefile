@@ -383,6 +383,7 @@ help:
 	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
+	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
 	@echo "docs               draws the pictures of docs again; gallery: those without the course's"

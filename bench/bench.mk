@@ -27,3 +27,8 @@ $(BUILD)/tinygl/%.o: %.c FORCE
 $(call obj,host,bench/shadow_scene.c bench/shadow_frames.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
 bench: $(BENCH)
 	@$(BENCH)
+
+# How long a key takes to be seen, in a guest.
+.PHONY: bench-latency
+bench-latency: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
+	@BUILD=$(BUILD) bench/latency.py $(SCENES)

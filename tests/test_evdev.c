@@ -296,6 +296,11 @@ TEST(a_tablet_tells_where_it_is)
                       event.drag == (i & 1),
                   "row %u: %d, %d", i, (int)event.x, (int)event.y);
     }
+    CHECK(!sent(&tablet, EV_KEY, BTN_LEFT, 0, &event)); /* a drag ends and begins where it is */
+    CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && !event.drag && event.x == 0 && event.y == 65535);
+    CHECK(!sent(&tablet, EV_KEY, BTN_LEFT, 1, &event));
+    CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && event.drag && event.x == 0);
+    CHECK(!sent(&tablet, EV_SYN, SYN_REPORT, 0, &event));
     tablet.high[0] = tablet.low[0]; /* an axis without a range */
     CHECK(!sent(&tablet, EV_ABS, ABS_X, 5, &event));
     CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && event.x == 32768);

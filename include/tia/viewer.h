@@ -2,9 +2,10 @@
  *
  * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps.
  * The arrow keys move the first light by 1 along x and z, page up and page down along y: once when pressed,
- * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US. The first light is the first that is not
- * ambient, since an ambient light has no position; a directional light is moved as the point at the distance
- * 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it,
+ * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US, though at most TIA_HOLD_STEPS times between two
+ * pictures: where they take longer, steps are left out, so that what is seen can be followed. The first light is the
+ * first that is not ambient, since an ambient light has no position; a directional light is moved as the point at the
+ * distance 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it,
  * TIA_KEY_SHADOWS takes the next technique for shadows that the scene qualifies for, where the caller wants that. Every
  * other key quits. Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a
  * light ends it at the next tile if it has taken 250 ms, though not two frames in a row.
@@ -36,6 +37,7 @@ extern "C" {
 
 #define TIA_HOLD_DELAY_US 250000u
 #define TIA_HOLD_STEP_US 33333u
+#define TIA_HOLD_STEPS 3
 #define TIA_PLAY_STEP_US 16666u
 #define TIA_KEY_SHADOWS 't'
 

@@ -106,6 +106,7 @@ static void enter(void *arg)
 
     for (unsigned i = 0; i < evdev->count; i++)
         keyboard_grab(&evdev->keyboards[i]);
+    pointers_discard(&evdev->pointers);
 }
 
 static bool any_pressed(struct evdev *evdev)

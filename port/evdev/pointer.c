@@ -37,6 +37,13 @@ static void take_absolute(struct pointer *pointer, const struct input_event *inp
     }
 }
 
+/* A drag begins at a place, which the kernel does not repeat for a pointer that has not moved. */
+static void take_button(struct pointer *pointer, bool drag)
+{
+    pointer->moved = pointer->moved || (pointer->absolute && drag != pointer->drag);
+    pointer->drag = drag;
+}
+
 /* An axis without a range has the pointer in its middle. */
 static int32_t part_of_axis(const struct pointer *pointer, int axis)
 {
@@ -65,7 +72,7 @@ bool pointer_take(struct pointer *pointer, const struct input_event *input, stru
     else if (input->type == EV_ABS && pointer->absolute)
         take_absolute(pointer, input);
     else if (input->type == EV_KEY && (input->code == BTN_LEFT || input->code == BTN_TOUCH))
-        pointer->drag = input->value != 0;
+        take_button(pointer, input->value != 0);
     if (input->type != EV_SYN || input->code != SYN_REPORT || !pointer->moved)
         return false;
     report(pointer, event);

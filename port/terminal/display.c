@@ -23,6 +23,7 @@
 #include "encode.h"
 #include "pictures.h"
 #include "pixels/canvas.h"
+#include "place.h"
 #include "signals.h"
 #include "symbols.h"
 #include "terminal.h"
@@ -153,6 +154,10 @@ static int fit_window(struct terminal *t)
     }
     t->columns = columns;
     t->rows = rows;
+    if (t->pictures)
+        place_of_picture(&t->cell, width, height);
+    else
+        place_of_grid(&t->grid, width, height);
     t->clear = true;
     return TIA_OK;
 }
@@ -245,6 +250,7 @@ static void terminal_close(void *ctx)
         (void)close(t->fd);
     t->fd = -1;
     t->columns = t->rows = 0;
+    place_forget();
     t->sent = 0;
     text_free(&t->text);
     grid_free(&t->grid);

@@ -20,6 +20,7 @@
 #include "console/node.h"
 #include "decode.h"
 #include "descriptor.h"
+#include "place.h"
 #include "signals.h"
 #include "terminal.h"
 #include "typed.h"
@@ -199,26 +200,21 @@ static void after_stop(struct tty *tty)
     (void)send(tty, tty->on);
 }
 
-static int32_t part_of(unsigned at, unsigned count)
-{
-    return at <= count ? (int32_t)((2 * at - 1) * UINT32_C(32768) / count) : 65535;
-}
-
 /* The middle of the cell. */
 static void set_event(const struct tty *tty, uint16_t key, struct tia_event *event)
 {
     const struct decoder *d = &tty->decoder;
     struct winsize size = {.ws_col = 0};
 
-    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key, .shift = d->shift};
+    *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = key, .shift = d->shift, .time_us = tty->last_us};
     if (key != DECODED_POINTER)
         return;
     if (ioctl(tty->fd, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
         size = (struct winsize){.ws_col = d->column, .ws_row = d->row};
     *event = (struct tia_event){.kind = TIA_EVENT_POINT,
                                 .drag = d->drag,
-                                .x = part_of(d->column, size.ws_col),
-                                .y = part_of(d->row, size.ws_row)};
+                                .x = place_across(d->column, size.ws_col),
+                                .y = place_down(d->row, size.ws_row)};
 }
 
 static int tty_poll(void *ctx, struct tia_event *event)

@@ -44,12 +44,12 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->view = NULL; /* another renderer draws it */
 }
 
+/* Whether all of the scene is within reach of it shows when the view is prepared: tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
-    struct tia_scene tried = *loop->scene;
+    const struct tia_scene alone = {.camera = *camera};
 
-    tried.camera = *camera;
-    if (tia_scene_check(&tried, NULL))
+    if (tia_scene_check(&alone, NULL))
         return;
     loop->state.moved = true;
     set_camera(loop, camera);
@@ -152,12 +152,19 @@ static int32_t at_most(int32_t step)
     return step > INT16_MAX ? INT16_MAX : step < -INT16_MAX ? -INT16_MAX : step;
 }
 
-/* A pointer tells of every step, so the last of those that wait is enough. */
+static bool are_alike(const struct tia_event *a, const struct tia_event *b)
+{
+    return a->kind == b->kind && a->drag == b->drag;
+}
+
+/* A pointer tells of every step, so the last of those that wait is enough; of a drag from place to place the first,
+ * too, since it may be where it begins. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event)
 {
-    struct tia_event *last = loop->queued ? &loop->queue[loop->queued - 1] : NULL;
+    unsigned n = loop->queued, first = event->kind == TIA_EVENT_POINT && event->drag ? 2 : 1;
+    struct tia_event *last = n ? &loop->queue[n - 1] : NULL;
 
-    if (!last || last->kind != event->kind || last->drag != event->drag || !is_pointer(event))
+    if (n < first || !is_pointer(event) || !are_alike(last, event) || !are_alike(&loop->queue[n - first], event))
         return false;
     if (event->kind == TIA_EVENT_MOVE) {
         last->x = at_most(last->x + event->x);

@@ -99,8 +99,17 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
-/* Presses held keys that are due again. When more than a second was missed, drops the missed steps: the light would
- * jump. */
+/* Where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS, drops the other steps: the eye could
+ * not follow, and the key would be let go too late. */
+static void drop_steps(struct held *held, uint64_t time)
+{
+    uint64_t late = held->due_us && time > held->due_us ? (time - held->due_us) / TIA_HOLD_STEP_US : 0;
+
+    if (late >= TIA_HOLD_STEPS)
+        held->due_us += (late - (TIA_HOLD_STEPS - 1)) * TIA_HOLD_STEP_US;
+}
+
+/* Presses held keys that are due again. */
 int tia_viewer_repeat_held(struct loop *loop)
 {
     uint64_t time = viewer_now(loop);
@@ -109,8 +118,7 @@ int tia_viewer_repeat_held(struct loop *loop)
     for (unsigned i = 0; i < VIEWER_HELD_KEYS; i++) {
         struct held *held = &loop->held[i];
         const struct tia_event again = {.kind = TIA_EVENT_PRESS, .key = held->key, .shift = held->shift};
-        if (held->due_us && time > held->due_us + 1000000)
-            held->due_us = time;
+        drop_steps(held, time);
         for (; !status && held->due_us && time >= held->due_us; held->due_us += TIA_HOLD_STEP_US)
             status = tia_viewer_press(loop, &again);
     }

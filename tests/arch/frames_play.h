@@ -7,8 +7,8 @@
 #include "canvas.h"
 
 /* Things that happen: balls that fall onto a floor, a turned box and each other, one that appears later, a wall that
- * vanishes, a lamp that goes on and a colour that changes. The frames are not drawn in the order of time. */
-static inline void frames_play(struct frames_canvas *c)
+ * vanishes, a lamp that goes on and a colour that changes. */
+static inline struct tia_scene frames_play_scene(void)
 {
 #define FRAMES_BALL(n, x, y, z)                                                                                        \
     {                                                                                                                  \
@@ -48,7 +48,7 @@ static inline void frames_play(struct frames_canvas *c)
     static const struct tia_light lights[] = {{{300000, 500000, 300000}, 0, {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}},
                                               {{-300000, 300000, 300000}, 0, {1 << 29, 1 << 29, 0}}};
     static const struct tia_mesh nothing = {0};
-    const struct tia_scene scene = {
+    return (struct tia_scene){
         .camera = {.eye = {0, 150000, 700000}, .reference = {0, 80000, 0}, .up = {0, TIA_Q16_ONE, 0}, .fov = 2000000},
         .background = {1 << 28, 1 << 28, 1 << 29},
         .materials = materials,
@@ -64,6 +64,14 @@ static inline void frames_play(struct frames_canvas *c)
         .tracks = tracks,
         .track_count = 4,
         .falling = &falling};
+#undef FRAMES_BALL
+#undef FRAMES_AT
+}
+
+/* The frames are not drawn in the order of time. */
+static inline void frames_play(struct frames_canvas *c)
+{
+    const struct tia_scene scene = frames_play_scene();
     static const tia_q16 times[] = {150000, 0, 40000, 80001, 196608};
     size_t size = tia_scene_at_size(&scene);
     void *memory = malloc(size);
@@ -79,8 +87,6 @@ static inline void frames_play(struct frames_canvas *c)
         frames_close(c);
     }
     free(memory);
-#undef FRAMES_BALL
-#undef FRAMES_AT
 }
 
 #endif

@@ -4,6 +4,7 @@ import time
 
 import picture
 from guest import Failure
+from session import whole_screen
 
 MOVES = ['<left>', '<right>', '<up>', '<down>', '<pgup>', '<pgdn>']
 QEMU_KEY = {'<left>': 'left', '<right>': 'right', '<up>': 'up', '<down>': 'down', '<pgup>': 'pgup', '<pgdn>': 'pgdn'}
@@ -139,24 +140,18 @@ def rotated(s):
 
 def centred(s):
     """-s draws a smaller picture in the middle of a black screen; a larger one is refused."""
-    width, height = s.setup.size
     inner = (301, 200)
 
     def compose(keys):
-        frame = picture.host_frame(*inner, keys)
-        left, top = (width - inner[0]) // 2, (height - inner[1]) // 2
-        out = bytearray(2 * width * height)
-        for y in range(inner[1]):
-            start = 2 * ((top + y) * width + left)
-            out[start:start + 2 * inner[0]] = frame[2 * y * inner[0]:2 * (y + 1) * inner[0]]
-        return width, height, bytes(out)
+        return whole_screen(s.setup.size, inner, picture.host_frame(*inner, keys))
     s.start('-s', '%dx%d' % inner, compose=compose)
     s.guest.tap('a')
     s.frame('a')
     s.guest.tap('esc')
     s.ends(0)
-    s.run(*s.display, '-s', '%dx1' % (width + 1))
-    s.refused(3, '%dx1' % (width + 1))
+    wide = '%dx1' % (s.setup.size[0] + 1)
+    s.run(*s.display, '-s', wide)
+    s.refused(3, wide)
 
 
 def modes(s):

@@ -65,12 +65,12 @@ class Guest:
     running = []        # those that a signal has to end
     PATIENCE = 120      # seconds for anything to happen: a limit for hung guests, no measure of speed
 
-    def __init__(self, qemu=(), append='', modules=(), memory='256M', machine='pc'):
+    def __init__(self, qemu=(), append='', modules=(), memory='256M', machine='pc', accel='tcg'):
         self.directory = tempfile.mkdtemp(prefix='tia-vm.')
         self.log, self.waiting = open(os.path.join(self.directory, 'session.log'), 'w+'), False
         self.kernel_log = os.path.join(self.directory, 'kernel.log')
         kernel = image.BZIMAGE if 'vga=' in append else image.VMLINUX
-        command = ['qemu-system-x86_64', '-accel', 'tcg', '-cpu', 'max', '-machine', machine, '-m', memory,
+        command = ['qemu-system-x86_64', '-accel', accel, '-cpu', 'max', '-machine', machine, '-m', memory,
                    '-nodefaults', '-no-user-config', '-no-reboot', '-display', 'none', '-kernel', kernel,
                    '-initrd', image.IMAGE, '-serial', 'file:' + self.kernel_log,
                    '-serial', 'unix:%s/agent,server=on,wait=off' % self.directory,

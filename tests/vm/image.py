@@ -24,7 +24,7 @@ VMLINUX = os.path.join(KERNEL, 'vmlinux')   # unpacked, for QEMU's PVH entry: bo
 IMAGE = os.path.join(WORK, 'image.cpio')
 
 MODULES = ('evdev uinput bochs virtio-gpu cirrus qxl vkms cirrusfb vfb virtio_pci virtio_input '
-           'usbhid hid-generic xhci-pci').split()
+           'usbhid hid-generic xhci-pci psmouse').split()
 
 
 class Missing(Exception):
@@ -107,7 +107,8 @@ def build_vkms(modules, version, release, directory):
 
 def fetch_kernel():
     """Fills KERNEL: vmlinuz, vmlinux, and the modules of MODULES with what they need."""
-    if os.path.exists(VMLINUX) and (has_module('vkms') or not headers()):
+    chosen = os.path.join(KERNEL, 'modules')    # an older version of this file chose others
+    if os.path.exists(chosen) and open(chosen).read().split() == MODULES and (has_module('vkms') or not headers()):
         return
     busybox = static_busybox()
     with tempfile.TemporaryDirectory(dir=WORK) as scratch:
@@ -124,6 +125,8 @@ def fetch_kernel():
         call(busybox, 'depmod', '-b', os.path.join(KERNEL, 'root'), release)
         shutil.move(os.path.join(scratch, 'boot/vmlinuz-' + release), BZIMAGE)
         unpack_vmlinux(BZIMAGE, VMLINUX)
+        with open(chosen, 'w') as out:
+            out.write(' '.join(MODULES))
 
 
 def pick_modules(tree, out):
@@ -210,6 +213,9 @@ def pack():
     archive.file('/init', os.path.join(HERE, 'init'))
     for name in ('console', 'session'):
         archive.file('/bin/' + name, os.path.join(HERE, name))
+    archive.file('/scenes/pointer.tia', os.path.join(HERE, 'pointer.tia'))
+    for source in glob.glob(os.path.join(HERE, '../../scenes/*.*')):
+        archive.file('/scenes/' + os.path.basename(source), source)
     archive.tree(os.path.join(KERNEL, 'root'))
     for name in ('tia', 'vm/probe', 'tests/test_ports'):
         archive.program(os.path.join(BUILD, name))

@@ -48,6 +48,17 @@ class Memory:
         return hashlib.md5(swapped.tobytes()).hexdigest()
 
 
+def whole_screen(size, inner, frame):
+    """A smaller picture in the middle of a black screen: width, height and RGB565 bytes."""
+    width, height = size
+    left, top = (width - inner[0]) // 2, (height - inner[1]) // 2
+    out = bytearray(2 * width * height)
+    for y in range(inner[1]):
+        start = 2 * ((top + y) * width + left)
+        out[start:start + 2 * inner[0]] = frame[2 * y * inner[0]:2 * (y + 1) * inner[0]]
+    return width, height, bytes(out)
+
+
 class Console:
     """The text console on tty1, as it was before anything was started on it."""
 

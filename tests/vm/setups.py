@@ -7,6 +7,7 @@ import cases_display as display
 import cases_guardian as guardian
 import cases_hands as hands
 import cases_keys as keys
+import cases_pointer as pointer
 import image
 import picture
 from session import Memory, Scanout, VkmsChecksum
@@ -19,6 +20,7 @@ GROUPS = {
     'pages, pacing': [display.panning, display.pacing],
     'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable, keys.none,
                   *hands.ALL],
+    'mice, tablets': [*pointer.ALL, pointer.none_there],
     'ends': [console.signals, console.exhausted, console.keys_that_quit, console.terminal_keys, console.held_through],
     'guardian': guardian.ALL,
     'consoles': [console.switch, console.ends_away, console.serial],
@@ -102,6 +104,10 @@ SETUPS = [
         title='PS/2, USB, virtio, uinput keyboards',
         cases=[keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable,
                *hands.ALL]),
+    drm('pointers', [*BOCHS, '-device', 'qemu-xhci,id=usb'],
+        ['bochs', 'psmouse', 'virtio_pci', 'virtio_input', 'xhci-pci', 'usbhid', 'hid-generic'],
+        title='PS/2, USB, virtio mice and tablets', cases=pointer.ALL),
+    drm('no-mouse', BOCHS, ['bochs'], title='no mouse', cases=[pointer.none_there]),
     drm('no-keyboard', BOCHS, ['bochs'], title='no keyboard', machine='pc,i8042=off', keyboard=False,
         cases=[keys.none]),
     # What takes long, in guests of their own, so that they share the processors.

@@ -43,7 +43,7 @@ static int set_acuity(const char *option, const char *value, uint32_t *number)
     return EXIT_FINE;
 }
 
-int gaze_parse(struct options *options, int option, const char *value)
+int gaze_parse(struct options *options, int option, char *value)
 {
     switch (option) {
     case OPT_GAZE:

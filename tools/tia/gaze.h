@@ -5,7 +5,7 @@
 #include "options.h"
 
 /* As parse_option. */
-int gaze_parse(struct options *options, int option, const char *value);
+int gaze_parse(struct options *options, int option, char *value);
 
 /* EXIT_FINE, or EXIT_USAGE after an error message. Sets the defaults of what is not given. */
 int gaze_check(struct options *options);

@@ -1,5 +1,6 @@
 #include "parse_option.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "arithmetic.h"
@@ -9,27 +10,27 @@
 #include "integration.h"
 #include "parse.h"
 
-static int set_size(struct options *options, const char *value)
+static int set_size(struct options *options, char *value)
 {
     if (!parse_size(value, NULL, TIA_SIZE_MAX, &options->width, &options->height))
         return wrong("--size", value, "not a size (1x1 to 8192x8192, like 640x480)");
     return EXIT_FINE;
 }
 
-static int set_format(struct options *options, const char *value)
+static int set_format(struct options *options, char *value)
 {
     options->format = image_format_called(value);
     return options->format != IMAGE_UNKNOWN ? EXIT_FINE
                                             : wrong("--format", value, "not png, ppm, bmp, 565, pfm, y4m or tiapart");
 }
 
-static int set_scene_format(struct options *options, const char *value)
+static int set_scene_format(struct options *options, char *value)
 {
     options->scene_format = scene_format_called(value);
     return options->scene_format != SCENE_UNKNOWN ? EXIT_FINE : wrong("--scene-format", value, "not tia, nff or obj");
 }
 
-static int set_samples(struct options *options, const char *value)
+static int set_samples(struct options *options, char *value)
 {
     if (!parse_number(value, NULL, 1, TIA_SAMPLES_MAX, &options->samples) ||
         (options->samples != 1 && options->samples != 4 && options->samples != 16))
@@ -37,14 +38,14 @@ static int set_samples(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int set_time(struct options *options, const char *value)
+static int set_time(struct options *options, char *value)
 {
     if (!parse_seconds(value, &options->time))
         return wrong("--time", value, "not a number of seconds (0 to 32767.999, like 1.25)");
     return EXIT_FINE;
 }
 
-static int set_rate(struct options *options, const char *value)
+static int set_rate(struct options *options, char *value)
 {
     options->rate_given = true;
     if (!parse_rate(value, options->rate))
@@ -70,14 +71,44 @@ static int set_number(const char *option, const char *value, uint32_t max, uint3
     return EXIT_FINE;
 }
 
-static int set_rotate(struct options *options, const char *value)
+static int set_depth(struct options *options, char *value)
+{
+    return set_number("--depth", value, TIA_DEPTH_MAX, &options->depth);
+}
+
+static int set_frames(struct options *options, char *value)
+{
+    return set_number("--frames", value, UINT32_MAX, &options->frames);
+}
+
+static int set_threads(struct options *options, char *value)
+{
+    return set_number("--threads", value, THREADS_MAX, &options->threads);
+}
+
+static int set_frame_range(struct options *options, char *value)
+{
+    return set_range("--frame-range", value, &options->frame_range, &options->first_frame, &options->last_frame);
+}
+
+static int set_tile_rows(struct options *options, char *value)
+{
+    return set_range("--tile-rows", value, &options->tile_rows, &options->first_row, &options->last_row);
+}
+
+static int set_samples_range(struct options *options, char *value)
+{
+    return set_range("--samples-range", value, &options->samples_range, &options->first_sample, &options->last_sample);
+}
+
+static int set_rotate(struct options *options, char *value)
 {
     if (!parse_number(value, NULL, 0, 270, &options->rotate) || options->rotate % 90 != 0)
         return wrong("--rotate", value, "not 0, 90, 180 or 270");
     return EXIT_FINE;
 }
 
-static int set_arithmetic(struct options *options, const char *value)
+static int set_arithmetic(struct options *options, char *value)
 {
     options->core = arithmetic_called(value);
     if (options->core)
@@ -87,16 +118,27 @@ static int set_arithmetic(struct options *options, const char *value)
 }
 
 /* Cuts "drm:/dev/dri/card1" into its name and device. */
-static void set_device(char *value, const char **name, const char **device)
+static int cut_device(char *value, const char **name, const char **device)
 {
     char *colon = strchr(value, ':');
     *name = value;
     *device = colon && colon[1] != '\0' ? colon + 1 : NULL;
     if (colon)
         *colon = '\0';
+    return EXIT_FINE;
 }
 
-static int set_connector(struct options *options, const char *value)
+static int set_display(struct options *options, char *value)
+{
+    return cut_device(value, &options->display, &options->display_device);
+}
+
+static int set_input(struct options *options, char *value)
+{
+    return cut_device(value, &options->input, &options->input_device);
+}
+
+static int set_connector(struct options *options, char *value)
 {
     if (strcmp(value, "help") == 0)
         options->action = ACTION_MODES;
@@ -104,7 +146,7 @@ static int set_connector(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-static int set_mode(struct options *options, const char *value)
+static int set_mode(struct options *options, char *value)
 {
     if (strcmp(value, "help") == 0)
         options->action = ACTION_MODES;
@@ -114,42 +156,7 @@ static int set_mode(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
-/* Options without a value. */
-static int set_flag(struct options *options, int option)
-{
-    switch (option) {
-    case OPT_DITHER:
-        options->dither = true;
-        break;
-    case OPT_CHECKSUM:
-        options->checksum = true;
-        break;
-    case OPT_STATS:
-        options->stats = true;
-        break;
-    case OPT_STATS_OVERLAY:
-        options->stats_overlay = true;
-        break;
-    case OPT_PROGRESS:
-        options->progress = true;
-        break;
-    case OPT_STRICT:
-        options->strict = true;
-        break;
-    case OPT_LIST:
-        options->action = ACTION_LIST;
-        break;
-    case 'h':
-        options->action = ACTION_HELP;
-        break;
-    default:
-        options->action = ACTION_VERSION;
-        break;
-    }
-    return EXIT_FINE;
-}
-
-static int set_shadows(struct options *options, const char *value)
+static int set_shadows(struct options *options, char *value)
 {
     const char *name;
 
@@ -161,7 +168,7 @@ static int set_shadows(struct options *options, const char *value)
     return fail(EXIT_USAGE, "--shadows %.200s: not traced, rays, zpass, zfail, map, map-exact or zpass-plain", value);
 }
 
-static int set_map_size(struct options *options, const char *value)
+static int set_map_size(struct options *options, char *value)
 {
     uint32_t size;
 
@@ -172,7 +179,7 @@ static int set_map_size(struct options *options, const char *value)
 }
 
 /* "none", or a bias and its amount: "slope=1.5". */
-static int set_bias(struct options *options, const char *value)
+static int set_bias(struct options *options, char *value)
 {
     size_t length = strcspn(value, "=");
     const char *name;
@@ -189,7 +196,7 @@ static int set_bias(struct options *options, const char *value)
     return wrong("--bias", value, "not none, or constant, slope, normal or plane with an amount (slope=1.5)");
 }
 
-static int set_filter(struct options *options, const char *value)
+static int set_filter(struct options *options, char *value)
 {
     const char *name;
 
@@ -201,25 +208,7 @@ static int set_filter(struct options *options, const char *value)
     return wrong("--filter", value, "not none, bilinear, 3x3, 5x5, 7x7, poisson or pcss");
 }
 
-/* Those of shadows. */
-static int set_of_shadows(struct options *options, int option, const char *value)
-{
-    switch (option) {
-    case OPT_MAP_SIZE:
-        return set_map_size(options, value);
-    case OPT_BIAS:
-        return set_bias(options, value);
-    case OPT_FILTER:
-        return set_filter(options, value);
-    case OPT_TESSELLATED:
-        options->tessellated = value;
-        return EXIT_FINE;
-    default:
-        return set_shadows(options, value);
-    }
-}
-
-static int set_view(struct options *options, const char *value)
+static int set_view(struct options *options, char *value)
 {
     const char *name;
 
@@ -232,7 +221,7 @@ static int set_view(struct options *options, const char *value)
 }
 
 /* "X,Y" */
-static int set_draw_rays(struct options *options, const char *value)
+static int set_draw_rays(struct options *options, char *value)
 {
     const char *rest;
     uint32_t x, y;
@@ -246,82 +235,88 @@ static int set_draw_rays(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
+/* What an option does: one of these. Offsets are in struct options, whose first member is none of them. The last row is
+ * for the letter that is left. */
+struct row {
+    int option;
+    int (*set)(struct options *options, char *value);
+    int (*parse)(struct options *options, int option, char *value);
+    size_t text, flag;  /* the member that becomes the value; the one that becomes true */
+    enum action action; /* what to do instead of showing a scene */
+};
+
+#define TEXT(member) .text = offsetof(struct options, member)
+#define FLAG(member) .flag = offsetof(struct options, member)
+
+static const struct row rows[] = {
+    {'d', .set = set_display},
+    {'i', .set = set_input},
+    {'o', TEXT(output)},
+    {OPT_FORMAT, .set = set_format},
+    {OPT_SCENE_FORMAT, .set = set_scene_format},
+    {'s', .set = set_size},
+    {OPT_SAMPLES, .set = set_samples},
+    {OPT_DEPTH, .set = set_depth},
+    {OPT_SHADOWS, .set = set_shadows},
+    {OPT_MAP_SIZE, .set = set_map_size},
+    {OPT_BIAS, .set = set_bias},
+    {OPT_FILTER, .set = set_filter},
+    {OPT_TESSELLATED, TEXT(tessellated)},
+    {OPT_INTEGRATOR, .parse = integration_parse},
+    {OPT_SPP, .parse = integration_parse},
+    {OPT_RESUME, .parse = integration_parse},
+    {OPT_DENOISE, .parse = integration_parse},
+    {OPT_GUIDE, .parse = integration_parse},
+    {OPT_TIME_LIMIT, .parse = integration_parse},
+    {OPT_ERROR, .parse = integration_parse},
+    {OPT_TONE, .parse = integration_parse},
+    {OPT_EXPOSURE, .parse = integration_parse},
+    {OPT_COLOUR, .parse = integration_parse},
+    {OPT_GAZE, .parse = gaze_parse},
+    {OPT_VIEW_ANGLE, .parse = gaze_parse},
+    {OPT_W0, .parse = gaze_parse},
+    {OPT_M, .parse = gaze_parse},
+    {OPT_SMOOTH, .parse = gaze_parse},
+    {'k', TEXT(key_text)},
+    {'n', .set = set_frames},
+    {OPT_TIME, .set = set_time},
+    {OPT_FPS, .set = set_rate},
+    {OPT_FRAME_RANGE, .set = set_frame_range},
+    {OPT_TILE_ROWS, .set = set_tile_rows},
+    {OPT_SAMPLES_RANGE, .set = set_samples_range},
+    {'j', .set = set_threads},
+    {OPT_ARITHMETIC, .set = set_arithmetic},
+    {OPT_VIEW, .set = set_view},
+    {OPT_DRAW_RAYS, .set = set_draw_rays},
+    {OPT_ROTATE, .set = set_rotate},
+    {OPT_CONNECTOR, .set = set_connector},
+    {OPT_MODE, .set = set_mode},
+    {OPT_DITHER, FLAG(dither)},
+    {OPT_CHECKSUM, FLAG(checksum)},
+    {OPT_STATS, FLAG(stats)},
+    {OPT_STATS_OVERLAY, FLAG(stats_overlay)},
+    {OPT_PROGRESS, FLAG(progress)},
+    {OPT_STRICT, FLAG(strict)},
+    {OPT_LIST, .action = ACTION_LIST},
+    {'h', .action = ACTION_HELP},
+    {0, .action = ACTION_VERSION},
+};
+
 int parse_option(struct options *options, int option, char *value)
 {
-    switch (option) {
-    case 'd':
-        set_device(value, &options->display, &options->display_device);
-        return EXIT_FINE;
-    case 'i':
-        set_device(value, &options->input, &options->input_device);
-        return EXIT_FINE;
-    case 'o':
-        options->output = value;
-        return EXIT_FINE;
-    case OPT_FORMAT:
-        return set_format(options, value);
-    case OPT_SCENE_FORMAT:
-        return set_scene_format(options, value);
-    case 's':
-        return set_size(options, value);
-    case OPT_SAMPLES:
-        return set_samples(options, value);
-    case OPT_DEPTH:
-        return set_number("--depth", value, TIA_DEPTH_MAX, &options->depth);
-    case OPT_SHADOWS:
-    case OPT_MAP_SIZE:
-    case OPT_BIAS:
-    case OPT_FILTER:
-    case OPT_TESSELLATED:
-        return set_of_shadows(options, option, value);
-    case OPT_INTEGRATOR:
-    case OPT_SPP:
-    case OPT_RESUME:
-    case OPT_DENOISE:
-    case OPT_GUIDE:
-    case OPT_TIME_LIMIT:
-    case OPT_ERROR:
-    case OPT_TONE:
-    case OPT_EXPOSURE:
-    case OPT_COLOUR:
-        return integration_parse(options, option, value);
-    case 'k':
-        options->key_text = value;
-        return EXIT_FINE;
-    case 'n':
-        return set_number("--frames", value, UINT32_MAX, &options->frames);
-    case OPT_TIME:
-        return set_time(options, value);
-    case OPT_FPS:
-        return set_rate(options, value);
-    case OPT_FRAME_RANGE:
-        return set_range("--frame-range", value, &options->frame_range, &options->first_frame, &options->last_frame);
-    case OPT_TILE_ROWS:
-        return set_range("--tile-rows", value, &options->tile_rows, &options->first_row, &options->last_row);
-    case OPT_SAMPLES_RANGE:
-        return set_range("--samples-range", value, &options->samples_range, &options->first_sample,
-                         &options->last_sample);
-    case 'j':
-        return set_number("--threads", value, THREADS_MAX, &options->threads);
-    case OPT_ARITHMETIC:
-        return set_arithmetic(options, value);
-    case OPT_VIEW:
-        return set_view(options, value);
-    case OPT_DRAW_RAYS:
-        return set_draw_rays(options, value);
-    case OPT_GAZE:
-    case OPT_VIEW_ANGLE:
-    case OPT_W0:
-    case OPT_M:
-    case OPT_SMOOTH:
-        return gaze_parse(options, option, value);
-    case OPT_ROTATE:
-        return set_rotate(options, value);
-    case OPT_CONNECTOR:
-        return set_connector(options, value);
-    case OPT_MODE:
-        return set_mode(options, value);
-    default:
-        return set_flag(options, option);
-    }
+    const struct row *row = rows;
+
+    while (row->option && row->option != option)
+        row++;
+    if (row->set)
+        return row->set(options, value);
+    if (row->parse)
+        return row->parse(options, option, value);
+    if (row->text)
+        *(const char **)(void *)((char *)options + row->text) = value;
+    else if (row->flag)
+        *(bool *)(void *)((char *)options + row->flag) = true;
+    else
+        options->action = row->action;
+    return EXIT_FINE;
 }

@@ -5,7 +5,8 @@
 #include "option_codes.h"
 #include "options.h"
 
-/* EXIT_FINE, or EXIT_USAGE after an error message. May change the text of `value`. */
+/* An option of option_codes.h or a letter of tia's. EXIT_FINE, or EXIT_USAGE after an error message. May change the
+ * text of `value`. */
 int parse_option(struct options *options, int option, char *value);
 
 #endif

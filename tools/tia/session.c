@@ -129,20 +129,17 @@ static void frame_drawn(void *ctx, const struct tia_frame *frame)
 static int frame_done(void *ctx, const struct tia_frame *frame)
 {
     struct session *session = ctx;
+    bool coarse = frame->block > 1 && !frame->moving;
     stats_paced(&session->stats.paced, frame, clock_now_us());
-    if (frame->block > 1 && !frame->moving) {
-        if (frame->key_us != 0)
-            stats_add(&session->stats.coarse, frame->key_us);
+    stats_key(&session->stats, frame->key_us, coarse);
+    if (coarse)
         return TIA_OK;
-    }
     if (session->is_moved)
         moves_shown(&session->moves, frame);
     overlay_shown(&session->overlay, frame);
     session->stats.frames++;
     session->stats.level = frame->level;
     stats_add(&session->stats.draw, frame->draw_us);
-    if (frame->key_us != 0)
-        stats_add(&session->stats.flip, frame->key_us);
     session->stats.pixels += frame->pixels;
     session->stats.all_pixels += (uint64_t)session->letterbox.rotation.width * session->letterbox.rotation.height;
     if (session->save_to && save_picture(&session->letterbox, session->save_to, session->options->format, session->why))

@@ -36,6 +36,15 @@ static void print_samples(const char *name, struct samples *samples)
                   p50 / 1000, p50 % 1000, p95 / 1000, p95 % 1000);
 }
 
+void stats_key(struct stats *stats, uint64_t us, bool coarse)
+{
+    if (us != 0 && (coarse || !stats->answered))
+        stats_add(&stats->coarse, us);
+    if (us != 0 && !coarse)
+        stats_add(&stats->flip, us);
+    stats->answered = coarse && (us != 0 || stats->answered);
+}
+
 void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us)
 {
     unsigned level = 0;

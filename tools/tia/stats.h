@@ -24,13 +24,18 @@ struct paced {
 struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
-    struct samples coarse;     /* and to the first coarse picture of it, where there was one */
+    struct samples coarse;     /* and to the first picture of it, coarse or complete */
+    bool answered;             /* a coarse picture of a key's frame was shown, and the complete one is to come */
     const char *display, *format, *level;
     unsigned width, height, threads, scale_bits; /* the last: of the scene */
     uint64_t pixels, all_pixels;                 /* drawn, and those of all frames */
     bool gazes;                                  /* where these differ */
     struct paced paced;
 };
+
+/* A picture was shown, so long after the key press that it shows; 0: it shows none, or the key's coarse picture was
+ * shown before. */
+void stats_key(struct stats *stats, uint64_t us, bool coarse);
 
 /* A picture was shown at that time. */
 void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us);
