@@ -325,6 +325,7 @@ include install.mk
 
 ifeq ($(BARE),)
 include port/boards/boards.mk
+include port/web/web.mk
 endif
 
 # The pictures of README.md and docs/, which a test compares with what is drawn.
