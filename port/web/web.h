@@ -23,6 +23,7 @@ struct web_frame {
     uint32_t draw_us, key_us, relit;
     const void *state; /* what web_run goes on with */
     uint32_t state_size;
+    uint32_t plays; /* it is one of many */
 };
 
 struct web_line {

@@ -56,7 +56,8 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
                                        .spp = session.spp,
                                        .draw_us = (uint32_t)frame->draw_us,
                                        .key_us = (uint32_t)frame->key_us,
-                                       .relit = frame->relit};
+                                       .relit = frame->relit,
+                                       .plays = tia_scene_moves(&session.scene)};
     session_show();
     session.rays_due = session.settings.rays && session.pointer_x >= 0;
     return TIA_OK;
@@ -198,7 +199,9 @@ int web_run(int goes_on)
         return 2;
     }
     session.state.goes_on = goes_on;
-    struct tia_viewer viewer = {.core = seat_core(),
+    const struct tia_core *core = seat_core();
+    struct tia_viewer viewer = {.core = core,
+                                .level = seat.base == &tia_core_q16 ? tia_level_best() : NULL,
                                 .scene = &session.scene,
                                 .lights = session.lights.array,
                                 .light_capacity = session.lights.capacity,

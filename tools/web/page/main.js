@@ -25,7 +25,8 @@ function begin() {
 }
 
 const settings = () => {
-  const [width, height] = $('size').value.split('x').map(Number);
+  const size = $('size').value === 'auto' ? scene === 'thesis.tia' && innerWidth >= 600 ? '640x480' : '320x240' : $('size').value;
+  const [width, height] = size.split('x').map(Number);
   const plain = $('arithmetic').value === '0';
   return {width, height, arithmetic: +$('arithmetic').value, view: plain ? +$('view').value : 0, rays: plain && $('show-rays').checked,
     integrator: +$('integrator').value, samples: +$('samples').value};
@@ -89,7 +90,7 @@ const hex = crc => crc.toString(16).padStart(8, '0');
 // The checksum that is known of this picture, if it is one of those.
 function pinned() {
   const s = settings(), edited = texts.get(scene) !== $('text').value;
-  if (edited || pose === null || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
+  if (edited || pose === null || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
   return gallery.pinned[`${scene.replace('.tia', '')} ${pose} ${s.width}x${s.height}`];
 }
 
@@ -101,7 +102,7 @@ function judge(crc) {
     verdict.textContent = `${frame.near + frame.far + frame.path} of ${frame.width * frame.height} pixels differ: ` +
       `${frame.near} by a level, ${frame.far} by more, ${frame.path} on another path`;
   else
-    verdict.textContent = !known ? 'no checksum is pinned for this picture'
+    verdict.textContent = !known ? frame.plays ? 'it plays: no checksum is pinned' : 'no checksum is pinned for this picture'
       : known === crc ? '\u2713 the same bits as everywhere' : '\u2717 other bits than the pinned ones';
   return known ? known === crc ? 'checksum agrees with the pinned one' : 'checksum differs from the pinned one' : '';
 }
@@ -124,10 +125,12 @@ function show(now, pixels) {
   else { $('pinned').textContent = pinned() || '-'; $('verdict').textContent = '\u2026'; $('verdict').className = ''; }
   placeLight();
   $('next-light').hidden = now.lights < 2;
+  $('pause').hidden = !now.plays;
   updateNote();
 }
 
 function placeLight() {
+  if (!frame) return;
   const light = $('light');
   light.hidden = frame.light < 0;
   if (light.hidden || drag) return;
@@ -181,7 +184,7 @@ const code = key => KEYS[key] || (key.length === 1 && key >= ' ' && key <= '~' ?
 // Which key has put the only light, or null when the picture is no longer one that is known.
 function follow(key) {
   const own = bindings().includes(key);
-  if (pose !== null && own && frame && frame.lights <= 1) pose = key;
+  if (pose !== null && own && (!frame || frame.lights <= 1)) pose = key;
   else if (key !== 'Tab') pose = null;
 }
 
@@ -331,16 +334,18 @@ async function open(name) {
   }
   releaseAll();
   scene = name;
+  frame = null;
   pose = '-';
   $('text').value = texts.get(name);
   $('text').scrollTop = 0;
   $('name').textContent = name;
   $('reset').hidden = true;
-  $('pause').hidden = !/^\s*(track|animate|at|fall|period)\b/m.test($('text').value);
   number();
   showBindings();
   clearRays();
   change(load());
+  const own = bindings();
+  if (own.length && !/^\s*light\b/m.test($('text').value)) press(own[0], false, 0), release(own[0]);
 }
 
 // ---- the page ----
@@ -381,8 +386,7 @@ async function start() {
   $('version').textContent = `tia ${gallery.version}.`;
   for (const name of gallery.scenes) $('scene').add(new Option(name, name + '.tia'));
   const wanted = query.get('scene');
-  $('scene').value = (gallery.scenes.includes(wanted) ? wanted : 'glass') + '.tia';
-  $('size').value = innerWidth < 600 ? '320x240' : '640x480';
+  $('scene').value = (gallery.scenes.includes(wanted) ? wanted : 'thesis') + '.tia';
   if ([...$('size').options].some(option => option.value === query.get('size'))) $('size').value = query.get('size');
   $('rays').width = 1280;
   $('rays').height = 960;
