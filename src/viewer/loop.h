@@ -170,6 +170,9 @@ uint64_t tia_viewer_canvas_size(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
+/* viewer.c: brings the viewer's state up to date. */
+void tia_viewer_tell(struct loop *loop);
+
 /* The picture so far onto the display. */
 int tia_viewer_copy(struct loop *loop);
 

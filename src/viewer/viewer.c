@@ -15,7 +15,7 @@ static int idle_ms(const struct loop *loop)
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
-static void tell(struct loop *loop)
+void tia_viewer_tell(struct loop *loop)
 {
     loop->state.time = loop->plays ? loop->time : loop->viewer->time;
     if (loop->viewer->state) {
@@ -31,7 +31,7 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     uint64_t key_us = loop->key_us;
     int status = TIA_OK;
 
-    tell(loop);
+    tia_viewer_tell(loop);
     if (v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
     status = v->display->present(v->display_ctx);
@@ -231,7 +231,7 @@ static void end(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
     struct tia_camera camera = loop->scene->camera;
 
-    tell(loop);
+    tia_viewer_tell(loop);
     if (loop->last.key && v->control)
         (void)v->control->act(v->control_ctx, &loop->last, &camera);
 }

@@ -135,7 +135,7 @@ static bool begin_lights(bool goes_on)
     session.lights = (struct lights){.array = NULL};
     free(session.kept);
     session.kept = lights_copy(&session.lights, &session.scene) ? malloc(sizeof session.state + lights_size()) : NULL;
-    session.state = (struct tia_viewer_state){.goes_on = false};
+    session.state = (struct tia_viewer_state){.light_count = session.scene.light_count};
     return session.kept;
 }
 

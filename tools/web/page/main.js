@@ -13,6 +13,7 @@ const query = new URLSearchParams(location.search);
 const texts = new Map(); // of scenes, as they were fetched
 let gallery, module, worker, suspends = query.get('suspend') !== 'no', ready = false, idle = true;
 let scene = null, pose = '-', frame = null, kept = null, held = new Map(), drag = null;
+let early = []; // keys that are typed before there is a scene
 
 // ---- the worker ----
 
@@ -52,6 +53,7 @@ function send(events) {
 }
 
 function change(job) {
+  if (!scene) return;
   if (!suspends && !idle && ready) {
     worker.terminate();
     begin();
@@ -191,6 +193,7 @@ function follow(key) {
 function press(key, shift, time, repeat) {
   const value = code(key);
   if (!value) return;
+  if (!frame && !scene) { early.push(key); return; }
   follow(key);
   if (!suspends) send([{kind: TAP, key: value, shift, time}]);
   else if (!repeat) {
@@ -345,7 +348,8 @@ async function open(name) {
   clearRays();
   change(load());
   const own = bindings();
-  if (own.length && !/^\s*light\b/m.test($('text').value)) press(own[0], false, 0), release(own[0]);
+  if (own.length && !/^\s*light\b/m.test($('text').value)) early.unshift(own[0]);
+  for (const key of early.splice(0)) { press(key, false, 0); release(key); }
 }
 
 // ---- the page ----
@@ -382,6 +386,7 @@ async function compile() {
 }
 
 async function start() {
+  listen();
   [gallery, module] = await Promise.all([fetch('gallery.json').then(answer => answer.json()), compile()]);
   $('version').textContent = `tia ${gallery.version}.`;
   for (const name of gallery.scenes) $('scene').add(new Option(name, name + '.tia'));
@@ -390,7 +395,6 @@ async function start() {
   if ([...$('size').options].some(option => option.value === query.get('size'))) $('size').value = query.get('size');
   $('rays').width = 1280;
   $('rays').height = 960;
-  listen();
   begin();
   await open($('scene').value);
   picture.focus({preventScroll: true});

@@ -48,7 +48,8 @@ function take(at) {
   if (!event) return 0;
   const view = new DataView(wasm.memory.buffer, at);
   ['kind', 'key', 'shift', 'drag', 'x', 'y'].forEach((name, i) => view.setInt32(4 * i, event[name] | 0, true));
-  view.setFloat64(24, event.time ? (event.time - performance.timeOrigin) * 1000 : 0, true);
+  // A key may be older than this worker: then how old is not told.
+  view.setFloat64(24, event.time ? Math.max(event.time - performance.timeOrigin, 0) * 1000 : 0, true);
   return 1;
 }
 
@@ -132,6 +133,7 @@ async function prepare(now) {
 
 async function work() {
   if (busy) return;
+  const worked = job !== null;
   busy = true;
   while (job) {
     const now = job;
@@ -146,8 +148,10 @@ async function work() {
     if (status === 1 && queue.length && !job) job = {goesOn: true};
   }
   busy = false;
-  postMessage({idle: true});
+  if (worked) postMessage({idle: true});
 }
+
+const begin = () => work().catch(error => { busy = false; postMessage({failed: String(error.stack || error)}); });
 
 async function start(module, wanted) {
   suspends = wanted && 'Suspending' in WebAssembly && 'promising' in WebAssembly;
@@ -160,7 +164,7 @@ async function start(module, wanted) {
   wasm = (await WebAssembly.instantiate(module, {host})).exports;
   run = suspends ? WebAssembly.promising(wasm.web_run) : wasm.web_run;
   postMessage({ready: true, suspends});
-  work();
+  begin();
 }
 
 onmessage = ({data}) => {
@@ -174,5 +178,5 @@ onmessage = ({data}) => {
     queue = [{kind: 2, key: ESCAPE}];
   }
   if (wake) wake();
-  if (wasm) work();
+  if (wasm) begin();
 };
