@@ -46,10 +46,9 @@ function send(events) {
   if (!suspends && !idle && ready) {
     worker.terminate();
     begin();
-    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}});
-  }
+    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events});
+  } else worker.postMessage({events});
   idle = false;
-  worker.postMessage({events});
 }
 
 function change(job) {

@@ -169,13 +169,13 @@ async function start(module, wanted) {
 
 onmessage = ({data}) => {
   if (data.module) start(data.module, data.suspends).catch(error => postMessage({failed: String(error)}));
-  if (data.events) {
-    data.events.forEach(put);
-    if (!busy && loaded) job = job || {goesOn: true};
-  }
   if (data.job) {
     job = data.job.load || !job ? data.job : {...job, settings: data.job.settings};
     queue = [{kind: 2, key: ESCAPE}];
+  }
+  if (data.events) {
+    data.events.forEach(put);
+    if (!busy && loaded) job = job || {goesOn: true};
   }
   if (wake) wake();
   if (wasm) begin();
