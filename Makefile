@@ -382,6 +382,7 @@ help:
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
+	@echo "web                the viewer as a page for browsers, in build/web"
 	@echo "gallery            draws the pictures of docs again"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"

@@ -17,8 +17,8 @@
 /* What is known of a picture, as the script reads it. */
 struct web_frame {
     uint32_t number, crc, block, done, samples, spp;
-    uint32_t differs[3];  /* pixels of an error map: by a level, by more, on another path */
-    uint32_t light_count; /* and which of them keys move */
+    uint32_t differs[3];             /* pixels of an error map: by a level, by more, on another path */
+    uint32_t light_count;            /* and which of them keys move */
     int32_t light, light_x, light_y; /* -1: none that has a place; in 2^-16 of the picture */
     uint32_t draw_us, key_us, relit;
     const void *state; /* what web_run goes on with */

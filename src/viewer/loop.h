@@ -102,6 +102,18 @@ static inline uint64_t viewer_now(const struct loop *loop)
     return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
 }
 
+/* Brings the viewer's state up to date. */
+static inline void viewer_tell(struct loop *loop)
+{
+    struct tia_viewer_state *state = loop->viewer->state;
+
+    loop->state.time = loop->plays ? loop->time : loop->viewer->time;
+    if (!state)
+        return;
+    loop->state.goes_on = state->goes_on;
+    *state = loop->state;
+}
+
 /* press.c: whether a key sets or moves lights; whether it moves one; whether it changes the technique for shadows. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event);
 bool tia_viewer_moves(const struct loop *loop, uint16_t key);
@@ -169,9 +181,6 @@ void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
 uint64_t tia_viewer_canvas_size(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
-
-/* viewer.c: brings the viewer's state up to date. */
-void tia_viewer_tell(struct loop *loop);
 
 /* The picture so far onto the display. */
 int tia_viewer_copy(struct loop *loop);

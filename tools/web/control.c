@@ -75,8 +75,8 @@ static void show_rays(void)
 /* Only of a core that observes rays, see seat_core. */
 static bool has_rays(void)
 {
-    return session.rays_due && seat.view && session.settings.rays &&
-           session.settings.arithmetic == ARITHMETIC_Q16 && session.scene.integration.integrator == TIA_WHITTED;
+    return session.rays_due && seat.view && session.settings.rays && session.settings.arithmetic == ARITHMETIC_Q16 &&
+           session.scene.integration.integrator == TIA_WHITTED;
 }
 
 /* While there is nothing else to do, samples are drawn. Whether to stop is asked in between, which takes events. */

@@ -48,8 +48,8 @@ bool light_drag(int32_t right, int32_t down)
     struct tia_scene alone = {.camera = *session_camera(), .lights = &moved, .light_count = 1};
     if (moved.kind == TIA_DIRECTIONAL_LIGHT)
         return false;
-    moved.centre = projected_dragged(&alone.camera, width, height, moved.centre, right / 65536.0 * width,
-                                     down / 65536.0 * height);
+    moved.centre =
+        projected_dragged(&alone.camera, width, height, moved.centre, right / 65536.0 * width, down / 65536.0 * height);
     if (tia_scene_check(&alone, NULL))
         return false;
     session.bindings[session.scene.binding_count - 1] =

@@ -7,9 +7,9 @@ enum { SHOW_US = 150000 }; /* between two pictures that are not the last */
 
 static struct {
     struct tia_sum *sums;
-    size_t room;         /* sums */
-    uint32_t done, row;  /* samples of all pixels, and rows that have one more */
-    uint64_t shown_us;   /* when a picture was shown last */
+    size_t room;        /* sums */
+    uint32_t done, row; /* samples of all pixels, and rows that have one more */
+    uint64_t shown_us;  /* when a picture was shown last */
 } now;
 
 void samples_reset(void)
@@ -67,8 +67,7 @@ int samples_go_on(void)
     if (!get_memory((size_t)width * session.screen.height))
         return TIA_ERR_MEMORY;
     struct tia_tile row = {0, (uint16_t)now.row, width, 1};
-    int status =
-        estimator->sample(seat.view, row, now.done, now.done + 1, now.sums + (size_t)now.row * width, width);
+    int status = estimator->sample(seat.view, row, now.done, now.done + 1, now.sums + (size_t)now.row * width, width);
     if (status) {
         samples_reset(); /* the row's sums are not defined */
         return status;

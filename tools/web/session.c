@@ -177,8 +177,8 @@ int web_load(const char *name)
     return 0;
 }
 
-EXPORT("web_set") void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays, int integrator,
-                               unsigned samples);
+EXPORT("web_set")
+void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays, int integrator, unsigned samples);
 void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays, int integrator, unsigned samples)
 {
     session.settings = (struct settings){.width = (uint16_t)width,

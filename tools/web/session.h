@@ -1,5 +1,5 @@
-/* session.h - the viewer in a page: one scene, one picture, what the page has chosen. Its parts share this, since a core
- * (struct tia_core) has no context. */
+/* session.h - the viewer in a page: one scene, one picture, what the page has chosen. Its parts share this, since a
+ * core (struct tia_core) has no context. */
 #ifndef TOOLS_WEB_SESSION_H
 #define TOOLS_WEB_SESSION_H
 
