@@ -61,13 +61,15 @@ $(WEB)/gallery.json: tests/golden/web.crc $(wildcard scenes/*.tia) port/web/web.
 
 WEB_MISSING = $(strip $(if $(call found,$(WASM_CC)),,clang) $(if $(call found,$(WASM_LD)),,lld) \
     $(if $(wildcard $(WASM_LIB)/libc.a),,wasi-libc) $(if $(wildcard $(WASM_BUILTINS)),,libclang-rt-14-dev-wasm32))
-# The page is there before the test of it.
-check: $(if $(WEB_MISSING),,web)
+# The page is there before the test of it. Compilers are asked only for these goals.
 .PHONY: web
+ifneq ($(filter web check,$(MAKECMDGOALS)),)
+check: $(if $(WEB_MISSING),,web)
 ifeq ($(WEB_MISSING),)
 web: $(WEB)/tia.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB)/gallery.json
 	@echo "web: python3 -m http.server -d $(WEB), then http://localhost:8000/"
 else
 web:
 	@echo "web: no $(subst $() $(),$(comma) no ,$(WEB_MISSING)): the page cannot be built (make deps check installs it)" >&2; exit 1
+endif
 endif
