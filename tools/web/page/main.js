@@ -247,12 +247,8 @@ picture.addEventListener('pointermove', event => {
   if (drag === 'eye') pose = null;
   if (drag === 'eye' || $('show-rays').checked) point(event, drag === 'eye');
 });
-const letGo = event => {
-  if (drag === 'eye') point(event, false);
-  drag = null;
-};
-picture.addEventListener('pointerup', letGo);
-picture.addEventListener('pointercancel', letGo);
+for (const over of ['pointerup', 'pointercancel'])
+  picture.addEventListener(over, event => { if (drag === 'eye') point(event, false); drag = null; });
 picture.addEventListener('contextmenu', event => { if (drag) event.preventDefault(); });
 
 let last = null;
