@@ -325,6 +325,7 @@ include install.mk
 
 ifeq ($(BARE),)
 include port/boards/boards.mk
+include port/web/web.mk
 endif
 
 # The pictures of README.md and docs/, which a test compares with what is drawn.
@@ -386,6 +387,7 @@ help:
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"
+	@echo "web                the viewer as a page for browsers, in build/web"
 	@echo "docs               draws the pictures of docs again; gallery: those without the course's"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"

@@ -102,6 +102,18 @@ static inline uint64_t viewer_now(const struct loop *loop)
     return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
 }
 
+/* Brings the viewer's state up to date. */
+static inline void viewer_tell(struct loop *loop)
+{
+    struct tia_viewer_state *state = loop->viewer->state;
+
+    loop->state.time = loop->plays ? loop->time : loop->viewer->time;
+    if (!state)
+        return;
+    loop->state.goes_on = state->goes_on;
+    *state = loop->state;
+}
+
 /* press.c: whether a key sets or moves lights; whether it moves one; whether it changes the technique for shadows. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event);
 bool tia_viewer_moves(const struct loop *loop, uint16_t key);

@@ -222,6 +222,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     if (!status)
         status = tia_viewer_run_tiles(loop, copy_job);
     loop->line = 0;
+    viewer_tell(loop);
     if (!status && v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
     if (!status)

@@ -15,15 +15,6 @@ static int idle_ms(const struct loop *loop)
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
-static void tell(struct loop *loop)
-{
-    loop->state.time = loop->plays ? loop->time : loop->viewer->time;
-    if (loop->viewer->state) {
-        loop->state.goes_on = loop->viewer->state->goes_on;
-        *loop->viewer->state = loop->state;
-    }
-}
-
 /* Shows what is drawn, and tells. */
 static int show_frame(struct loop *loop, struct tia_frame *frame)
 {
@@ -31,7 +22,7 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     uint64_t key_us = loop->key_us;
     int status = TIA_OK;
 
-    tell(loop);
+    viewer_tell(loop);
     if (v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
     status = v->display->present(v->display_ctx);
@@ -231,7 +222,7 @@ static void end(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
     struct tia_camera camera = loop->scene->camera;
 
-    tell(loop);
+    viewer_tell(loop);
     if (loop->last.key && v->control)
         (void)v->control->act(v->control_ctx, &loop->last, &camera);
 }

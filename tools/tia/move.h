@@ -4,6 +4,7 @@
 
 #include <tia/viewer.h>
 
+#include "common/steer.h"
 #include "device.h"
 #include "letterbox.h"
 #include "options.h"
@@ -25,8 +26,7 @@ struct moves {
     bool shown;     /* the picture is complete */
     bool saves;     /* and is to be saved then */
     unsigned saved; /* see save_numbered */
-    bool has_place; /* where the pointer was last */
-    int32_t x, y;
+    struct steer steer;
 };
 
 extern const struct tia_control moves_control; /* the context is a struct moves */

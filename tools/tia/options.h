@@ -6,7 +6,7 @@
 
 #include "common/image/image.h"
 #include "common/scene/scene.h"
-#include "views.h"
+#include "common/views/views.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 

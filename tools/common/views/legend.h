@@ -1,6 +1,6 @@
 /* legend.h - what the colours of a view mean, in the lower left corner of a picture. */
-#ifndef TOOLS_TIA_LEGEND_H
-#define TOOLS_TIA_LEGEND_H
+#ifndef TOOLS_VIEWS_LEGEND_H
+#define TOOLS_VIEWS_LEGEND_H
 
 #include <tia/render.h>
 

@@ -68,19 +68,26 @@ static void place(const struct tia_camera *camera, unsigned width, unsigned heig
     at[1] = (top - p[1] * scale) / (top - bottom) * height - 0.5;
 }
 
+/* A point in the camera's axes. */
+static void see(const struct tia_camera *camera, const struct axes *axes, struct tia_vec3 point, double p[3])
+{
+    double d[3];
+
+    difference(point, camera->eye, d);
+    p[0] = dot(d, axes->u);
+    p[1] = dot(d, axes->v);
+    p[2] = dot(d, axes->n);
+}
+
 bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned height, struct tia_vec3 a,
                        struct tia_vec3 b, double ends[2][2])
 {
     const double behind = camera->projection == TIA_ORTHOGRAPHIC ? 1e9 : -1e-3;
     struct axes axes = axes_of(camera);
-    double d[3], p[2][3];
+    double p[2][3];
 
-    for (int i = 0; i < 2; i++) {
-        difference(i ? b : a, camera->eye, d);
-        p[i][0] = dot(d, axes.u);
-        p[i][1] = dot(d, axes.v);
-        p[i][2] = dot(d, axes.n);
-    }
+    for (int i = 0; i < 2; i++)
+        see(camera, &axes, i ? b : a, p[i]);
     if (p[0][2] > behind && p[1][2] > behind)
         return false;
     for (int i = 0; i < 2; i++)
@@ -92,4 +99,36 @@ bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned
     place(camera, width, height, p[0], ends[0]);
     place(camera, width, height, p[1], ends[1]);
     return true;
+}
+
+/* How long a pixel is there. */
+static double length_of_pixel(const struct tia_camera *camera, unsigned width, unsigned height, const double p[3])
+{
+    double at[2], next[2], beside[3] = {p[0] + 1, p[1], p[2]};
+
+    if (camera->projection == TIA_ORTHOGRAPHIC || p[2] < -1e-3) {
+        place(camera, width, height, p, at);
+        place(camera, width, height, beside, next);
+        if (at[0] >= 0 && at[0] < width && at[1] >= 0 && at[1] < height)
+            return 1 / (next[0] - at[0]);
+    }
+    return 2 * sqrt(dot(p, p)) / width;
+}
+
+static tia_q16 moved(tia_q16 from, double by)
+{
+    return (tia_q16)fmin(fmax(from + by * 65536, INT32_MIN), INT32_MAX);
+}
+
+struct tia_vec3 projected_dragged(const struct tia_camera *camera, unsigned width, unsigned height,
+                                  struct tia_vec3 point, double right, double down)
+{
+    struct axes axes = axes_of(camera);
+    double p[3], by[3];
+
+    see(camera, &axes, point, p);
+    double pixel = length_of_pixel(camera, width, height, p);
+    for (int i = 0; i < 3; i++)
+        by[i] = pixel * (right * axes.u[i] - down * axes.v[i]);
+    return (struct tia_vec3){moved(point.x, by[0]), moved(point.y, by[1]), moved(point.z, by[2])};
 }

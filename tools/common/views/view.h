@@ -1,6 +1,6 @@
 /* view.h - what a pixel shows. */
-#ifndef TOOLS_TIA_VIEW_H
-#define TOOLS_TIA_VIEW_H
+#ifndef TOOLS_VIEWS_VIEW_H
+#define TOOLS_VIEWS_VIEW_H
 
 enum view {
     VIEW_COLOUR,

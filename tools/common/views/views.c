@@ -10,12 +10,6 @@
 
 enum { RAYS_DRAWN = 256 };
 
-/* A line on the picture. */
-struct line {
-    double ends[2][2];
-    tia_rgb565 colour;
-};
-
 /* Set when a view is prepared and when its lights are set, before threads draw. */
 static struct {
     struct views views;
@@ -23,7 +17,7 @@ static struct {
     struct legend legend;
     const struct tia_scene *scene;
     unsigned width, height;
-    struct line lines[2 * RAYS_DRAWN];
+    struct views_line lines[2 * RAYS_DRAWN];
     unsigned line_count;
 } now;
 
@@ -38,7 +32,7 @@ const char *view_name(unsigned view)
 
 static void add_line(struct tia_vec3 from, struct tia_vec3 to, tia_rgb565 colour)
 {
-    struct line *line = &now.lines[now.line_count];
+    struct views_line *line = &now.lines[now.line_count];
 
     line->colour = colour;
     if (projected_segment(&now.scene->camera, now.width, now.height, from, to, line->ends))
@@ -61,10 +55,10 @@ static void add_ray(void *ctx, const struct tia_traced *traced)
         add_line(traced->to, tip, legend_ray(TIA_RAY_SHADOW + 2));
 }
 
-static int collect_rays(const struct tia_view *view)
+static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 {
     const struct tia_core *core = &tia_core_watched;
-    const struct tia_tile pixel = {now.views.x, now.views.y, 1, 1};
+    const struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_observer observer = {add_ray, NULL, 0};
     const struct tia_options options = {.observer = &observer};
     tia_rgb565 colour;
@@ -72,7 +66,7 @@ static int collect_rays(const struct tia_view *view)
     struct tia_hits *hits;
 
     now.line_count = 0;
-    if (!now.views.draws_rays || now.views.x >= now.width || now.views.y >= now.height)
+    if (x >= now.width || y >= now.height)
         return TIA_OK;
     size_t size = core->hits_size(now.scene, pixel);
     void *memory = malloc(size);
@@ -107,7 +101,7 @@ static bool cut(double from, double to, double low, double high, double *first, 
 }
 
 /* A step is a pixel, counted from the line's beginning: so all tiles show the same one. */
-static void draw_line(const struct line *line, struct tia_tile tile, const struct tia_surface *surface)
+static void draw_line(const struct views_line *line, struct tia_tile tile, const struct tia_surface *surface)
 {
     double x = line->ends[0][0], y = line->ends[0][1], wide = line->ends[1][0] - x, high = line->ends[1][1] - y;
     double steps = fmax(fmax(fabs(wide), fabs(high)), 1), first = 0, last = 1;
@@ -158,7 +152,7 @@ static int set_lights(struct tia_view *view, const struct tia_light *lights, uin
     int status = tia_core_watched.set_lights(view, lights, count);
 
     now.legend.lights = count;
-    return status ? status : collect_rays(view);
+    return status || !now.views.draws_rays ? status : collect_rays(view, now.views.x, now.views.y);
 }
 
 static int draw_false(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
@@ -189,7 +183,7 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
     int status = now.views.view == VIEW_COLOUR ? tia_core_watched.light(view, hits, tile, surface, options)
                                                : draw_false(view, hits, tile, surface, options);
 
-    for (unsigned i = 0; !status && i < now.line_count; i++)
+    for (unsigned i = 0; !status && now.views.draws_rays && i < now.line_count; i++)
         draw_line(&now.lines[i], tile, surface);
     if (!status)
         legend_draw(&now.legend, tile, surface);
@@ -214,6 +208,15 @@ const struct tia_core *views_core(const struct views *views)
     now.core.light = light;
     now.core.render = render;
     return &now.core;
+}
+
+int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct views_line **lines, unsigned *count)
+{
+    int status = collect_rays(view, x, y);
+
+    *lines = now.lines;
+    *count = status ? 0 : now.line_count;
+    return status;
 }
 
 /* A camera that is told what it sees is not for spans: along -z, as without that. */

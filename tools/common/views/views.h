@@ -1,7 +1,7 @@
 /* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws what another one's rays
  * tell (struct tia_observer), with a legend. There is one such core in a program, since a core has no context. */
-#ifndef TOOLS_TIA_VIEWS_H
-#define TOOLS_TIA_VIEWS_H
+#ifndef TOOLS_VIEWS_VIEWS_H
+#define TOOLS_VIEWS_VIEWS_H
 
 #include <tia/render.h>
 
@@ -18,6 +18,15 @@ const char *view_name(unsigned view);
 
 /* The core that shows this. */
 const struct tia_core *views_core(const struct views *views);
+
+/* A line on the picture: its ends, x and y in pixels. */
+struct views_line {
+    double ends[2][2];
+    tia_rgb565 colour;
+};
+
+/* The rays of a pixel of a view of that core, for who draws them himself: *lines are valid until the next call. */
+int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct views_line **lines, unsigned *count);
 
 /* Spans have no rays: makes rays draw the scene, where spans would, with the same picture up to rounding. */
 void views_need_rays(struct tia_scene *scene);

@@ -1,6 +1,6 @@
 /* seen.h - what the rays of a pixel tell, and its false colour. */
-#ifndef TOOLS_TIA_SEEN_H
-#define TOOLS_TIA_SEEN_H
+#ifndef TOOLS_VIEWS_SEEN_H
+#define TOOLS_VIEWS_SEEN_H
 
 #include <tia/render.h>
 

@@ -1,0 +1,75 @@
+# web.mk - `make web`: a page with the viewer in WebAssembly, in $(BUILD)/web, for any static server; the Makefile
+# includes it. The core is freestanding; of wasi-libc the tools take memory, strings and functions of real numbers.
+
+WEB     := $(BUILD)/web
+WEB_O   := $(BUILD)/wasm
+WASM_CC ?= clang
+WASM_LD ?= wasm-ld
+# 128-bit products by halves: without an instruction for them clang calls a function, which takes 1.25 of the time.
+WASM_CFLAGS ?= -O2 -mbulk-memory -DTIA_NO_INT128
+WASM_LIB := /usr/lib/wasm32-wasi
+WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a
+
+WEB_TOOLS := $(sort $(wildcard tools/web/*.c) port/web/web.c tools/common/lights.c tools/common/checksum.c tools/common/steer.c \
+             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,scene/scene.c scene/part.c image/decode.c image/texels.c))
+web_obj = $(patsubst %.c,$(WEB_O)/$(1)/%.o,$(2))
+WASM_CORE = $(WASM_CC) --target=wasm32 $(CORE) $(WASM_CFLAGS)
+WASM_TOOL = $(WASM_CC) --target=wasm32-wasi --sysroot=/usr $(COMMON) -D_GNU_SOURCE -Iport -Itools $(WASM_CFLAGS)
+$(WEB_O)/q16/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,WASM,$<)$(WASM_CORE) -c -o $@ $<
+$(WEB_O)/f64/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,WASM f64,$<)$(WASM_CORE) -DTIA_NUM_F64 -fno-math-errno -c -o $@ $<
+$(WEB_O)/watched/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,WASM obs,$<)$(WASM_CORE) -DTIA_WATCHED -c -o $@ $<
+$(WEB_O)/tools/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,WASM,$<)$(WASM_TOOL) -c -o $@ $<
+
+# Vector units: that level alone.
+WASM_LEVELS := $(filter-out $(foreach l,$(filter-out wasm,$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(call c_below,src/levels))
+$(WEB_O)/levels/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,WASM,$<)$(WASM_TOOL) -iquote src -fno-math-errno -ffp-contract=$(if $(filter src/levels/rays/%,$<),fast,off) -DTIA_HAVE_WASM \
+	    $(if $(filter %/wasm.c,$<),$(flags_wasm)) -c -o $@ $<
+
+# What a thread of a page needs of stack: paths and Whitted's rays keep theirs in arrays of fixed size.
+WEB_STACK := 1048576
+$(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,levels,$(WASM_LEVELS) port/levels/best.c) \
+    $(call web_obj,tools,$(WEB_TOOLS))
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
+	    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
+
+# The page, and the scenes with their files.
+WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(wildcard tools/web/page/*))
+WEB_SCENES := $(patsubst %,$(WEB)/%,$(wildcard scenes/*.tia scenes/*.ppm))
+$(WEB)/%: tools/web/page/%
+	@mkdir -p $(@D)
+	$(call say,COPY,$@)cp $< $@
+$(WEB)/scenes/%: scenes/%
+	@mkdir -p $(@D)
+	$(call say,COPY,$@)cp $< $@
+# Their names, and the checksums that tests/slow/web keeps.
+$(WEB)/gallery.json: tests/golden/web.crc $(wildcard scenes/*.tia) port/web/web.mk
+	@mkdir -p $(@D)
+	$(call say,LIST,$@){ printf '{"version": "%s",\n "scenes": [%s],\n "pinned": {\n' '$(VERSION)' \
+	    '$(subst $() $(),$(comma) ,$(patsubst scenes/%.tia,"%",$(wildcard scenes/*.tia)))'; \
+	    sed -n '/^[^#]/s/\(.*\) \([0-9a-f]*\)$$/  "\1": "\2"/p' $< | sed '$$!s/$$/,/'; printf '}}\n'; } >$@
+
+WEB_MISSING = $(strip $(if $(call found,$(WASM_CC)),,clang) $(if $(call found,$(WASM_LD)),,lld) \
+    $(if $(wildcard $(WASM_LIB)/libc.a),,wasi-libc) $(if $(wildcard $(WASM_BUILTINS)),,libclang-rt-14-dev-wasm32))
+# The page is there before the test of it. Compilers are asked only for these goals.
+.PHONY: web
+ifneq ($(filter web check,$(MAKECMDGOALS)),)
+check: $(if $(WEB_MISSING),,web)
+ifeq ($(WEB_MISSING),)
+web: $(WEB)/tia.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB)/gallery.json
+	@echo "web: python3 -m http.server -d $(WEB), then http://localhost:8000/"
+else
+web:
+	@echo "web: no $(subst $() $(),$(comma) no ,$(WEB_MISSING)): the page cannot be built (make deps check installs it)" >&2; exit 1
+endif
+endif

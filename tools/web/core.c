@@ -1,0 +1,47 @@
+/* core.c - the core that the settings ask for, with its view taken down: samples and single rays are asked of it later.
+ */
+#include "session.h"
+
+struct seat seat;
+static struct tia_core core;
+
+static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
+    seat.view = NULL;
+    int status = seat.base->view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
+    seat.view = status ? NULL : *view;
+    return status;
+}
+
+/* Before each frame. */
+static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
+{
+    samples_reset();
+    for (unsigned i = 0; i < 3; i++)
+        difference_counts[i] = 0;
+    return seat.base->set_lights(view, lights, count);
+}
+
+static const struct tia_core *base_of(const struct settings *settings)
+{
+    const struct views views = {.view = settings->view};
+
+    if (settings->arithmetic == ARITHMETIC_DIFFERENCE)
+        return &difference_core;
+    if (settings->arithmetic == ARITHMETIC_F64)
+        return &tia_core_f64;
+    if (session.scene.integration.integrator != TIA_WHITTED || (settings->view == VIEW_COLOUR && !settings->rays))
+        return &tia_core_q16;
+    views_need_rays(&session.scene);
+    return views_core(&views);
+}
+
+const struct tia_core *seat_core(void)
+{
+    seat = (struct seat){.base = base_of(&session.settings)};
+    core = *seat.base;
+    core.view_init_until = init_until;
+    core.set_lights = set_lights;
+    return &core;
+}

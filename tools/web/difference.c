@@ -1,0 +1,207 @@
+/* difference.c - two cores in one: integers, and doubles to compare them with, as tia-compare does. */
+#include "session.h"
+
+enum { MANY = 1000, REACH = 2 }; /* as tia-compare's pictures */
+
+struct pair {
+    struct tia_view *view[2];
+};
+
+struct pair_hits {
+    struct tia_hits *hits[2];
+};
+
+static const struct tia_core *const cores[2] = {&tia_core_q16, &tia_core_f64};
+static const tia_rgb565 colours[3] = {0xffe0, 0xf800, 0x07ff};
+uint32_t difference_counts[3];
+
+/* A view and hits of this core are those of both, behind a struct that says where. */
+static const struct pair *pair_of(const struct tia_view *view)
+{
+    return (const struct pair *)(const void *)view;
+}
+
+static const struct pair_hits *hits_of(const struct tia_hits *hits)
+{
+    return (const struct pair_hits *)(const void *)hits;
+}
+
+static size_t whole(size_t size)
+{
+    return (size + 15) / 16 * 16;
+}
+
+static size_t sum(size_t head, size_t a, size_t b)
+{
+    return a > SIZE_MAX / 4 || b > SIZE_MAX / 4 ? SIZE_MAX : whole(head) + whole(a) + whole(b);
+}
+
+static size_t view_size(const struct tia_scene *scene, uint32_t capacity)
+{
+    return sum(sizeof(struct pair), cores[0]->view_size(scene, capacity), cores[1]->view_size(scene, capacity));
+}
+
+static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
+    struct pair *pair = memory;
+    char *at = (char *)memory + whole(sizeof *pair);
+    int status = size < view_size(scene, capacity) ? TIA_ERR_MEMORY : TIA_OK;
+
+    for (int i = 0; i < 2 && !status; i++) {
+        size_t part = whole(cores[i]->view_size(scene, capacity));
+        status = cores[i]->view_init_until(&pair->view[i], at, part, scene, capacity, width, height, stop, ctx);
+        at += part;
+    }
+    *view = memory;
+    return status;
+}
+
+static int init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene, uint32_t capacity,
+                unsigned width, unsigned height)
+{
+    return init_until(view, memory, size, scene, capacity, width, height, NULL, NULL);
+}
+
+static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
+{
+    int status = cores[0]->set_lights(pair_of(view)->view[0], lights, count);
+
+    return status ? status : cores[1]->set_lights(pair_of(view)->view[1], lights, count);
+}
+
+static size_t hits_size(const struct tia_scene *scene, struct tia_tile area)
+{
+    return sum(sizeof(struct pair_hits), cores[0]->hits_size(scene, area), cores[1]->hits_size(scene, area));
+}
+
+static int hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
+                     struct tia_tile area)
+{
+    struct pair_hits *both = memory;
+    char *at = (char *)memory + whole(sizeof *both);
+    int status = TIA_OK;
+
+    for (int i = 0; i < 2 && !status; i++) {
+        size_t needed = whole(cores[0]->hits_size(&session.scene, area)), used = (size_t)(at - (char *)memory);
+        size_t part = i == 0 ? needed : size - used;
+        status = cores[i]->hits_init(&both->hits[i], at, part, pair_of(view)->view[i], area);
+        at += part;
+    }
+    *hits = memory;
+    return status;
+}
+
+static uint32_t hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
+{
+    return cores[0]->hits_object(hits_of(hits)->hits[0], x, y);
+}
+
+static int trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+{
+    int status = cores[0]->trace(pair_of(view)->view[0], hits_of(hits)->hits[0], tile);
+
+    return status ? status : cores[1]->trace(pair_of(view)->view[1], hits_of(hits)->hits[1], tile);
+}
+
+static unsigned apart(unsigned a, unsigned b)
+{
+    return a > b ? a - b : b - a;
+}
+
+/* Where they agree a quarter of the brightness, grey. */
+static tia_rgb565 verdict(tia_rgb565 a, tia_rgb565 b, bool other_path)
+{
+    unsigned r = apart(a >> 11, b >> 11), g = apart(a >> 5 & 63, b >> 5 & 63), blue = apart(a & 31, b & 31);
+    unsigned most = r > g ? r : g, level = ((a >> 11) + (a >> 6 & 31u) + (a & 31u)) / 12;
+
+    most = blue > most ? blue : most;
+    if (!most && !other_path)
+        return (tia_rgb565)(level << 11 | level << 6 | level);
+    unsigned kind = other_path ? 2 : most > 1;
+    difference_counts[kind]++;
+    return colours[kind];
+}
+
+static int light_row(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile row,
+                     const struct tia_surface *surface, const struct tia_options *options)
+{
+    static tia_rgb565 pixels[2][TIA_SIZE_MAX];
+    static uint32_t paths[2][TIA_SIZE_MAX];
+    int status = TIA_OK;
+
+    for (int i = 0; i < 2 && !status; i++) {
+        struct tia_options both = {.dither = options && options->dither, .path_hash = paths[i]};
+        struct tia_surface line = {pixels[i], sizeof(tia_rgb565), sizeof pixels[i]};
+        status = cores[i]->light(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
+    }
+    for (unsigned x = 0; x < row.width && !status; x++)
+        *(tia_rgb565 *)(void *)((char *)surface->pixels + (ptrdiff_t)x * surface->step) =
+            verdict(pixels[0][x], pixels[1][x], paths[0][x] != paths[1][x]);
+    return status;
+}
+
+static int light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                 const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = TIA_OK;
+
+    for (unsigned y = 0; y < tile.height && !status; y++) {
+        struct tia_tile row = {tile.x, (uint16_t)(tile.y + y), tile.width, 1};
+        struct tia_surface line = *surface;
+        line.pixels = (tia_rgb565 *)(void *)((char *)surface->pixels + (ptrdiff_t)y * surface->pitch);
+        status = light_row(view, hits, row, &line, options);
+    }
+    return status;
+}
+
+static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = trace(view, hits, tile);
+
+    return status ? status : light(view, hits, tile, surface, options);
+}
+
+const struct tia_core difference_core = {.name = "q16 - f64",
+                                         .view_size = view_size,
+                                         .view_init = init,
+                                         .set_lights = set_lights,
+                                         .hits_size = hits_size,
+                                         .hits_init = hits_init,
+                                         .hits_object = hits_object,
+                                         .trace = trace,
+                                         .light = light,
+                                         .view_init_until = init_until,
+                                         .render = render,
+                                         .draws_by_pixel = tia_draws_by_pixel};
+
+static unsigned kind_of(tia_rgb565 pixel)
+{
+    unsigned kind = 0;
+
+    while (kind < 3 && colours[kind] != pixel)
+        kind++;
+    return kind;
+}
+
+/* Colours of differences have a bit below or above, so that what is spread is not spread again. */
+static void spread(tia_rgb565 *pixels, unsigned width, unsigned height, size_t at)
+{
+    static const tia_rgb565 around[3] = {0xff80, 0xf820, 0x07df};
+    unsigned x = (unsigned)(at % width), y = (unsigned)(at / width), kind = kind_of(pixels[at]);
+
+    for (unsigned v = y > REACH ? y - REACH : 0; v <= y + REACH && v < height; v++)
+        for (unsigned u = x > REACH ? x - REACH : 0; u <= x + REACH && u < width; u++)
+            if (kind_of(pixels[(size_t)v * width + u]) == 3)
+                pixels[(size_t)v * width + u] = around[kind];
+}
+
+void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height)
+{
+    if (difference_counts[0] + difference_counts[1] + difference_counts[2] > MANY)
+        return;
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        if (kind_of(pixels[i]) < 3)
+            spread(pixels, width, height, i);
+}

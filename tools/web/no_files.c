@@ -1,0 +1,32 @@
+/* no_files.c - what wasi-libc asks an operating system for when it writes to a stream. Nothing here does, but it would
+ * if a long double were printed: so the module wants nothing of a page but what port/web/web.c names. */
+#include <stdint.h>
+
+enum { BAD_DESCRIPTOR = 8 }; /* __WASI_ERRNO_BADF */
+
+int32_t __imported_wasi_snapshot_preview1_fd_close(int32_t fd);
+int32_t __imported_wasi_snapshot_preview1_fd_close(int32_t fd)
+{
+    (void)fd;
+    return BAD_DESCRIPTOR;
+}
+
+int32_t __imported_wasi_snapshot_preview1_fd_seek(int32_t fd, int64_t by, int32_t whence, int32_t at);
+int32_t __imported_wasi_snapshot_preview1_fd_seek(int32_t fd, int64_t by, int32_t whence, int32_t at)
+{
+    (void)fd;
+    (void)by;
+    (void)whence;
+    (void)at;
+    return BAD_DESCRIPTOR;
+}
+
+int32_t __imported_wasi_snapshot_preview1_fd_write(int32_t fd, int32_t parts, int32_t count, int32_t written);
+int32_t __imported_wasi_snapshot_preview1_fd_write(int32_t fd, int32_t parts, int32_t count, int32_t written)
+{
+    (void)fd;
+    (void)parts;
+    (void)count;
+    (void)written;
+    return BAD_DESCRIPTOR;
+}

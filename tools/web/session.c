@@ -1,0 +1,259 @@
+/* session.c - what the worker's script calls: load a scene, choose, run. */
+#include "session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define EXPORT(name) __attribute__((export_name(name)))
+
+struct session session = {.pointer_x = -1};
+
+/* ---- a picture is drawn ---- */
+
+const struct tia_camera *session_camera(void)
+{
+    return session.state.moved ? &session.state.camera : &session.scene.camera;
+}
+
+static size_t lights_size(void)
+{
+    return session.lights.capacity * sizeof *session.lights.array;
+}
+
+/* What another worker goes on with. */
+static void keep(struct web_frame *frame)
+{
+    if (!session.kept)
+        return;
+    memcpy(session.kept, &session.state, sizeof session.state);
+    memcpy((char *)session.kept + sizeof session.state, session.lights.array, lights_size());
+    frame->state = session.kept;
+    frame->state_size = (uint32_t)(sizeof session.state + lights_size());
+}
+
+void session_show(void)
+{
+    struct web_frame *frame = &session.frame;
+    struct web_screen *screen = &session.screen;
+
+    frame->crc = frame->block == 1 ? tia_crc32(0, screen->pixels, (size_t)screen->width * screen->height) : 0;
+    memcpy(frame->differs, difference_counts, sizeof frame->differs);
+    light_tell(frame);
+    keep(frame);
+    if (session.settings.arithmetic == ARITHMETIC_DIFFERENCE && frame->block == 1)
+        difference_spread(screen->pixels, screen->width, screen->height);
+    web_show(screen, frame);
+}
+
+static int frame_done(void *ctx, const struct tia_frame *frame)
+{
+    (void)ctx;
+    session.frame = (struct web_frame){.number = frame->number,
+                                       .block = frame->block,
+                                       .done = frame->done,
+                                       .samples = session.spp ? 1 : 0,
+                                       .spp = session.spp,
+                                       .draw_us = (uint32_t)frame->draw_us,
+                                       .key_us = (uint32_t)frame->key_us,
+                                       .relit = frame->relit,
+                                       .plays = tia_scene_moves(&session.scene)};
+    session_show();
+    session.rays_due = session.settings.rays && session.pointer_x >= 0;
+    return TIA_OK;
+}
+
+static void *get_memory(void *ctx, size_t size)
+{
+    (void)ctx;
+    if (size > session.memory_size) {
+        free(session.memory);
+        session.memory = malloc(size);
+        session.memory_size = session.memory ? size : 0;
+    }
+    return session.memory;
+}
+
+/* ---- what is drawn ---- */
+
+/* The scene's keys, and one more for the pointer. Its state is a light that the check accepts. */
+static bool copy_bindings(struct tia_scene *scene)
+{
+    uint32_t count = scene->binding_count;
+    const struct tia_light *some = scene->light_count ? scene->lights : count ? &scene->bindings[0].state : NULL;
+
+    free(session.bindings);
+    session.bindings = some ? malloc((count + 1) * sizeof *session.bindings) : NULL;
+    if (!session.bindings)
+        return !some;
+    for (uint32_t i = 0; i < count; i++)
+        session.bindings[i] = scene->bindings[i];
+    session.bindings[count] = (struct tia_binding){.key = WEB_DRAGGED, .state = *some};
+    scene->bindings = session.bindings;
+    scene->binding_count = count + 1;
+    return true;
+}
+
+static void set_samples(struct tia_scene *scene)
+{
+    const struct settings *settings = &session.settings;
+    struct tia_integration *how = &scene->integration;
+
+    if (settings->integrator >= 0)
+        how->integrator = (enum tia_integrator)settings->integrator;
+    session.spp = 0;
+    if (how->integrator == TIA_WHITTED) {
+        if (settings->samples)
+            scene->camera.samples = settings->samples < 16 ? settings->samples : 16;
+        return;
+    }
+    scene->shadows = TIA_SHADOWS_TRACED;
+    how->spp = settings->samples ? settings->samples : how->spp ? how->spp : TIA_SPP;
+    if (settings->arithmetic != ARITHMETIC_DIFFERENCE) {
+        session.spp = how->spp;
+        how->spp = 1; /* the viewer draws the first */
+    }
+}
+
+static void failed(int status)
+{
+    struct tia_fault fault;
+
+    if (tia_scene_check(&session.scene, &fault))
+        (void)snprintf(session.why, sizeof session.why, "%s %u: %s: %s", fault.thing, (unsigned)fault.index,
+                       fault.field, fault.rule);
+    else
+        (void)snprintf(session.why, sizeof session.why, "%s",
+                       status == TIA_ERR_MEMORY ? "memory: exhausted" : "this scene cannot be drawn so");
+}
+
+static bool begin_lights(bool goes_on)
+{
+    if (goes_on && session.lights.array)
+        return true;
+    lights_free(&session.lights);
+    session.lights = (struct lights){.array = NULL};
+    free(session.kept);
+    session.kept = lights_copy(&session.lights, &session.scene) ? malloc(sizeof session.state + lights_size()) : NULL;
+    session.state = (struct tia_viewer_state){.light_count = session.scene.light_count};
+    return session.kept;
+}
+
+static bool begin(bool goes_on)
+{
+    struct web_screen *screen = &session.screen;
+
+    session.why[0] = '\0';
+    session.rays_due = false;
+    session.steer = (struct steer){.has_place = false};
+    session.scene = session.file.scene;
+    set_samples(&session.scene);
+    free(screen->pixels);
+    screen->width = session.settings.width;
+    screen->height = session.settings.height;
+    screen->pixels = calloc((size_t)screen->width * screen->height, sizeof *screen->pixels);
+    return screen->pixels && copy_bindings(&session.scene) && begin_lights(goes_on);
+}
+
+/* ---- what the script calls ---- */
+
+/* Reads the scene `name` and the files that it refers to; 0, or web_why tells why not: then the old one stays. */
+EXPORT("web_load") int web_load(const char *name);
+int web_load(const char *name)
+{
+    static char kept[SCENE_WHY];
+    struct scene_file file;
+    int format = scene_format_of(name);
+
+    (void)snprintf(kept, sizeof kept, "%s", name);
+    if (format == SCENE_UNKNOWN || scene_open(&file, kept, format, false)) {
+        (void)snprintf(session.why, sizeof session.why, "%s", format == SCENE_UNKNOWN ? "unknown format" : file.why);
+        return 1;
+    }
+    if (session.loaded)
+        scene_close(&session.file);
+    session.file = file;
+    session.loaded = true;
+    return 0;
+}
+
+EXPORT("web_set")
+void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays, int integrator, unsigned samples);
+void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays, int integrator, unsigned samples)
+{
+    session.settings = (struct settings){.width = (uint16_t)width,
+                                         .height = (uint16_t)height,
+                                         .arithmetic = (enum arithmetic)arithmetic,
+                                         .view = (enum view)view,
+                                         .rays = rays != 0,
+                                         .integrator = integrator,
+                                         .samples = samples};
+}
+
+/* 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed, see web_why. */
+EXPORT("web_run") int web_run(int goes_on);
+int web_run(int goes_on)
+{
+    if (!session.loaded || !begin(goes_on)) {
+        failed(TIA_ERR_MEMORY);
+        return 2;
+    }
+    session.state.goes_on = goes_on;
+    const struct tia_core *core = seat_core();
+    struct tia_viewer viewer = {.core = core,
+                                .level = seat.base == &tia_core_q16 ? tia_level_best() : NULL,
+                                .scene = &session.scene,
+                                .lights = session.lights.array,
+                                .light_capacity = session.lights.capacity,
+                                .detached = session.lights.detached,
+                                .variant = &session.variant,
+                                .control = &session_control,
+                                .state = &session.state,
+                                .time = session.state.time,
+                                .display = &web_display,
+                                .display_ctx = &session.screen,
+                                .input = &session_input,
+                                .input_ctx = &session.screen,
+                                .clock = &web_clock,
+                                .memory = get_memory,
+                                .frame_done = frame_done};
+    int status = tia_viewer_run(&viewer);
+    seat.view = NULL;
+    if (!status)
+        return 0;
+    if (status == TIA_STOPPED && session.screen.stays)
+        return 1;
+    failed(status);
+    return 2;
+}
+
+/* Memory for what was kept of another worker, of the same scene; NULL: that was another one. Then it is taken. */
+EXPORT("web_kept") void *web_kept(unsigned size);
+void *web_kept(unsigned size)
+{
+    session.scene = session.file.scene;
+    if (!session.loaded || !copy_bindings(&session.scene) || !begin_lights(false))
+        return NULL;
+    return size == sizeof session.state + lights_size() ? session.kept : NULL;
+}
+
+EXPORT("web_take_kept") void web_take_kept(void);
+void web_take_kept(void)
+{
+    memcpy(&session.state, session.kept, sizeof session.state);
+    memcpy(session.lights.array, (char *)session.kept + sizeof session.state, lights_size());
+}
+
+EXPORT("web_why") const char *web_why(void);
+const char *web_why(void)
+{
+    return session.why;
+}
+
+/* Memory for a name that the script writes, of SCENE_WHY bytes. */
+EXPORT("web_name") char *web_name(void);
+char *web_name(void)
+{
+    static char name[SCENE_WHY];
+    return name;
+}
