@@ -104,15 +104,14 @@ static void sample_of(const struct sure_light *l, const struct aim *a, const str
     s->way = v3_sub(v3_set(l->at), h->point);
     s->ew = h->ep + (v3_sum(s->way) + v3_sum(h->point)) * SURE_2(51);
     if (l->from->kind >= TIA_RECTANGLE_LIGHT) {
-        double place[2][LANES];
+        double other[LANES][2];
+        const double *place[LANES];
         for (int k = 0; k < LANES; k++) {
-            double other[2], *at = l->place ? l->place[class[k]][i] : other;
+            place[k] = l->place ? l->place[class[k]][i] : other[k];
             if (!l->place)
-                tia_sure_place(l, i, class[k], at);
-            place[0][k] = at[0];
-            place[1][k] = at[1];
+                tia_sure_place(l, i, class[k], other[k]);
         }
-        vd x = vload(place[0]), y = vload(place[1]);
+        vd x = vgather(place, 0), y = vgather(place, 1);
         s->way = v3_add(s->way, v3_add(v3_scale(a->axes[0], x), v3_scale(a->axes[1], y)));
         s->ew = s->ew + (vabs(x) + vabs(y)) * (a->e + SURE_2(50)) + 4 * UNIT +
                 (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * SURE_2(48);
