@@ -41,14 +41,14 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
                               .element = element});
 }
 
-/* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former keep
- * the integers' quotient from being rounded to 0. */
+/* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former
+ * keep the integers' quotient from being rounded to 0. */
 LANE_OP vm flat_behind(const struct pack *p, struct v3 n, struct v3 way, vd round)
 {
-    vd slope = v3_dot(p->d, n), eslope = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
+    vd slope = v3_dot(p->d, n), turn = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
     vd eheight = p->eo + round + 4 * UNIT;
 
-    return mor(mand(vlt(eheight, height), vlt(slope, -eslope)), mand(vlt(height, -eheight), vlt(eslope, slope)));
+    return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
 }
 
 /* Planes end where a coordinate is 2^16. */

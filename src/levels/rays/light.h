@@ -93,8 +93,8 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-/* Which sample of a light the lanes look at, and the class of each one's pixel; of a run each the next sample, and all are
- * of one pixel. */
+/* Which sample of a light the lanes look at, and the class of each one's pixel; of a run each the next sample, and all
+ * are of one pixel. */
 struct picked {
     unsigned sample;
     bool run;
@@ -122,8 +122,8 @@ LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, 
     *y = vgather(place, l->place ? SURE_PLACES : 1);
 }
 
-static __attribute__((noinline)) void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h, const struct picked *pick,
-                      struct sample *s)
+static __attribute__((noinline)) void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h,
+                                                const struct picked *pick, struct sample *s)
 {
     if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
         s->way = s->to = v3_neg(v3_set(l->normal));
@@ -192,8 +192,9 @@ struct lit {
 };
 
 /* 2^-42 is for the integers' roundings: six of them here, each half of 2^-45, and as many behind. */
-static __attribute__((noinline)) void add_sample(const struct sure_scene *scene, const struct sure_light *l, const struct shade *h,
-                       const struct sample *s, vm lanes, uint32_t *blocker, struct lit *sum)
+static __attribute__((noinline)) void add_sample(const struct sure_scene *scene, const struct sure_light *l,
+                                                 const struct shade *h, const struct sample *s, vm lanes,
+                                                 uint32_t *blocker, struct lit *sum)
 {
     vd lambert = v3_dot(h->normal, s->to), above = v3_dot(h->geometric, s->to);
     vd el = h->en + s->eto + SURE_2(49), ea = h->eg + s->eto + SURE_2(49), rgb[3], e;
