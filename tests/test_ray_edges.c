@@ -140,7 +140,7 @@ static void compare_light(const struct shade *h, const struct shading *shading, 
     for (int c = 0; c < 3; c++)
         lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, 0);
     for (uint32_t n = 0; n < scene->light_count; n++)
-        add_light(scene, n, h, 1, class, &blocker, &lit);
+        add_light(scene, n, h, 1, false, class, &blocker, &lit);
     surely += !lit.unsure;
     open += lit.unsure;
     if (lit.unsure)

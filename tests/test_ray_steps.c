@@ -147,10 +147,10 @@ static void real_axes(struct real point, const double at[3], struct real axes[2]
 
 static void try_aim(struct used *aims, struct used *samples, struct used *ways)
 {
-    static double place[16][SURE_PLACES][2];
+    static double place[16][2][SURE_PLACES];
     const struct ray_light from = {.kind = TIA_SPHERE_LIGHT, .samples = 1};
     struct sure_light l = {.from = &from, .at = {random_double(), random_double(), random_double()}, .place = place};
-    const uint8_t class[1] = {0};
+    const struct picked first = {.run = false};
     struct shade h = {.ep = 0};
     struct real theirs, axes[2], way = {{l.at[0], l.at[1], l.at[2]}};
     struct sample s;
@@ -166,9 +166,9 @@ static void try_aim(struct used *aims, struct used *samples, struct used *ways)
     use(aims, real_gap(axes[0], a.axes[0]), a.e);
     use(aims, real_gap(axes[1], a.axes[1]), a.e);
     place[0][0][0] = random_double();
-    place[0][0][1] = random_bits() % 2 ? random_double() : 0;
-    sample_of(&l, &a, &h, 0, class, &s);
-    way = real_along(real_along(way, axes[0], place[0][0][0]), axes[1], place[0][0][1]);
+    place[0][1][0] = random_bits() % 2 ? random_double() : 0;
+    sample_of(&l, &a, &h, &first, &s);
+    way = real_along(real_along(way, axes[0], place[0][0][0]), axes[1], place[0][1][0]);
     way = real_along(way, theirs, -1);
     use(ways, real_gap(way, s.way), s.ew);
     use(samples, real_gap(real_unit(way), s.to), s.eto);
@@ -311,7 +311,7 @@ static void try_ambient(struct used *u)
     const uint8_t class[1] = {0};
     uint32_t blocker = TIA_NO_OBJECT;
 
-    add_light(&scene, 0, &h, 1, class, &blocker, &lit);
+    add_light(&scene, 0, &h, 1, false, class, &blocker, &lit);
     use(u, h.ecolour * WITHIN, lit.eown);
 }
 

@@ -41,11 +41,26 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
                               .element = element});
 }
 
+/* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former
+ * keep the integers' quotient from being rounded to 0. */
+LANE_OP vm flat_behind(const struct pack *p, struct v3 n, struct v3 way, vd round)
+{
+    vd slope = v3_dot(p->d, n), turn = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
+    vd eheight = p->eo + round + 4 * UNIT;
+
+    return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
+}
+
 /* Planes end where a coordinate is 2^16. */
 LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
+    vd round = v3_sum(way) * (SURE_WAY * EPS);
+    vm behind = flat_behind(q->p, v3_set(o->normal), way, round);
+
+    if (!many(mand(q->active, mnot(mor(behind, starts_here(q))))))
+        return;
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(UNIT));
     f.e = f.e + vabs(f.t) * SURE_2(50);
     struct v3 point = v3_along(q->p->o, q->p->d, f.t);
     vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)), e = f.e + vabs(f.t) * q->p->ed + q->p->eo;

@@ -1,279 +1,42 @@
-/* grid.h - grids, ray by ray and cell by cell, as geometry/grid.c.
+/* grid.h - grids, all rays of a packet at once.
  *
- * As there the t of a plane between cells comes from the plane's own coordinate; it is within (eo + what it rounds by +
- * |t| (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is open, all
- * cells that it may come through are looked at: when they have the content of the one it comes from, both steps are
- * taken; otherwise there may be a hit. */
+ * A plane's time is A + plane B here, with A = (corner - o)/d and B = edge/d: 3 u (|corner| + |o|) and 3 u times the
+ * grid's size over |d|, and u |t|, which is less than what grid_ray.h allows for a plane's time, 4 u of each. So `base`
+ * and `slope` are the same as there. `off` is that bound as far as the ray is in the grid.
+ *
+ * A ray leaves the packet where it hardly moves along an axis, where it comes in too close to an edge, and at two
+ * planes that are too close to tell which is first. grid_ray.h takes it from there. */
 #ifndef TIA_LEVELS_RAYS_GRID_H
 #define TIA_LEVELS_RAYS_GRID_H
 
-#include "report.h"
+#include "grid_ray.h"
 
-/* One ray in a grid. */
-struct cell_walk {
-    const struct sure_grid *grid;
-    double o[3], d[3], eo, ed, limit;
-    double inverse[3], base[3], slope[3]; /* of the planes' times, see plane_time */
-    bool moves[3];
-    int at[3], step[3];
-    double next[3], enext[3]; /* where the ray leaves the cell along each axis */
-    unsigned here;            /* what is in it */
-    double out;               /* where the ray leaves the grid */
-    /* what it finds */
-    bool sure, may;
-    double t, e, element;
+struct grid_axis {
+    vd a, b, base, slope;
+    vd step, last, stride, end; /* the last cell; how far apart cells are in memory along the ray; the last plane */
+    vd cell, plane;             /* the first cell, and the next plane */
+    vm back;
 };
 
-LANE_OP int cells_along(const struct cell_walk *w, int axis)
+struct grid_walk {
+    const struct sure_grid *grid;
+    struct grid_axis axis[3];
+    vd index;                   /* of the cell in memory */
+    vd off;                     /* of planes' times, whichever the axis */
+    uint64_t here;              /* what is in the cell, a byte for each lane */
+    uint64_t live;              /* all bits of the bytes of those that walk */
+    vm walking, alone, started; /* alone: lanes for grid_ray.h, from their cell on where they have started */
+    /* what is found */
+    vm sure, may;
+    vd t, e, element;
+};
+
+/* |x| < 2^51: to nearest by adding 1.5 2^52, less 1 if that is above. */
+LANE_OP vd vfloor(vd x)
 {
-    return w->grid->from->size[axis];
-}
+    vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
 
-/* Sets what the times of planes across an axis are made of: false where the ray hardly moves along it. */
-LANE_OP bool set_axis(struct cell_walk *w, int axis)
-{
-    double size = __builtin_fabs(w->d[axis]), far = w->grid->edge * cells_along(w, axis);
-    double round = (__builtin_fabs(w->grid->corner[axis]) + far + __builtin_fabs(w->o[axis])) * (4 * EPS) + 2 * UNIT;
-
-    w->step[axis] = w->d[axis] < 0 ? -1 : 1;
-    w->moves[axis] = size > 64 * w->ed + SURE_2(24);
-    if (!w->moves[axis])
-        return false;
-    double over = 1 / (size - w->ed);
-    w->inverse[axis] = 1 / w->d[axis];
-    w->base[axis] = (w->eo + round) * over + UNIT;
-    w->slope[axis] = (w->ed + 4 * EPS) * over;
-    return true;
-}
-
-LANE_OP double plane_time(const struct cell_walk *w, int axis, int plane, double *e)
-{
-    double t = (w->grid->corner[axis] + w->grid->edge * plane - w->o[axis]) * w->inverse[axis];
-
-    *e = w->base[axis] + __builtin_fabs(t) * w->slope[axis];
-    return t;
-}
-
-LANE_OP unsigned cell_at(const struct cell_walk *w, const int at[3])
-{
-    const struct tia_grid *g = w->grid->from;
-
-    return g->cells[((size_t)at[2] * g->size[1] + (size_t)at[1]) * g->size[0] + (size_t)at[0]];
-}
-
-/* Outside it is empty. */
-LANE_OP unsigned content_at(const struct cell_walk *w, const int at[3])
-{
-    for (int i = 0; i < 3; i++)
-        if (at[i] < 0 || at[i] >= cells_along(w, i))
-            return 0;
-    return cell_at(w, at);
-}
-
-LANE_OP double element_at(const struct cell_walk *w, const int at[3], int axis, int face)
-{
-    const struct tia_grid *g = w->grid->from;
-
-    return 6.0 * (double)(((uint32_t)at[2] * g->size[1] + (uint32_t)at[1]) * g->size[0] + (uint32_t)at[0]) + 2 * axis +
-           face;
-}
-
-static bool may_hit(struct cell_walk *w, double low)
-{
-    w->may = true;
-    w->t = low > 0 ? low : 0;
-    return false;
-}
-
-static bool hit_cell(struct cell_walk *w, double t, double e, double element)
-{
-    if (t <= e)
-        return may_hit(w, 0);
-    w->sure = true;
-    w->t = t;
-    w->e = e;
-    w->element = element;
-    return false;
-}
-
-/* The cell along one axis of a place within e; of two the one that the ray comes from. False: there are two, or it is
- * outside. */
-static bool find_cell(struct cell_walk *w, int axis, double place, double e)
-{
-    double x = (place - w->grid->corner[axis]) / w->grid->edge,
-           more = e / w->grid->edge + __builtin_fabs(x) * SURE_2(50);
-    double last = cells_along(w, axis) - 1, low = __builtin_floor(x - more), high = __builtin_floor(x + more);
-    double cell = w->d[axis] < 0 ? high : low;
-
-    w->at[axis] = (int)(cell < 0 ? 0 : cell > last ? last : cell);
-    return low == high && low >= 0 && high <= last;
-}
-
-/* Where the ray enters and leaves the grid's box: the axis along which it does so last; -1: it starts inside. False: it
- * misses, or may miss. */
-static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
-{
-    double out = NEVER, eout = 0, reach = 0;
-    bool passed = false;
-
-    *in = -NEVER;
-    *ein = 0;
-    *axis = -1;
-    for (int i = 0; i < 3; i++)
-        reach += __builtin_fabs(w->grid->corner[i] - w->o[i]) + 2 * w->grid->edge * cells_along(w, i);
-    for (int i = 0; i < 3; i++) {
-        int n = cells_along(w, i);
-        double e0, e1, t0, t1;
-        if (!set_axis(w, i)) {
-            double off = w->eo + reach * (w->ed + __builtin_fabs(w->d[i])) +
-                         (__builtin_fabs(w->o[i]) + reach) * (8 * EPS) + 4 * UNIT;
-            double a = w->o[i] - w->grid->corner[i], b = a - w->grid->edge * n;
-            if (a < -off || b > off)
-                return false;
-            if (!find_cell(w, i, w->o[i], off) || a < off || b > -off)
-                return may_hit(w, 0);
-            continue;
-        }
-        t0 = plane_time(w, i, w->d[i] < 0 ? n : 0, &e0);
-        t1 = plane_time(w, i, w->d[i] < 0 ? 0 : n, &e1);
-        if (t0 > *in) {
-            *in = t0;
-            *axis = i;
-        }
-        *ein = e0 > *ein ? e0 : *ein;
-        out = t1 < out ? t1 : out;
-        eout = e1 > eout ? e1 : eout;
-        passed = passed || t1 + e1 < 0;
-    }
-    if (passed || *in - *ein > out + eout || *in - *ein > w->limit)
-        return false;
-    if (*in + *ein >= out - eout || __builtin_fabs(*in) <= *ein)
-        return may_hit(w, *in - *ein);
-    w->out = out + eout;
-    if (*in < 0)
-        *axis = -1;
-    return true;
-}
-
-/* Finds the first cell; false: it is known already, or nobody can say. */
-static bool start_walk(struct cell_walk *w)
-{
-    double t, e;
-    bool clear = true;
-    int axis;
-
-    if (!enter_grid(w, &axis, &t, &e))
-        return false;
-    double at = axis < 0 ? 0 : t, slack = axis < 0 ? 0 : e;
-    for (int i = 0; i < 3; i++) {
-        double place = w->o[i] + at * w->d[i];
-        double off = w->eo + at * w->ed + slack + (__builtin_fabs(w->o[i]) + at) * (8 * EPS) + 2 * UNIT;
-        if (i == axis)
-            w->at[i] = w->d[i] < 0 ? cells_along(w, i) - 1 : 0;
-        else if (w->moves[i])
-            clear = find_cell(w, i, place, off) && clear;
-    }
-    if (!clear) {
-        /* the cells around must all be empty: the first step is then taken from the one before */
-        for (int k = 0; k < 27; k++) {
-            const int near[3] = {w->at[0] + k % 3 - 1, w->at[1] + k / 3 % 3 - 1, w->at[2] + k / 9 - 1};
-            if (content_at(w, near))
-                return may_hit(w, at - slack);
-        }
-        return true;
-    }
-    if (axis >= 0 && content_at(w, w->at))
-        return hit_cell(w, t, e, element_at(w, w->at, axis, w->d[axis] < 0));
-    return true;
-}
-
-/* Of the axes in `open`, all orders: whether each cell on the way has the content of this one. */
-static bool all_alike(const struct cell_walk *w, unsigned open, unsigned here)
-{
-    for (unsigned set = open; set; set = (set - 1) & open) {
-        int at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = w->at[i] + (set >> i & 1 ? w->step[i] : 0);
-        if (content_at(w, at) != here)
-            return false;
-    }
-    return true;
-}
-
-LANE_OP void find_next(struct cell_walk *w, int axis)
-{
-    w->next[axis] = NEVER;
-    w->enext[axis] = 0;
-    if (w->moves[axis])
-        w->next[axis] = plane_time(w, axis, w->at[axis] + (w->step[axis] > 0), &w->enext[axis]);
-}
-
-/* Steps along the axes in `open`, whose cells are all alike; false: out of the grid. */
-static bool step_through(struct cell_walk *w, unsigned open, double low)
-{
-    bool inside = true;
-
-    if (!all_alike(w, open, w->here))
-        return may_hit(w, low);
-    for (int i = 0; i < 3; i++) {
-        w->at[i] += open >> i & 1 ? w->step[i] : 0;
-        inside = inside && w->at[i] >= 0 && w->at[i] < cells_along(w, i);
-        find_next(w, i);
-    }
-    return inside;
-}
-
-/* One step; false: the walk is over. */
-LANE_OP bool step_cell(struct cell_walk *w)
-{
-    const double *t = w->next, *e = w->enext;
-    int axis = t[1] < t[0] ? 1 : 0;
-    unsigned open = 0;
-
-    axis = t[2] < t[axis] ? 2 : axis;
-    double late = t[axis] + e[axis], early = late;
-    for (int i = 0; i < 3; i++) {
-        open |= (unsigned)(t[i] - e[i] <= late) << i;
-        early = t[i] - e[i] < early ? t[i] - e[i] : early;
-    }
-    if (early > w->limit)
-        return false;
-    if (open & (open - 1))
-        return step_through(w, open, early);
-    int from[3] = {w->at[0], w->at[1], w->at[2]}, face = w->step[axis] > 0;
-    w->at[axis] += w->step[axis];
-    bool inside = w->at[axis] >= 0 && w->at[axis] < cells_along(w, axis);
-    unsigned there = inside ? cell_at(w, w->at) : 0;
-    if (there != w->here)
-        return hit_cell(w, t[axis], e[axis],
-                        there ? element_at(w, w->at, axis, !face) : element_at(w, from, axis, face));
-    if (inside)
-        find_next(w, axis);
-    return inside;
-}
-
-/* All rays of a packet at once, as far as they go through cells of one content and no two planes are too close to tell
- * which is first: a plane's time is A + plane B here, within `off` as far as the ray is in the grid. Columns: for each
- * axis A, B, the cell, the next plane, `off`, the step, the last cell, and how far apart cells are in memory. */
-enum { GRID_A, GRID_B, GRID_CELL, GRID_PLANE, GRID_OFF, GRID_STEP, GRID_LAST, GRID_STRIDE, GRID_COLUMNS };
-
-static void set_columns(const struct cell_walk *w, int k, double column[3][GRID_COLUMNS][LANES], double *index)
-{
-    const struct tia_grid *g = w->grid->from;
-    const double stride[3] = {1, g->size[0], (double)g->size[0] * g->size[1]};
-
-    *index = 0;
-    for (int i = 0; i < 3; i++) {
-        column[i][GRID_A][k] = w->moves[i] ? (w->grid->corner[i] - w->o[i]) * w->inverse[i] : NEVER;
-        column[i][GRID_B][k] = w->moves[i] ? w->grid->edge * w->inverse[i] : 0;
-        column[i][GRID_CELL][k] = w->at[i];
-        column[i][GRID_PLANE][k] = w->at[i] + (w->step[i] > 0);
-        column[i][GRID_OFF][k] = w->moves[i] ? w->base[i] + w->slope[i] * w->out : 0;
-        column[i][GRID_STEP][k] = w->step[i];
-        column[i][GRID_LAST][k] = cells_along(w, i) - 1;
-        column[i][GRID_STRIDE][k] = w->step[i] * stride[i];
-        *index += w->at[i] * stride[i];
-    }
+    return nearest - vsel(vlt(x, nearest), vset(1), vset(0));
 }
 
 LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
@@ -281,107 +44,276 @@ LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
     return vsel(first, a, vsel(second, b, c));
 }
 
-/* Leaves the cell of each ray where the next step is not as simple as those before. */
-static void walk_together(struct cell_walk w[LANES], unsigned walking)
+/* As set_axis of grid_ray.h. */
+LANE_OP vm set_grid_axis(struct grid_axis *x, const struct pack *p, const struct sure_grid *grid, int i, double stride)
 {
-    double column[3][GRID_COLUMNS][LANES] = {{{0}}}, index[LANES] = {0}, limits[LANES] = {0};
-    vd v[3][GRID_COLUMNS], zero = vset(0);
+    const vd o = i == 0 ? p->o.x : i == 1 ? p->o.y : p->o.z, d = i == 0 ? p->d.x : i == 1 ? p->d.y : p->d.z;
+    double far = grid->edge * grid->from->size[i];
+    vd size = vabs(d), round = (vset(__builtin_fabs(grid->corner[i]) + far) + vabs(o)) * (4 * EPS) + 2 * UNIT;
+    vm moves = vlt(64 * p->ed + SURE_2(24), size);
+    vd over = 1 / vsel(moves, size - p->ed, vset(1)), inverse = 1 / vsel(moves, d, vset(1));
 
-    for (int k = 0; k < LANES; k++) {
-        if (!(walking >> k & 1))
-            continue;
-        set_columns(&w[k], k, column, &index[k]);
-        limits[k] = w[k].limit;
-    }
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < GRID_COLUMNS; j++)
-            v[i][j] = vload(column[i][j]);
-    vd at = vload(index), limit = vload(limits);
-    const uint8_t *cells = w[__builtin_ctz(walking)].grid->from->cells;
-    for (unsigned left = walking; left;) {
-        vd t[3], low[3];
-        for (int i = 0; i < 3; i++) {
-            t[i] = v[i][GRID_A] + v[i][GRID_PLANE] * v[i][GRID_B];
-            low[i] = t[i] - v[i][GRID_OFF];
-        }
-        vm first = mand(vle(t[0], t[1]), vle(t[0], t[2])), second = mand(mnot(first), vle(t[1], t[2]));
-        vm third = mnot(mor(first, second));
-        vd off = of_axis(first, second, v[0][GRID_OFF], v[1][GRID_OFF], v[2][GRID_OFF]);
-        vd high = of_axis(first, second, t[0], t[1], t[2]) + off;
-        vm x = vle(low[0], high), y = vle(low[1], high), z = vle(low[2], high);
-        vm stops = mor(mor(mor(mand(x, y), mand(x, z)), mand(y, z)), vlt(limit, high));
-        vd cell = of_axis(first, second, v[0][GRID_CELL] + v[0][GRID_STEP], v[1][GRID_CELL] + v[1][GRID_STEP],
-                          v[2][GRID_CELL] + v[2][GRID_STEP]);
-        stops = mor(stops, mor(vlt(cell, zero),
-                               vlt(of_axis(first, second, v[0][GRID_LAST], v[1][GRID_LAST], v[2][GRID_LAST]), cell)));
-        vd to = at + of_axis(first, second, v[0][GRID_STRIDE], v[1][GRID_STRIDE], v[2][GRID_STRIDE]);
-        left &= ~mbits(stops);
-        vstore(index, to);
-        unsigned on = 0;
-        for (int k = 0; k < LANES; k++)
-            on |= (unsigned)(left >> k & 1 && cells[(size_t)index[k]] == w[k].here) << k;
-        left = on;
-        const vm along[3] = {mand(first, mof(on)), mand(second, mof(on)), mand(third, mof(on))};
-        at = vsel(mof(on), to, at);
-        for (int i = 0; i < 3; i++) {
-            vd step = vsel(along[i], v[i][GRID_STEP], zero);
-            v[i][GRID_CELL] = v[i][GRID_CELL] + step;
-            v[i][GRID_PLANE] = v[i][GRID_PLANE] + step;
-        }
-    }
-    for (int i = 0; i < 3; i++) {
-        vstore(column[i][GRID_CELL], v[i][GRID_CELL]);
-        for (int k = 0; k < LANES; k++)
-            w[k].at[i] = (int)column[i][GRID_CELL][k];
-    }
+    x->back = vlt(d, vset(0));
+    x->a = (vset(grid->corner[i]) - o) * inverse;
+    x->b = vset(grid->edge) * inverse;
+    x->base = (p->eo + round) * over + UNIT;
+    x->slope = (p->ed + 4 * EPS) * over;
+    x->step = vsel(x->back, vset(-1), vset(1));
+    x->last = vset((double)grid->from->size[i] - 1);
+    x->stride = x->step * stride;
+    return moves;
 }
 
-/* The rest of its way. */
-static void finish_walk(struct cell_walk *w)
+/* The cell along an axis of a place within e, see find_cell. */
+LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
-    for (int i = 0; i < 3; i++)
-        find_next(w, i);
-    while (step_cell(w)) {
+    vd at = (place - vset(grid->corner[i])) * (1 / grid->edge), more = e * (1 / grid->edge) + vabs(at) * SURE_2(49);
+    vd low = vfloor(at - more), high = vfloor(at + more);
+
+    x->cell = low;
+    return mand(mand(vle(low, high), vle(high, low)), mand(vle(vset(0), low), vle(high, x->last)));
+}
+
+/* Where rays enter and leave the grid's box, see enter_grid. */
+struct grid_entry {
+    vd in, ein;
+    vm inside, first, second; /* along which axis they enter, those outside */
+};
+
+/* Lanes that surely enter. */
+LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entry *to)
+{
+    vd out = vset(NEVER), eout = vset(0), in[3];
+    vm passed = mnone();
+
+    to->ein = vset(0);
+    for (int i = 0; i < 3; i++) {
+        struct grid_axis *x = &g->axis[i];
+        vd most = x->last + 1, t1 = x->a + vsel(x->back, vset(0), most) * x->b, e1 = x->base + vabs(t1) * x->slope;
+        in[i] = x->a + vsel(x->back, most, vset(0)) * x->b;
+        to->ein = vmax(to->ein, x->base + vabs(in[i]) * x->slope);
+        out = vmin(out, t1);
+        eout = vmax(eout, e1);
+        passed = mor(passed, vlt(t1 + e1, vset(0)));
     }
+    to->in = vmax(vmax(in[0], in[1]), in[2]);
+    to->first = vle(to->in, in[0]);
+    to->second = mand(mnot(to->first), vle(to->in, in[1]));
+    to->inside = vlt(to->in, vset(0));
+    vd early = to->in - to->ein;
+    lanes = mand(lanes, mnot(mor(passed, mor(vlt(out + eout, early), vlt(limit, early)))));
+    vm clear = mand(vlt(to->in + to->ein, out - eout), vlt(to->ein, vabs(to->in)));
+    g->alone = mor(g->alone, mand(lanes, mnot(clear)));
+    g->off = vset(0);
+    for (int i = 0; i < 3; i++)
+        g->off = vmax(g->off, g->axis[i].base + g->axis[i].slope * (out + eout));
+    return mand(lanes, clear);
+}
+
+/* What is in cells, a byte for each lane. */
+LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
+{
+    const uint8_t *cells = g->grid->from->cells;
+    int64_t at[LANES];
+    vi bits = as_integers(index + vset(4503599627370496.0)); /* 2^52: the integer is in the low bits */
+    uint64_t content = 0;
+
+    __builtin_memcpy(at, &bits, sizeof at);
+    for (int k = 0; k < LANES; k++)
+        content |= (uint64_t)cells[(uint32_t)at[k]] << 8 * k;
+    return content;
+}
+
+LANE_OP uint64_t bytes_of_lanes(unsigned lanes)
+{
+    uint64_t bytes = 0;
+
+    for (int k = 0; k < LANES; k++)
+        bytes |= (uint64_t)(lanes >> k & 1 ? 255 : 0) << 8 * k;
+    return bytes;
+}
+
+/* Lanes of which the byte is not 0. */
+LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
+{
+    unsigned lanes = 0;
+
+    for (int k = 0; k < LANES; k++)
+        lanes |= (unsigned)((bytes >> 8 * k & 255) != 0) << k;
+    return lanes;
+}
+
+/* A ray that passes a plane at t into something else; nearer than it is off, that may be behind the origin. */
+LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
+{
+    vm ahead = mand(lanes, vlt(e, t)), near = mand(lanes, mnot(vlt(e, t)));
+
+    g->sure = mor(g->sure, ahead);
+    g->may = mor(g->may, near);
+    g->t = vsel(ahead, t, vsel(near, vset(0), g->t));
+    g->e = vsel(lanes, e, g->e);
+    g->element = vsel(lanes, element, g->element);
+}
+
+/* The first cells, and what is hit where rays enter. */
+LANE_OP void start_grids(struct grid_walk *g, const struct pack *p, vm lanes, const struct grid_entry *entry)
+{
+    const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
+    const vm enters[3] = {mand(entry->first, mnot(entry->inside)), mand(entry->second, mnot(entry->inside)),
+                          mnot(mor(entry->inside, mor(entry->first, entry->second)))};
+    vd at = vsel(entry->inside, vset(0), entry->in), slack = vsel(entry->inside, vset(0), entry->ein);
+    vm clear = lanes;
+
+    g->index = vset(0);
+    for (int i = 0; i < 3; i++) {
+        struct grid_axis *x = &g->axis[i];
+        vd off = p->eo + at * p->ed + slack + (vabs(o[i]) + at) * (8 * EPS) + 2 * UNIT;
+        clear = mand(clear, mor(enters[i], grid_cell(x, g->grid, i, o[i] + at * d[i], off)));
+        x->cell = vsel(enters[i], vsel(x->back, x->last, vset(0)), x->cell);
+        x->plane = x->cell + vsel(x->back, vset(0), vset(1));
+        x->end = vsel(x->back, vset(0), x->last + 1);
+        g->index = g->index + x->cell * (x->stride * x->step);
+    }
+    g->alone = mor(g->alone, mand(lanes, mnot(clear)));
+    g->index = vsel(clear, g->index, vset(0));
+    g->here = grid_contents(g, g->index);
+    vm hit = mand(mof(lanes_of_bytes(g->here)), mand(clear, mnot(entry->inside)));
+    vm back =
+        mor(mor(mand(enters[0], g->axis[0].back), mand(enters[1], g->axis[1].back)), mand(enters[2], g->axis[2].back));
+    vd side = of_axis(entry->first, entry->second, vset(0), vset(2), vset(4)) + vsel(back, vset(1), vset(0));
+    grid_hit(g, hit, entry->in, entry->ein, 6 * g->index + side);
+    g->walking = mand(clear, mnot(hit));
+    g->started = g->walking;
+    g->live = bytes_of_lanes(mbits(g->walking));
+}
+
+/* A step of each ray: the plane that is next, and the cell behind it. */
+struct grid_step {
+    vm first, second; /* which axis */
+    vd at, from, to;  /* when; the cells' places in memory */
+    vm open, over, out;
+    uint64_t differs; /* a byte for each lane: what is in the cell there, but not in this one */
+};
+
+/* Those that see something else, or are out. */
+static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struct grid_step *s)
+{
+    struct grid_axis *x = g->axis;
+    unsigned here = lanes_of_bytes(g->here), went = mbits(g->walking) & ~mbits(mor(mor(s->open, s->over), s->out));
+    unsigned other = lanes_of_bytes(s->differs) & went, into = other & lanes_of_bytes(g->here ^ s->differs);
+    unsigned outside = mbits(s->out) & mbits(g->walking) & ~mbits(mor(s->open, s->over)),
+             hit = other | (outside & here);
+
+    g->alone = mor(g->alone, mand(s->open, g->walking));
+    g->walking = mof(went & ~other);
+    g->live = bytes_of_lanes(went & ~other);
+    if (!hit)
+        return;
+    vd e = of_axis(s->first, s->second, x[0].base, x[1].base, x[2].base) +
+           vabs(s->at) * of_axis(s->first, s->second, x[0].slope, x[1].slope, x[2].slope);
+    vm back = mor(mor(mand(s->first, x[0].back), mand(s->second, x[1].back)),
+                  mand(mnot(mor(s->first, s->second)), x[2].back));
+    unsigned far = (into & mbits(back)) | (~into & ~mbits(back)); /* which of the cell's two faces across the axis */
+    vd side = of_axis(s->first, s->second, vset(0), vset(2), vset(4)) +
+              vsel(mof(far & ((1u << LANES) - 1)), vset(1), vset(0));
+    grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
+}
+
+/* The times of the next planes in their order: m, then `after`. Where they are no more than 2 off apart, which comes
+ * first is open. What rays see in cells does not say where they go: so that is looked at afterwards, and only then
+ * do some end. */
+LANE_OP void step_grids(struct grid_walk *g, vd limit)
+{
+    struct grid_axis *x = g->axis;
+    struct grid_step s;
+    vd t[3];
+
+    for (int i = 0; i < 3; i++)
+        t[i] = x[i].a + x[i].plane * x[i].b;
+    vd less = vmin(t[0], t[1]), more = vmax(t[0], t[1]), m = vmin(less, t[2]), after = vmax(less, vmin(more, t[2]));
+    s.at = m;
+    s.first = vle(t[0], m);
+    s.second = mand(mnot(s.first), vle(t[1], m));
+    vm third = mnot(mor(s.first, s.second));
+    s.open = vle(after - m, 2 * g->off);
+    s.over = mand(mnot(s.open), vlt(limit, m - g->off));
+    vd plane = of_axis(s.first, s.second, x[0].plane, x[1].plane, x[2].plane);
+    vd end = of_axis(s.first, s.second, x[0].end, x[1].end, x[2].end);
+    s.out = mand(vle(plane, end), vle(end, plane));
+    vm go = mand(g->walking, mnot(mor(mor(s.open, s.over), s.out)));
+    s.from = g->index;
+    s.to = g->index + of_axis(s.first, s.second, x[0].stride, x[1].stride, x[2].stride);
+    g->index = vsel(go, s.to, g->index);
+    s.differs = (grid_contents(g, vsel(go, s.to, vset(0))) ^ g->here);
+    x[0].plane = vsel(mand(s.first, go), x[0].plane + x[0].step, x[0].plane);
+    x[1].plane = vsel(mand(s.second, go), x[1].plane + x[1].step, x[1].plane);
+    x[2].plane = vsel(mand(third, go), x[2].plane + x[2].step, x[2].plane);
+    if (mbits(go) != mbits(g->walking) || s.differs & g->live)
+        end_grids(g, &s);
+}
+
+/* One lane by itself. */
+static void walk_alone(struct grid_walk *g, const struct query *q, int k)
+{
+    const struct pack *p = q->p;
+    const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
+    struct cell_walk w = {
+        .grid = g->grid, .eo = lane_of(p->eo, k), .ed = lane_of(p->ed, k), .limit = lane_of(q->limit, k)};
+    bool started = mbits(g->started) >> k & 1;
+    double found[3][LANES];
+
+    for (int i = 0; i < 3; i++) {
+        w.o[i] = lane_of(o[i], k);
+        w.d[i] = lane_of(d[i], k);
+    }
+    for (int i = 0; i < 3 && started; i++) {
+        (void)set_axis(&w, i);
+        w.at[i] = (int)lane_of(g->axis[i].plane, k) - (w.d[i] < 0 ? 0 : 1);
+    }
+    if (started || start_walk(&w)) {
+        w.here = cell_at(&w, w.at);
+        finish_walk(&w);
+    }
+    g->sure = mor(g->sure, mof((unsigned)w.sure << k));
+    g->may = mor(g->may, mof((unsigned)w.may << k));
+    vstore(found[0], g->t);
+    vstore(found[1], g->e);
+    vstore(found[2], g->element);
+    found[0][k] = w.t;
+    found[1][k] = w.e;
+    found[2][k] = w.element;
+    g->t = vload(found[0]);
+    g->e = vload(found[1]);
+    g->element = vload(found[2]);
 }
 
 static __attribute__((noinline)) void meet_grid(struct query *q, const struct sure_grid *grid)
 {
     const struct pack *p = q->p;
-    const vd from[9] = {p->o.x, p->o.y, p->o.z, p->d.x, p->d.y, p->d.z, p->eo, p->ed, q->limit};
-    double t[LANES], e[LANES], element[LANES], lanes[9][LANES];
-    unsigned active = mbits(q->active), walking = 0, sure = 0, may = 0;
-    struct cell_walk w[LANES];
+    const struct tia_grid *from = grid->from;
+    const double stride[3] = {1, from->size[0], (double)from->size[0] * from->size[1]};
+    struct grid_entry entry;
+    struct grid_walk g;
+    vm moves = q->active;
 
-    for (int i = 0; i < 9; i++)
-        vstore(lanes[i], from[i]);
-    for (int k = 0; k < LANES; k++) {
-        w[k] = (struct cell_walk){.grid = grid, .eo = lanes[6][k], .ed = lanes[7][k], .limit = lanes[8][k]};
-        for (int i = 0; i < 3; i++) {
-            w[k].o[i] = lanes[i][k];
-            w[k].d[i] = lanes[3 + i][k];
-        }
-        if (active >> k & 1 && start_walk(&w[k])) {
-            w[k].here = cell_at(&w[k], w[k].at);
-            walking |= 1u << k;
-        }
+    g.grid = grid;
+    g.sure = g.may = g.started = mnone();
+    g.t = g.e = g.element = vset(0);
+    for (int i = 0; i < 3; i++)
+        moves = mand(moves, set_grid_axis(&g.axis[i], p, grid, i, stride[i]));
+    g.alone = mand(q->active, mnot(moves));
+    vm enter = enter_grids(&g, moves, q->limit, &entry);
+    if (many(enter)) {
+        start_grids(&g, p, enter, &entry);
+        while (many(g.walking))
+            step_grids(&g, q->limit);
     }
-    if (walking)
-        walk_together(w, walking);
-    for (int k = 0; k < LANES; k++) {
-        if (walking >> k & 1)
-            finish_walk(&w[k]);
-        sure |= (unsigned)w[k].sure << k;
-        may |= (unsigned)w[k].may << k;
-        t[k] = w[k].t;
-        e[k] = w[k].e;
-        element[k] = w[k].element;
-    }
-    vd at = vload(t), off = vload(e), bound = off + p->eo + at * p->ed + UNIT;
-    report(
-        q,
-        (struct report){
-            .sure = mof(sure), .may = mof(may), .t = at, .e = off, .ep = bound, .low = at, .element = vload(element)});
+    for (int k = 0; mbits(g.alone) >> k; k++)
+        if (mbits(g.alone) >> k & 1)
+            walk_alone(&g, q, k);
+    vd bound = g.e + p->eo + g.t * p->ed + UNIT;
+    report(q, (struct report){
+                  .sure = g.sure, .may = g.may, .t = g.t, .e = g.e, .ep = bound, .low = g.t, .element = g.element});
 }
 
 #endif

@@ -3,7 +3,7 @@
 #define TIA_LEVELS_RAYS_LIGHT_H
 
 #include "power.h"
-#include "surface.h"
+#include "spread.h"
 
 /* A light as points see it, see struct ray_aim: the axes of a disc that faces the point. */
 struct aim {
@@ -93,8 +93,37 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-static void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h, unsigned i,
-                      const uint8_t class[LANES], struct sample *s)
+/* Which sample of a light the lanes look at, and the class of each one's pixel; of a run each the next sample, and all
+ * are of one pixel. */
+struct picked {
+    unsigned sample;
+    bool run;
+    uint8_t class[LANES];
+};
+
+/* Where the samples lie along the light's axes. */
+LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, vd *x, vd *y)
+{
+    double other[LANES][2];
+    const double *place[LANES];
+
+    if (l->place && pick->run) {
+        *x = vload(&l->place[pick->class[0]][0][pick->sample]);
+        *y = vload(&l->place[pick->class[0]][1][pick->sample]);
+        return;
+    }
+    for (unsigned k = 0; k < LANES; k++) {
+        unsigned i = pick->sample + (pick->run ? k : 0);
+        place[k] = l->place ? &l->place[pick->class[k]][0][i] : other[k];
+        if (!l->place)
+            tia_sure_place(l, i < l->from->samples ? i : 0, pick->class[k], other[k]);
+    }
+    *x = vgather(place, 0);
+    *y = vgather(place, l->place ? SURE_PLACES : 1);
+}
+
+static __attribute__((noinline)) void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h,
+                                                const struct picked *pick, struct sample *s)
 {
     if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
         s->way = s->to = v3_neg(v3_set(l->normal));
@@ -104,15 +133,8 @@ static void sample_of(const struct sure_light *l, const struct aim *a, const str
     s->way = v3_sub(v3_set(l->at), h->point);
     s->ew = h->ep + (v3_sum(s->way) + v3_sum(h->point)) * SURE_2(51);
     if (l->from->kind >= TIA_RECTANGLE_LIGHT) {
-        double place[2][LANES];
-        for (int k = 0; k < LANES; k++) {
-            double other[2], *at = l->place ? l->place[class[k]][i] : other;
-            if (!l->place)
-                tia_sure_place(l, i, class[k], at);
-            place[0][k] = at[0];
-            place[1][k] = at[1];
-        }
-        vd x = vload(place[0]), y = vload(place[1]);
+        vd x, y;
+        find_places(l, pick, &x, &y);
         s->way = v3_add(s->way, v3_add(v3_scale(a->axes[0], x), v3_scale(a->axes[1], y)));
         s->ew = s->ew + (vabs(x) + vabs(y)) * (a->e + SURE_2(50)) + 4 * UNIT +
                 (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * SURE_2(48);
@@ -170,8 +192,9 @@ struct lit {
 };
 
 /* 2^-42 is for the integers' roundings: six of them here, each half of 2^-45, and as many behind. */
-static void add_sample(const struct sure_scene *scene, const struct sure_light *l, const struct shade *h,
-                       const struct sample *s, vm lanes, uint32_t *blocker, struct lit *sum)
+static __attribute__((noinline)) void add_sample(const struct sure_scene *scene, const struct sure_light *l,
+                                                 const struct shade *h, const struct sample *s, vm lanes,
+                                                 uint32_t *blocker, struct lit *sum)
 {
     vd lambert = v3_dot(h->normal, s->to), above = v3_dot(h->geometric, s->to);
     vd el = h->en + s->eto + SURE_2(49), ea = h->eg + s->eto + SURE_2(49), rgb[3], e;
@@ -199,11 +222,79 @@ static void add_sample(const struct sure_scene *scene, const struct sure_light *
     sum->eown = sum->eown + vsel(lit, (e + SURE_2(42)) * (l->brightest * part) + SURE_2(42), vset(0));
 }
 
-static void add_light(const struct sure_scene *s, uint32_t n, const struct shade *h, vm lanes,
+/* A sample of the light for all points, then the next. */
+static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                        const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
+{
+    struct picked pick = {.run = false};
+    struct sample sample;
+
+    for (int k = 0; k < LANES; k++)
+        pick.class[k] = class[k];
+    for (pick.sample = 0; pick.sample < l->from->samples; pick.sample++) {
+        sample_of(l, aim, h, &pick, &sample);
+        find_falloff(l, &sample);
+        add_sample(s, l, h, &sample, lanes, blocker, sum);
+    }
+}
+
+/* All samples of the light for one point: rays from there to a light go the same way through the hierarchy, however far
+ * the points of the packet are apart. */
+static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                      const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
+{
+    unsigned n = l->from->samples;
+    struct picked pick = {.run = true};
+    struct sample sample;
+
+    for (int k = 0; k < LANES; k++)
+        pick.class[k] = class;
+    for (pick.sample = 0; pick.sample < n && !many(sum->unsure); pick.sample += LANES) {
+        unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
+        sample_of(l, aim, h, &pick, &sample);
+        find_falloff(l, &sample);
+        add_sample(s, l, h, &sample, mof(lanes), blocker, sum);
+    }
+}
+
+static void add_points(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                       const struct shade *h, unsigned lanes, const uint8_t class[LANES], uint32_t *blocker,
+                       struct lit *sum)
+{
+    struct lit one;
+    struct shade point;
+    struct aim there;
+
+    for (int k = 0; lanes >> k; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        spread_shade(h, k, &point);
+        there.axes[0] = v3_spread(&aim->axes[0], k);
+        there.axes[1] = v3_spread(&aim->axes[1], k);
+        there.e = vspread(&aim->e, k);
+        one.own[0] = one.own[1] = one.own[2] = one.eown = vset(0);
+        one.unsure = mnone();
+        add_point(s, l, &there, &point, class[k], blocker, &one);
+        for (int c = 0; c < 3; c++)
+            sum->own[c] = gain_lane(sum->own[c], k, one.own[c]);
+        sum->eown = gain_lane(sum->eown, k, one.eown);
+        sum->unsure = mor(sum->unsure, mof((unsigned)many(one.unsure) << k));
+    }
+}
+
+/* Points that are close together share a sample's packet; others have packets of their own, and so have few points of
+ * many: those are fewer packets. */
+LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
+{
+    unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
+
+    return LANES > 1 && l->from->kind >= TIA_RECTANGLE_LIGHT && (apart ? 4 * packets <= 5 * n : 2 * packets <= n);
+}
+
+static void add_light(const struct sure_scene *s, uint32_t n, const struct shade *h, vm lanes, bool apart,
                       const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
     const struct sure_light *l = &s->lights[n];
-    struct sample sample;
     struct aim aim;
 
     if (l->from->kind == TIA_AMBIENT_LIGHT) {
@@ -214,11 +305,11 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     }
     aim_at(l, h, &aim);
     sum->unsure = mor(sum->unsure, mand(aim.unsure, lanes));
-    for (unsigned i = 0; i < l->from->samples; i++) {
-        sample_of(l, &aim, h, i, class, &sample);
-        find_falloff(l, &sample);
-        add_sample(s, l, h, &sample, lanes, blocker, sum);
-    }
+    unsigned left = mbits(mand(lanes, mnot(sum->unsure)));
+    if (each_by_itself(l, left, apart))
+        add_points(s, l, &aim, h, left, class, blocker, sum);
+    else
+        add_samples(s, l, &aim, h, lanes, class, blocker, sum);
 }
 
 #endif

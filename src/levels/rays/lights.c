@@ -71,14 +71,20 @@ void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, doub
     at[1] = r * sine(v);
 }
 
-static void set_places(struct sure_light *l, double (*places)[SURE_PLACES][2])
+/* Those behind the last sample are 0: lanes that are not looked at are read all the same. */
+static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
 {
     l->place = NULL;
     if (!places || l->from->kind < TIA_RECTANGLE_LIGHT || l->from->samples > SURE_PLACES)
         return;
     for (unsigned class = 0; class < 16; class ++)
-        for (unsigned i = 0; i < l->from->samples; i++)
-            tia_sure_place(l, i, class, places[class][i]);
+        for (unsigned i = 0; i < SURE_PLACES; i++) {
+            double at[2] = {0, 0};
+            if (i < l->from->samples)
+                tia_sure_place(l, i, class, at);
+            places[class][0][i] = at[0];
+            places[class][1][i] = at[1];
+        }
     l->place = places;
 }
 

@@ -30,7 +30,7 @@ struct places {
     struct sure_places of;
     struct sure_material *materials;
     struct sure_light *lights;
-    double (*places)[16][SURE_PLACES][2];
+    double (*places)[16][2][SURE_PLACES];
 };
 
 /* Where things move, enough for the hierarchy of any time. */

@@ -114,7 +114,7 @@ struct sure_light {
     double inner, outer;                      /* cosines of a spot light */
     double constant, linear, quadratic, unit; /* of one that fades */
     bool seen;
-    double (*place)[SURE_PLACES][2]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
+    double (*place)[2][SURE_PLACES]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
 };
 
 struct sure_camera {
@@ -130,7 +130,7 @@ struct sure_scene {
     const struct sure_object *object;
     struct sure_material *materials;
     struct sure_light *lights;
-    double (*places)[16][SURE_PLACES][2]; /* of the first SURE_AREAS lights */
+    double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
     double brightest;         /* no ray has a colour above that */

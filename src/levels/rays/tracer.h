@@ -40,13 +40,14 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     const struct sure_scene *s = w->block->scene;
     struct lit lit = {.unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
     uint8_t class[LANES];
+    bool apart = r->depth[__builtin_ctz(*lanes)] && on_several(h, *lanes);
 
     for (int k = 0; k < LANES; k++)
         class[k] = w->class[r->slot[k]];
     for (int c = 0; c < 3; c++)
         lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, vset(0));
     for (uint32_t n = 0; n < s->light_count; n++)
-        add_light(s, n, h, mof(*lanes), class, &w->blocker[n % BLOCKERS], &lit);
+        add_light(s, n, h, mof(*lanes), apart, class, &w->blocker[n % BLOCKERS], &lit);
     drop(lanes, w, lit.unsure, r);
     if (*lanes)
         check_own(&lit);

@@ -129,14 +129,24 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
+/* of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and loaded as a
+ * whole, it would wait for all the stores. */
+#if LANES == 1
+#define EACH_LANE(of) of(0)
+#elif LANES == 2
+#define EACH_LANE(of) of(0), of(1)
+#elif LANES == 4
+#define EACH_LANE(of) of(0), of(1), of(2), of(3)
+#else
+#define EACH_LANE(of) of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)
+#endif
+
 /* Lane k: p[k][i]. */
 LANE_OP vd vgather(const double *const p[LANES], int i)
 {
-    double v[LANES];
-
-    for (int k = 0; k < LANES; k++)
-        v[k] = p[k][i];
-    return vload(v);
+#define GATHERED(k) p[k][i]
+    return (vd){EACH_LANE(GATHERED)};
+#undef GATHERED
 }
 
 LANE_OP struct v3 v3_gather(const double *const p[LANES], int i)

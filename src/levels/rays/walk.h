@@ -267,13 +267,19 @@ struct shadow {
 static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm active, uint32_t *blocker)
 {
     vm fine = pack_start(s->centre, s->extent, &shadow->p, active);
-    struct query q = {.p = &shadow->p, .active = mand(active, fine), .any = true, .blocker = *blocker, .groups = NULL};
+    struct query q; /* field by field: what only the nearest hit has is not used, and it is large */
 
+    q.p = &shadow->p;
+    q.active = mand(active, fine);
+    q.any = true;
+    q.blocker = *blocker;
+    q.groups = NULL;
+    q.group = 0;
     q.distance = shadow->distance;
     q.edistance = shadow->edistance;
     q.limit = q.distance + q.edistance;
     q.blocked = q.maybe = q.met = q.may_meet = mnone();
-    q.t = q.e = q.ep = q.low = q.id = q.element = q.ethrough = vset(0);
+    q.ethrough = vset(0);
     for (int c = 0; c < 3; c++)
         q.through[c] = vset(1);
     if (*blocker != TIA_NO_OBJECT)
