@@ -174,4 +174,4 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
 }
 
 const struct level_renderer tia_level_spans = {tia_level_pairs_size, tia_level_draws, NULL, tia_level_prepare,
-                                               tia_level_light};
+                                               tia_level_light,       NULL};
