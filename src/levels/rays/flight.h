@@ -6,7 +6,7 @@
 #include "scatter.h"
 #include "tracer.h"
 
-#define FLIGHT_COLUMNS 14
+#define FLIGHT_COLUMNS 17
 
 /* A ray that waits. */
 struct waiter {
@@ -42,7 +42,8 @@ LANE_OP vd *flight_column(struct paths *p, int i)
     vd *const column[FLIGHT_COLUMNS] = {&ray->o.x,       &ray->o.y,       &ray->o.z,       &ray->d.x, &ray->d.y,
                                         &ray->d.z,       &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],
                                         &ray->eo,        &ray->ed,        &p->r.ew,        &p->density.v,
-                                        &p->density.e};
+                                        &p->density.e,   &ray->from.object, &ray->from.element,
+                                        &ray->from.inside};
 
     return column[i];
 }
@@ -117,7 +118,6 @@ static unsigned flight_pop(struct flight *f, struct paths *p)
     }
     for (int i = 0; i < FLIGHT_COLUMNS; i++)
         *flight_column(p, i) = vload(number[i]);
-    p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
     return (1u << taken) - 1;
 }
 
@@ -132,13 +132,40 @@ LANE_OP void quad_of_paths(const struct flight *f, const uint32_t slot[LANES], c
     quad_numbers(vu_load(seed), vu_load(index), vu_load(quad), u);
 }
 
-/* Through the first rays of up to LANES samples from number `from` on; the lanes. */
+/* First rays, by the integers: their window has 2^-45 as unit too, and is small, so that a bound on how they round it
+ * would be the largest one of all. */
+static void first_paths(const struct flight *f, struct paths *p, const vu u[2])
+{
+    const struct sure_gather *g = f->gather;
+    double o[3][LANES], d[3][LANES];
+    uint32_t numbers[2][LANES];
+
+    vu_store(numbers[0], u[0]);
+    vu_store(numbers[1], u[1]);
+    for (int k = 0; k < LANES; k++) {
+        const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
+        double origin[3], direction[3];
+        struct ray ray;
+        ray_camera_ray_within(&g->scene->view->camera, g->x[p->r.slot[k]], g->y[p->r.slot[k]], pair, &ray);
+        sure_point(origin, ray.origin);
+        sure_dir(direction, ray.direction);
+        for (int i = 0; i < 3; i++) {
+            o[i][k] = origin[i];
+            d[i][k] = direction[i];
+        }
+    }
+    p->r.p.o = (struct v3){vload(o[0]), vload(o[1]), vload(o[2])};
+    p->r.p.d = (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
+    p->r.p.eo = v3_sum(p->r.p.o) * SURE_2(53);
+    p->r.p.ed = vset(SURE_2(52));
+    p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
+}
+
+/* Starts up to LANES samples, from number `from` on; the lanes. */
 static unsigned flight_start(struct flight *f, int from, struct paths *p, vu u[4])
 {
     const struct sure_gather *g = f->gather;
-    const struct sure_camera *c = &g->scene->camera;
     uint32_t quad[LANES];
-    double x[LANES], y[LANES], u0[LANES], u1[LANES];
     unsigned lanes = 0;
 
     for (int k = 0; k < LANES; k++) {
@@ -148,13 +175,7 @@ static unsigned flight_start(struct flight *f, int from, struct paths *p, vu u[4
         lanes |= (unsigned)(from + k < g->count) << k;
     }
     quad_of_paths(f, p->r.slot, quad, u);
-    vstore(u0, vu_unit(u[0]));
-    vstore(u1, vu_unit(u[1]));
-    for (int k = 0; k < LANES; k++) {
-        x[k] = (g->x[p->r.slot[k]] + u0[k]) / c->width;
-        y[k] = (g->y[p->r.slot[k]] + u1[k]) / c->height;
-    }
-    camera_rays(c, x, y, &p->r.p);
+    first_paths(f, p, u);
     p->r.weight[0] = p->r.weight[1] = p->r.weight[2] = vset(1);
     p->r.ew = vset(0);
     p->density = ve_of(vset(0), vset(0));
@@ -208,8 +229,26 @@ static void find_first(const struct sure_scene *s, struct query *q, struct pack 
     q->t = vsel(wild, vset(0), q->t);
 }
 
-/* Whether anything stands before the ray's end: objects, whatever they let through, and lights with a surface. */
-static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsigned lanes, bool lights,
+/* Light number n, in the lanes of rays that do not end there. */
+LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint32_t ends[LANES], struct query *q)
+{
+    unsigned here = 0;
+
+    for (int k = 0; k < LANES; k++)
+        here |= (unsigned)(ends[k] == n) << k;
+    vm mine = mand(q->active, mof(here));
+    q->active = mand(q->active, mnot(mof(here)));
+    q->object = LIGHT_ID + n;
+    if (many(q->active))
+        meet_light(&s->lights[n], q);
+    q->active = mor(q->active, mine);
+}
+
+/* Whether anything stands before the ray's end: objects, whatever they let through, and lights with a surface; `ends`
+ * NULL: no lights, or the one that each ray ends at, 2^-26 before it along its normal. That one is not in the way: the
+ * integers' ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43 of its radius, wherever it
+ * starts; while our bound on the place is as large as that on the start. */
+static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsigned lanes, const uint32_t *ends,
                         uint32_t *blocker)
 {
     vm active = mof(lanes), fine = pack_start(s->centre, s->extent, &shadow->p, active);
@@ -223,11 +262,9 @@ static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsig
     q.t = q.e = q.ep = q.low = q.id = q.element = q.ethrough = vset(0);
     for (int c = 0; c < 3; c++)
         q.through[c] = vset(1);
-    for (uint32_t n = 0; lights && n < s->light_count; n++) {
-        q.object = LIGHT_ID + n;
+    for (uint32_t n = 0; ends && n < s->light_count; n++)
         if (s->lights[n].seen && (PATH_SURFACES >> s->lights[n].from->kind & 1))
-            meet_light(&s->lights[n], &q);
-    }
+            meet_other_light(s, n, ends, &q);
     if (*blocker != TIA_NO_OBJECT && many(q.active))
         meet_one(s, *blocker, &q);
     if (many(q.active))

@@ -75,6 +75,7 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
     next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * SURE_2(51);
     next->r.p.d = p->r.p.d;
     next->r.p.ed = p->r.p.ed;
+    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, SURE_2(6));
     next->specular = lanes;
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];
@@ -113,6 +114,7 @@ static void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
         next.r.p.eo = h->eoutside;
         next.r.p.d = l->mirrored;
         next.r.p.ed = l->emirrored;
+        next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
         go_on(f, lanes & reflected, p, &next, p->r.media);
     }
     lanes &= ~reflected;
@@ -120,6 +122,7 @@ static void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
         next.r.p.o = off_surface(s, h, -s->bias, &next.r.p.eo);
         next.r.p.d = r.to;
         next.r.p.ed = r.eto;
+        next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, -1, 0);
         go_on(f, lanes, p, &next, r.media);
     }
 }

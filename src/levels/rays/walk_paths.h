@@ -238,7 +238,7 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
                                 const struct lobes *l, vu choice, const vu u[2])
 {
     const struct sure_scene *s = f->gather->scene;
-    uint32_t which[LANES];
+    uint32_t which[LANES], ends[LANES];
     unsigned rough = 0, surface;
     struct sight a;
     struct response r;
@@ -267,10 +267,12 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     shadow.p.eo = h->eoutside;
     shadow.p.d = a.to;
     shadow.p.ed = a.eto;
-    shadow.p.from = (struct origin){vset(-1), vset(0), vset(0)};
+    shadow.p.from = leaving(h, a.to, a.eto, 1, 0);
     shadow.distance = a.distance;
     shadow.edistance = a.edistance;
-    find_hidden(s, &shadow, rough, true, &f->blocker);
+    for (int k = 0; k < LANES; k++)
+        ends[k] = s->paths->emitters[which[k]].light;
+    find_hidden(s, &shadow, rough, ends, &f->blocker);
     unsure = rough & mbits(shadow.unsure);
     doubt(f, unsure, p->r.slot);
     lanes &= ~unsure;
@@ -318,6 +320,7 @@ static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, cons
         next.r.weight[c] = p->r.weight[c] * vsel(m, r.rgb[c] * inverse, h->colour[c]);
     next.r.ew = p->r.ew * (factor + efactor) + most * efactor + UNIT + most * factor * SURE_2(51);
     next.density = r.density;
+    next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.r.p.o = h->outside;
     next.r.p.eo = h->eoutside;
     next.specular = 0;
@@ -335,6 +338,7 @@ static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *
     next.r.p.eo = h->eoutside;
     next.r.p.d = l->mirrored;
     next.r.p.ed = l->emirrored;
+    next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.specular = lanes;
     go_on(f, lanes, p, &next, p->r.media);
 }
@@ -458,7 +462,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     shadow.p.o = h.outside;
     shadow.p.eo = h.eoutside;
     shadow.p.d = around(h.normal, h.en, h.exact, cosine_direction(u[2], u[3]), vset(SURE_LOCAL), &shadow.p.ed, &unsure);
-    shadow.p.from = (struct origin){vset(-1), vset(0), vset(0)};
+    shadow.p.from = leaving(&h, shadow.p.d, shadow.p.ed, 1, 0);
     shadow.distance = vset(s->paths->reach);
     shadow.edistance = vset(0);
     vd above = v3_dot(shadow.p.d, h.geometric), e = shadow.p.ed + h.eg + SURE_2(49);
@@ -466,7 +470,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     unsigned below = lanes & mbits(vlt(above, vset(0))), open = lanes & ~below;
     shadow.blocked = shadow.unsure = mnone();
     if (open)
-        find_hidden(s, &shadow, open, false, &f->blocker);
+        find_hidden(s, &shadow, open, NULL, &f->blocker);
     doubt(f, open & mbits(shadow.unsure), p->r.slot);
     below |= open & mbits(shadow.blocked);
     for (int k = 0; below >> k; k++)
