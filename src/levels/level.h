@@ -21,7 +21,7 @@ extern const struct level_renderer tia_level_spans, tia_level_rays, tia_level_sa
 #define LEVEL(level, runs)                                                                                             \
     extern const struct tia_level tia_level_##level;                                                                   \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct tia_level tia_level_##level = {                                                               \
+    const struct tia_level tia_level_##level = {                                                                       \
         #level,   &span_kernels_plain, {&tia_level_spans, &tia_level_rays, &tia_level_samples},                        \
         &kernels, &tia_sure_##level,   runs}
 

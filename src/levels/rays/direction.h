@@ -71,8 +71,8 @@ LANE_OP struct v3 cosine_direction(vu u0, vu u1)
 }
 
 /* A direction around z, around another axis, as trace/around.c, where that is within e: and within *ed then. With k =
- * 1/(1 + |z|) and x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1: x^2 k changes by (2 |x| k + x^2 k^2) e <= 3 e, x y k by 2 e,
- * so either tangent by sqrt(9 + 4 + 1) e, and the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 a
+ * 1/(1 + |z|) and x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1: x^2 k changes by (2 |x| k + x^2 k^2) e <= 3 e, x y k by 2
+ * e, so either tangent by sqrt(9 + 4 + 1) e, and the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 a
  * coordinate. The tangents jump where z changes its sign; `exact` says that it has the integers' one all the same. */
 LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal, vd *ed, vm *unsure)
 {

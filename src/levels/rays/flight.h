@@ -39,11 +39,10 @@ struct paths {
 LANE_OP vd *flight_column(struct paths *p, int i)
 {
     struct pack *ray = &p->r.p;
-    vd *const column[FLIGHT_COLUMNS] = {&ray->o.x,       &ray->o.y,       &ray->o.z,       &ray->d.x, &ray->d.y,
-                                        &ray->d.z,       &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],
-                                        &ray->eo,        &ray->ed,        &p->r.ew,        &p->density.v,
-                                        &p->density.e,   &ray->from.object, &ray->from.element,
-                                        &ray->from.inside};
+    vd *const column[FLIGHT_COLUMNS] = {
+        &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,        &ray->d.z,
+        &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,         &p->r.ew,
+        &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.inside};
 
     return column[i];
 }
@@ -252,8 +251,14 @@ static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsig
                         uint32_t *blocker)
 {
     vm active = mof(lanes), fine = pack_start(s->centre, s->extent, &shadow->p, active);
-    struct query q = {.p = &shadow->p, .active = mand(active, fine), .any = true, .solid = true, .opaque = true,
-                      .blocker = *blocker, .index = *blocker, .groups = NULL};
+    struct query q = {.p = &shadow->p,
+                      .active = mand(active, fine),
+                      .any = true,
+                      .solid = true,
+                      .opaque = true,
+                      .blocker = *blocker,
+                      .index = *blocker,
+                      .groups = NULL};
 
     q.distance = shadow->distance;
     q.edistance = shadow->edistance;

@@ -54,10 +54,8 @@ static void find_places(const struct tia_view *view, struct places *p)
 /* Chances as scatter.c finds them of a material's own colours, however its surface lies. */
 static void set_lobes(struct sure_lobes *to, const struct tia_material *m)
 {
-    struct shading s = {.material = m,
-                        .normal = {0, 0, NUM_UNIT_ONE},
-                        .viewer = {0, 0, NUM_UNIT_ONE},
-                        .facing = NUM_UNIT_ONE};
+    struct shading s = {
+        .material = m, .normal = {0, 0, NUM_UNIT_ONE}, .viewer = {0, 0, NUM_UNIT_ONE}, .facing = NUM_UNIT_ONE};
     struct scatter scatter;
 
     ray_rgb(&m->colour, s.colour);

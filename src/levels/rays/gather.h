@@ -38,7 +38,7 @@ struct sure_paths {
     double one_of, reach; /* of occlusion: up to where objects count */
 };
 
-#define SURE_GATHERED 256
+#define SURE_GATHERED 128
 
 /* Some samples of some pixels. */
 struct sure_gather {

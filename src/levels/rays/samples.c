@@ -1,4 +1,5 @@
-/* samples.c - pixels of samples: blocks of them go to a level's kernels, and those that are not sure to the integers. */
+/* samples.c - pixels of samples: blocks of them go to a level's kernels, and those that are not sure to the integers.
+ */
 #include "gather.h"
 #include "levels/level.h"
 #include "render/path/path.h"
@@ -153,5 +154,5 @@ static bool draws(const struct tia_view *view)
     return view->scene->bvh && !view->scene->integration.without;
 }
 
-const struct level_renderer tia_level_samples = {tia_gather_size, draws, tia_gather_prepare, tia_gather_set_lights,
-                                                 light,           sample};
+const struct level_renderer tia_level_samples = {tia_gather_size,       draws, tia_gather_prepare,
+                                                 tia_gather_set_lights, light, sample};

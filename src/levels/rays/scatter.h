@@ -9,20 +9,66 @@ enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
 
 struct lobes {
     const struct sure_lobes *of[LANES]; /* of lanes that are none, those of any other */
+    struct sure_lobes mine[LANES];      /* of textures beside other lobes: their chances change from texel to texel */
     vd chance[4];
     unsigned glossy; /* lanes with a glossy lobe */
     struct v3 mirrored;
     vd emirrored;
 };
 
+/* Chances of a material with parts `part`, the last one within e, cut to 32 bits as the integers do. Not known where
+ * the bound leaves several. */
+static void cut_chances(const double part[4], double e, struct sure_lobes *to)
+{
+    double sum = part[0] + part[1] + part[2] + part[3], before = 0;
+    uint32_t last = 0;
+
+    to->known = part[3] > 16 * e;
+    for (int i = 0; i < 3; i++) {
+        before += part[i];
+        double share = before / sum, error = share * (e / sum * 1.125 + SURE_2(50));
+        double low = (share - error) * 4294967296.0, high = (share + error) * 4294967296.0;
+        to->known = to->known && high < 4294967295.0 && (before == 0 || (uint32_t)low == (uint32_t)high);
+        to->below[i] = to->known && before > 0 ? (uint32_t)low : 0;
+        to->chance[i] = (to->below[i] - last) * SURE_2(32);
+        last = to->below[i];
+    }
+    to->chance[CHANCE_DIFFUSE] = 1 - last * SURE_2(32);
+}
+
+static void cut_textured(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
+{
+    double part[4][LANES], e[LANES];
+
+    vstore(part[0], most3(h->mirror));
+    vstore(part[1], most3(h->refraction));
+    vstore(part[2], most3(h->specular));
+    vstore(part[3], most3(h->colour));
+    vstore(e, h->ecolour + UNIT);
+    for (int k = 0; k < LANES; k++) {
+        const double mine[4] = {part[0][k], part[1][k], part[2][k], part[3][k]};
+        if (!(lanes >> k & 1) || paths->lobes[h->material[k]].known)
+            continue;
+        l->mine[k] = paths->lobes[h->material[k]];
+        cut_chances(mine, e[k], &l->mine[k]);
+        l->of[k] = &l->mine[k];
+    }
+}
+
 LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
 {
     uint32_t first = h->material[__builtin_ctz(lanes)];
     double chance[4][LANES];
+    bool known = true;
 
     l->glossy = 0;
     for (int k = 0; k < LANES; k++) {
         l->of[k] = &paths->lobes[lanes >> k & 1 ? h->material[k] : first];
+        known = known && l->of[k]->known;
+    }
+    if (!known)
+        cut_textured(paths, h, lanes, l);
+    for (int k = 0; k < LANES; k++) {
         for (int i = 0; i < 4; i++)
             chance[i][k] = l->of[k]->chance[i];
         l->glossy |= (unsigned)(chance[CHANCE_GLOSSY][k] > 0) << k & lanes;

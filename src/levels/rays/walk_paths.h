@@ -96,7 +96,7 @@ static unsigned add_far_ends(struct flight *f, unsigned lanes, const struct path
 
 /* What surfaces send by themselves. Emitting spheres of the scene are looked for as well. */
 static void add_glow(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
-                         const struct lobes *l)
+                     const struct lobes *l)
 {
     const struct sure_scene *s = f->gather->scene;
     double glow[LANES];
@@ -204,8 +204,8 @@ static void find_sights(const struct sure_scene *s, unsigned lanes, const uint32
         if (left != lanes)
             merge_sights(mof(same), &one, a);
         for (int c = 0; c < 3; c++)
-            radiance[c] = left == lanes ? vset(e->shine->radiance[c])
-                                        : vsel(mof(same), vset(e->shine->radiance[c]), radiance[c]);
+            radiance[c] =
+                left == lanes ? vset(e->shine->radiance[c]) : vsel(mof(same), vset(e->shine->radiance[c]), radiance[c]);
         if (e->light == TIA_NO_OBJECT || s->lights[e->light].from->kind >= TIA_RECTANGLE_LIGHT)
             *surface |= same;
     }
@@ -312,7 +312,8 @@ static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, cons
     unsigned mixed = 0;
     for (int k = 0; k < LANES; k++)
         mixed |= (unsigned)(l->of[k]->below[2] != 0) << k;
-    vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(SURE_2(40)), r.density.v)));
+    vm m = mof(mixed),
+       fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(SURE_2(40)), r.density.v)));
     vd share = most3(r.rgb) * inverse, eshare = 1.125 * inverse * (r.e + share * r.density.e) + UNIT;
     vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * SURE_2(50), h->ecolour);
     lanes = sure_of(f, lanes, mnot(mand(fine, vlt(factor, vset(4096)))), p->r.slot);
@@ -384,7 +385,30 @@ static unsigned going_on(struct flight *f, unsigned lanes, const struct paths *p
     return lanes & ~(black | unknown);
 }
 
-static void step_paths(struct flight *f, struct paths *p, unsigned lanes, const vu first[4])
+/* The numbers of directions are in the quad before, at the first bounce, and that may come after layers. */
+static void first_directions(const struct flight *f, unsigned lanes, const struct paths *p, vu places[4])
+{
+    uint32_t quad[LANES], now[2][LANES], first[2][LANES];
+    unsigned these = 0;
+    vu u[4];
+
+    for (int k = 0; k < LANES; k++) {
+        these |= (unsigned)(p->r.depth[k] == 0) << k & lanes;
+        quad[k] = ESTIMATE_FIRST_QUAD;
+    }
+    if (!these)
+        return;
+    quad_of_paths(f, p->r.slot, quad, u);
+    for (int i = 0; i < 2; i++) {
+        vu_store(now[i], places[2 + i]);
+        vu_store(first[i], u[2 + i]);
+        for (int k = 0; k < LANES; k++)
+            now[i][k] = these >> k & 1 ? first[i][k] : now[i][k];
+        places[2 + i] = vu_load(now[i]);
+    }
+}
+
+static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 {
     const struct sure_scene *s = f->gather->scene;
     struct query q;
@@ -409,12 +433,13 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes, const 
         return;
     path_quads(f, p, 1, numbers);
     path_quads(f, p, 0, places);
+    first_directions(f, lanes, p, places);
     lanes = survivors(f, lanes, p, numbers[2]);
     if (!lanes)
         return;
     lobes_mirror(&h, &l);
     lanes = look_for_lights(f, lanes, p, &h, &l, numbers[1], places);
-    bounce_paths(f, lanes, p, &h, &l, numbers, first ? first + 2 : places + 2);
+    bounce_paths(f, lanes, p, &h, &l, numbers, places + 2);
 }
 
 static void walk_paths(struct sure_gather *g)
@@ -429,14 +454,14 @@ static void walk_paths(struct sure_gather *g)
     while (!view_stops(view)) {
         if (from < g->count && f.count[fullest(&f)] < LANES) {
             unsigned lanes = flight_start(&f, from, &p, first);
-            step_paths(&f, &p, lanes, first);
+            step_paths(&f, &p, lanes);
             from += LANES;
             continue;
         }
         unsigned lanes = flight_pop(&f, &p);
         if (!lanes)
             return;
-        step_paths(&f, &p, lanes, NULL);
+        step_paths(&f, &p, lanes);
     }
 }
 
