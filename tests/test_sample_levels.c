@@ -15,7 +15,7 @@
 #include "levels/rays/walk_paths.h"
 
 static const struct tia_level *level;
-static unsigned random_scenes = 12;
+static unsigned random_scenes = 80;
 
 /* The level with its kernels behind ours, which count: one that left all to the integers would be found out. */
 static const struct sure_kernels *kernels;
