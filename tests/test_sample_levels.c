@@ -160,13 +160,17 @@ static void bound_random(const struct tia_scene *scene, unsigned number)
     check_bounds(scene);
 }
 
-/* One material in three shines; other integrators in turn. */
+/* One material in three shines; other integrators in turn; points of light are large, so that rays meet them. */
 static void make_samples(struct corpus_rays *c, unsigned i)
 {
     struct tia_material *m = (struct tia_material *)(uintptr_t)c->scene.materials;
+    struct tia_light *lights = (struct tia_light *)(uintptr_t)c->scene.lights;
 
     c->scene.integration = (struct tia_integration){
         .integrator = i % 3 ? TIA_PATHS : TIA_OCCLUSION, .seed = i, .distance = i % 2 ? TIA_Q16(3) : 0};
+    for (uint32_t k = 0; k < c->scene.light_count; k++)
+        if (lights[k].kind == TIA_POINT_LIGHT)
+            lights[k].radius = TIA_Q16(1);
     for (uint32_t k = i % 3; k < c->scene.material_count; k += 3) {
         m[k].emission = (struct tia_rgb){TIA_Q30(0.5), TIA_Q30(0.25), TIA_Q30(0.75)};
         m[k].emission_bits = (uint8_t)(k % 5);
