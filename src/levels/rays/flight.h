@@ -74,7 +74,8 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
             continue;
         uint32_t slot = next->r.slot[k];
         struct waiter *to = &f->ray[slot];
-        unsigned octant = (number[3][k] < 0) | (number[4][k] < 0) << 1 | (number[5][k] < 0) << 2;
+        unsigned octant =
+            (unsigned)(number[3][k] < 0) | (unsigned)(number[4][k] < 0) << 1 | (unsigned)(number[5][k] < 0) << 2;
         for (int i = 0; i < FLIGHT_COLUMNS; i++)
             to->number[i] = number[i][k];
         to->bounce = next->r.depth[k];
