@@ -191,7 +191,7 @@ TEST(lights_move)
 
 static void run_all(const struct tia_level *tested)
 {
-    const struct sure_kernels counting = {count};
+    const struct sure_kernels counting = {.trace = count};
     struct tia_level mine = *tested;
     char title[80];
 

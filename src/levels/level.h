@@ -15,13 +15,14 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
 void tia_level_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                            const struct tia_options *options);
 
-extern const struct level_renderer tia_level_spans, tia_level_rays;
+extern const struct level_renderer tia_level_spans, tia_level_rays, tia_level_samples;
 
 /* `runs`: the rasteriser's, or NULL. */
 #define LEVEL(level, runs)                                                                                             \
     extern const struct tia_level tia_level_##level;                                                                   \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct tia_level tia_level_##level = {#level,   &span_kernels_plain, {&tia_level_spans, &tia_level_rays},    \
-                                                &kernels, &tia_sure_##level,   runs}
+    const struct tia_level tia_level_##level = {                                                                       \
+        #level,   &span_kernels_plain, {&tia_level_spans, &tia_level_rays, &tia_level_samples},                        \
+        &kernels, &tia_sure_##level,   runs}
 
 #endif

@@ -173,5 +173,5 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
         kernels->settle();
 }
 
-const struct level_renderer tia_level_spans = {tia_level_pairs_size, tia_level_draws, NULL, tia_level_prepare,
-                                               tia_level_light};
+const struct level_renderer tia_level_spans = {tia_level_pairs_size, tia_level_draws, NULL,
+                                               tia_level_prepare,    tia_level_light, NULL};

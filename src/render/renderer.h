@@ -13,7 +13,7 @@
 #include <tia/levels.h> /* after num.h, which may rename its functions */
 
 /* What a level may draw: LEVEL_PARTS of a renderer says nothing. */
-enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_PARTS };
+enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_SAMPLES, LEVEL_PARTS };
 
 struct renderer {
     /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
@@ -62,6 +62,10 @@ struct level_renderer {
     /* As in struct renderer, but without hits: their buffer stays unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options);
+
+    /* As in struct renderer, of one that has it. */
+    void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                   const struct tia_gathered *gathered);
 };
 
 /* See tia/levels.h and src/levels. */

@@ -15,55 +15,27 @@
 /* Bit-reversed points of the Sobol sequence's third and fourth dimension, for each four bits of the index. */
 extern const uint32_t tia_sobol_tables[2][8][16];
 
-static inline uint32_t sobol_hash(uint32_t x)
-{
-    x = (x ^ x >> 16) * UINT32_C(0x21f0aaad);
-    x = (x ^ x >> 15) * UINT32_C(0xd35a2d97);
-    return x ^ x >> 15;
-}
+#define SOBOL_WORD uint32_t
+#define SOBOL_STEP(name) sobol_##name
+#include "sobol_steps.h"
+#undef SOBOL_WORD
+#undef SOBOL_STEP
 
-static inline uint32_t sobol_hash2(uint32_t a, uint32_t b)
+/* Of the points of the third and the fourth dimension, dimension 2 or 3. */
+static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
 {
-    return sobol_hash(a ^ sobol_hash(b + UINT32_C(0x9e3779b9)));
-}
-
-static inline uint32_t sobol_reverse(uint32_t x)
-{
-    x = x >> 16 | x << 16;
-    x = (x >> 8 & 0x00ff00ff) | (x & 0x00ff00ff) << 8;
-    x = (x >> 4 & 0x0f0f0f0f) | (x & 0x0f0f0f0f) << 4;
-    x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
-    return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
-}
-
-/* Owen's scrambling of a number whose bits are reversed: no bit depends on a higher one. */
-static inline uint32_t sobol_scramble(uint32_t x, uint32_t seed)
-{
-    x ^= x * UINT32_C(0x3d20adea);
-    x += seed;
-    x *= seed >> 16 | 1;
-    x ^= x * UINT32_C(0x05526c56);
-    x ^= x * UINT32_C(0x53a22864);
-    return x;
-}
-
-/* Point `index` of a dimension 0..3, its bits reversed. The first dimension is the radical inverse; the second's matrix
- * is Pascal's triangle modulo 2, a fivefold tensor product; the others' are those of Joe and Kuo (2008). */
-static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
-{
-    if (dimension == 1) {
-        index ^= index >> 1 & 0x55555555;
-        index ^= index >> 2 & 0x33333333;
-        index ^= index >> 4 & 0x0f0f0f0f;
-        index ^= index >> 8 & 0x00ff00ff;
-        return index ^ index >> 16;
-    }
-    if (dimension == 0)
-        return index;
     uint32_t sum = 0;
+
     for (unsigned i = 0; i < 8; i++)
         sum ^= tia_sobol_tables[dimension - 2][i][index >> (4 * i) & 15];
     return sum;
+}
+
+/* Point `index` of a dimension 0..3, its bits reversed. The first dimension is the radical inverse; the matrices of
+ * the others are those of Joe and Kuo (2008). */
+static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
+{
+    return dimension == 0 ? index : dimension == 1 ? sobol_pascal(index) : sobol_table(index, dimension);
 }
 
 struct sampler {

@@ -22,5 +22,6 @@ typedef __mmask8 vm;
 #define mof(bits) ((vm)(bits))
 
 #include "tracer.h"
+#include "walk_paths.h"
 
 SURE(avx512);

@@ -149,4 +149,4 @@ static bool draws(const struct tia_view *view)
     return view->scene->bvh;
 }
 
-const struct level_renderer tia_level_rays = {tia_sure_size, draws, tia_sure_prepare, tia_sure_set_lights, light};
+const struct level_renderer tia_level_rays = {tia_sure_size, draws, tia_sure_prepare, tia_sure_set_lights, light, NULL};

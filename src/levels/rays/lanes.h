@@ -1,4 +1,4 @@
-/* lanes.h - what a level's file defines before it includes tracer.h:
+/* lanes.h - what a level's file defines before it includes tracer.h and walk_paths.h:
  *
  *   LANES            1, 2, 4 or 8
  *   vd, vi, vm       so many doubles, 64-bit integers, and truth values; vd has the language's + - * /, vi also << >>
@@ -16,6 +16,6 @@
 
 #define SURE(level)                                                                                                    \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct sure_kernels tia_sure_##level = {trace}
+    const struct sure_kernels tia_sure_##level = {trace, occlude, walk_paths}
 
 #endif

@@ -26,5 +26,6 @@ LANE_OP vm mof(unsigned bits)
 }
 
 #include "tracer.h"
+#include "walk_paths.h"
 
 SURE(neon);

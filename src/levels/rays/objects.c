@@ -92,7 +92,7 @@ static void set_filter(struct sure_object *o, const struct tia_scene *scene, boo
 
     sure_rgb(o->transmission, &m->transmission);
     o->opaque = colour_is_black(&m->transmission) && !layered;
-    o->unclear = layered;
+    o->layered = o->unclear = layered;
     o->grouped = grouped && !o->opaque && !layered && o->kind == SURE_MESH;
     o->unclear = o->unclear || (grouped && !o->opaque && !o->grouped);
 }

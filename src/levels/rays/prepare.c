@@ -218,6 +218,7 @@ void tia_sure_prepare(struct tia_view *view)
     s->unbounded_count = scene->bvh->unbounded_count;
     s->depth = s->view->depth;
     s->bias = sure_length(s->view->bias);
+    s->paths = NULL;
     sure_rgb(s->background, &scene->background);
     set_camera(&s->camera, &s->view->camera);
     set_extent(s);

@@ -45,6 +45,7 @@ struct query {
     vm active;
     vd limit; /* what is farther does not count, for sure */
     bool any;
+    bool solid; /* of any: nothing is seen through objects, but perhaps where they have an opacity */
     double object;
     bool opaque;
     vd t, e, ep, low; /* ep: of the point */

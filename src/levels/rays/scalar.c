@@ -1,4 +1,5 @@
 /* scalar.c - plain C. */
 #include "one.h"
+#include "walk_paths.h"
 
 SURE(scalar);

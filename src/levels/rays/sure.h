@@ -72,6 +72,7 @@ struct sure_object {
     uint32_t material;
     bool opaque;                                       /* lets no light through */
     bool unclear;                                      /* what it lets through is for the integers */
+    bool layered;                                      /* it has an opacity */
     bool grouped;                                      /* it does so once for each group of faces */
     double at[3], radius, normal[3], axes[2][3], unit; /* a box: its corners are `at` and `normal` */
     const struct tia_mesh *faces;                      /* of a mesh */
@@ -137,6 +138,7 @@ struct sure_scene {
     double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */
     double centre[3], extent; /* of all that has bounds: around centre, the sum of the axes' halves */
     double background[3], bias;
+    const struct sure_paths *paths; /* NULL unless its samples are drawn */
     struct sure_camera camera;
 };
 
@@ -150,8 +152,12 @@ struct sure_block {
     uint64_t unsure; /* a bit for each slot */
 };
 
+struct sure_gather;
+
 struct sure_kernels {
     void (*trace)(struct sure_block *block);
+    void (*occlude)(struct sure_gather *gather);
+    void (*walk)(struct sure_gather *gather);
 };
 
 #define SURE_2(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */

@@ -11,6 +11,7 @@ struct shade {
     vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
     vm glossy, refracts, fresnel, back;
     vm unsure;
+    vm exact; /* the coordinates of the normal are the integers' ones, rounded: of their sign, or 0 where those are */
     const struct sure_object *object[LANES]; /* NULL in other lanes */
     uint32_t index[LANES], element[LANES], material[LANES];
     const double *instance[LANES]; /* struct sure_instance */
@@ -153,6 +154,7 @@ static void place_normals(struct shade *h, unsigned placed)
     n = world_normal(h, h->normal, h->en, &e);
     h->normal = v3_sel(mof(placed), n, h->normal);
     h->en = vsel(mof(placed), e, h->en);
+    h->exact = mand(h->exact, mnot(mof(placed)));
 }
 
 /* Spheres: the direction from the centre. */
@@ -271,22 +273,32 @@ static void flat_normal(const struct shade *h, int k, const struct sure_face **f
         n[i] = h->element[k] % 6 / 2 != i ? 0 : h->element[k] % 2 ? 1 : -1;
 }
 
+LANE_OP bool is_round(const struct shade *h, int k)
+{
+    enum sure_kind kind = h->object[k]->kind;
+
+    return kind == SURE_SPHERE || (kind == SURE_ROUND && h->element[k] == ROUND_SIDE);
+}
+
 static void find_normals(struct shade *h, unsigned lanes)
 {
     const struct sure_face *face[LANES] = {NULL};
     double flat[3][LANES];
-    unsigned smooth = 0;
+    unsigned smooth = 0, round = 0;
 
     for (int k = 0; k < LANES; k++) {
         double n[3] = {0, 0, 0};
-        if (lanes >> k & 1)
+        if (lanes >> k & 1) {
             flat_normal(h, k, &face[k], n);
+            round |= (unsigned)is_round(h, k) << k;
+        }
         smooth |= (unsigned)(face[k] && face[k]->smoothed) << k;
         for (int i = 0; i < 3; i++)
             flat[i][k] = n[i];
     }
     h->geometric = (struct v3){vload(flat[0]), vload(flat[1]), vload(flat[2])};
     h->eg = vset(SURE_2(51));
+    h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
     side_normals(h, lanes);
     h->normal = h->geometric;

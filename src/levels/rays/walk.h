@@ -185,9 +185,9 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
 
     q->index = index;
     q->object = (double)index;
-    q->opaque = o->opaque;
+    q->opaque = q->solid ? !o->layered : o->opaque;
     q->met = q->may_meet = mnone();
-    if (q->any && o->grouped) {
+    if (q->any && !q->solid && o->grouped) {
         meet_grouped(s, o, q);
         return;
     }
@@ -195,7 +195,7 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
         meet_placed(s, o, q, near);
     else
         meet_shape(s, o, q, near);
-    if (q->any && !o->opaque)
+    if (q->any && !q->opaque)
         filter(q, o);
 }
 
@@ -222,17 +222,21 @@ static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint3
 /* Lights have no index among objects: light n is told as this and n. */
 #define LIGHT_ID 4294967296.0
 
+LANE_OP void meet_light(const struct sure_light *l, struct query *q)
+{
+    if (l->from->kind == TIA_POINT_LIGHT || l->from->kind == TIA_SPHERE_LIGHT)
+        meet_sphere(q, l->at, l->radius);
+    else
+        meet_flat_light(q, l);
+}
+
 static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, struct query *q)
 {
     for (uint32_t n = 0; n < s->light_count; n++) {
         const struct sure_light *l = &s->lights[n];
         q->object = LIGHT_ID + n;
-        if (!l->seen)
-            continue;
-        if (l->from->kind == TIA_POINT_LIGHT || l->from->kind == TIA_SPHERE_LIGHT)
-            meet_sphere(q, l->at, l->radius);
-        else
-            meet_flat_light(q, l);
+        if (l->seen)
+            meet_light(l, q);
     }
 }
 
@@ -243,7 +247,7 @@ static void find_nearest(const struct sure_scene *s, struct query *q, struct pac
 
     q->p = p;
     q->active = mand(active, fine);
-    q->any = false;
+    q->any = q->solid = false;
     q->groups = NULL;
     q->limit = q->t = q->low = vset(NEVER);
     q->e = q->ep = vset(0);

@@ -59,6 +59,6 @@ const struct renderer ao_renderer = {
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,
-    .part = LEVEL_PARTS,
+    .part = LEVEL_SAMPLES,
     .sample = sample_tile,
 };

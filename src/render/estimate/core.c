@@ -9,7 +9,10 @@ static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t fi
     if (!tile.width || !tile.height || tile_right(tile) > view->width || tile_bottom(tile) > view->height ||
         end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
-    view->renderer->sample(view, tile, first, end, gathered);
+    if (view->level)
+        level_renderer_for(view->level, view->renderer)->sample(view, tile, first, end, gathered);
+    else
+        view->renderer->sample(view, tile, first, end, gathered);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 

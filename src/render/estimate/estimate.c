@@ -62,20 +62,11 @@ void estimate_guide(struct estimate *e, const num_length albedo[3], const struct
     guide->normal[2] += num_q24(num_length_of_unit(normal->z) + NUM_LENGTH_ONE) - ONE;
 }
 
-/* The square of a sample's luminance, which is below 2^14, in units of 2^-32. */
-static uint64_t square(const int64_t rgb[3])
-{
-    uint64_t luminance = (uint64_t)(rgb[0] + 2 * rgb[1] + rgb[2]) / 4;
-
-    return luminance >> 32 ? (luminance >> 8) * (luminance >> 8) : luminance * luminance >> 16;
-}
-
-/* Sample number `index` of the pixel, added to its sum; returns the square of its luminance. */
-static uint64_t add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
-                           struct tia_sum *sum)
+/* Sample number `index` of the pixel, added to its sum. */
+static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
+                       struct tia_sum *sum, int64_t rounded[3])
 {
     num_length rgb[3];
-    int64_t rounded[3];
     struct ray ray;
     uint32_t u[2];
 
@@ -88,7 +79,6 @@ static uint64_t add_sample(struct estimate *e, int x, int y, uint32_t index, est
         rounded[c] = num_q24(num_length_clamp(rgb[c], 0, RADIANCE_MAX));
         sum->rgb[c] += rounded[c];
     }
-    return square(rounded);
 }
 
 static struct estimate begin(const struct tia_view *view)
@@ -98,18 +88,17 @@ static struct estimate begin(const struct tia_view *view)
     return (struct estimate){.view = rays, .bias = num_ray_bias(rays->bias), .blocker = TIA_NO_OBJECT};
 }
 
-/* Samples of one pixel, which is number `at` of those gathered. A sum of squares that stops at its largest value does
- * not depend on their order either. */
+/* Samples of one pixel, which is number `at` of those gathered. */
 static void add_samples(struct estimate *e, int x, int y, uint32_t first, uint32_t end,
                         const struct tia_gathered *gathered, size_t at, estimate_radiance *radiance)
 {
+    int64_t rounded[3];
+
     for (uint32_t i = first; i < end && !e->stopped; i++) {
         e->guide = gathered->guides ? &gathered->guides[at] : NULL;
-        uint64_t added = add_sample(e, x, y, i, radiance, &gathered->sums[at]);
-        if (!gathered->squares)
-            continue;
-        uint64_t *squares = &gathered->squares[at];
-        *squares += added <= UINT64_MAX - *squares ? added : UINT64_MAX - *squares;
+        add_sample(e, x, y, i, radiance, &gathered->sums[at], rounded);
+        if (gathered->squares)
+            estimate_add_square(rounded, &gathered->squares[at]);
     }
 }
 
@@ -170,9 +159,10 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
         for (int x = (int)tile.x; x < tile_right(tile) && !e.stopped; x++, out += surface->step) {
             size_t at = (size_t)(y - (int)tile.y) * tile.width + (size_t)(x - (int)tile.x);
             struct tia_sum sum = {{0, 0, 0}};
+            int64_t rounded[3];
             e.hash = HASH;
             for (uint32_t i = 0; i < packing.spp && !e.stopped; i++)
-                (void)add_sample(&e, x, y, i, radiance, &sum);
+                add_sample(&e, x, y, i, radiance, &sum, rounded);
             *(tia_rgb565 *)(void *)out = pack(&packing, &sum, x);
             if (options->path_hash)
                 options->path_hash[at] = e.hash;
@@ -180,4 +170,13 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
                 options->lit[at] = 0;
         }
     }
+}
+
+void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, char *out,
+                   ptrdiff_t step, bool dither)
+{
+    struct packing packing = packing_of(&view->scene->integration, dither, (int)row.y);
+
+    for (int x = 0; x < (int)row.width; x++, out += step)
+        *(tia_rgb565 *)(void *)out = pack(&packing, &sums[x], (int)row.x + x);
 }

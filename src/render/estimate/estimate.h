@@ -31,6 +31,10 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
 
+/* A row's pixels, of sums of all the scene's samples. */
+void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, char *out,
+                   ptrdiff_t step, bool dither);
+
 /* Counts a ray; true once the caller wants to stop. */
 bool estimate_stops(struct estimate *e);
 
@@ -44,6 +48,16 @@ void estimate_guide(struct estimate *e, const num_length albedo[3], const struct
 
 /* See struct tia_estimator. */
 uint32_t estimate_enclosing(const struct tia_view *view, uint32_t light);
+
+/* Adds the square of a sample's luminance, which is below 2^14, in units of 2^-32. A sum of squares that stops at its
+ * largest value does not depend on their order either. */
+static inline void estimate_add_square(const int64_t rgb[3], uint64_t *squares)
+{
+    uint64_t luminance = (uint64_t)(rgb[0] + 2 * rgb[1] + rgb[2]) / 4;
+    uint64_t added = luminance >> 32 ? (luminance >> 8) * (luminance >> 8) : luminance * luminance >> 16;
+
+    *squares += added <= UINT64_MAX - *squares ? added : UINT64_MAX - *squares;
+}
 
 /* Adds a word to the hash, as tia_options.path_hash has it. */
 static inline void estimate_note(struct estimate *e, uint32_t word)

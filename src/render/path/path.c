@@ -1,14 +1,9 @@
 /* path.c - the radiance along a ray, one path a sample; see tia/integrator.h. */
-#include "emitters.h"
+#include "path.h"
+
 #include "guide.h"
 #include "math/align.h"
-#include "render/estimate/estimate.h"
 #include "scatter.h"
-
-/* Behind the struct ray_view. */
-struct path_view {
-    struct emitters emitters;
-};
 
 /* A path on its way. */
 struct walk {
@@ -24,16 +19,9 @@ struct walk {
     uint32_t bounce, layers;
 };
 
-#define ROULETTE 3 /* the first bounce after which paths end by chance */
-
-#define SURFACES (1u << TIA_RECTANGLE_LIGHT | 1u << TIA_DISC_LIGHT | 1u << TIA_SPHERE_LIGHT)
-#define SEEN (SURFACES | 1u << TIA_POINT_LIGHT)
-
-/* A bounce has two quads: a point of a light, and a direction, which of the first bounce is in the quad before; and
- * which lobe, which light, whether the path goes on, whether glass reflects. */
 static uint32_t quad_of(const struct walk *w, unsigned which)
 {
-    return ESTIMATE_FIRST_QUAD + 1 + 2 * w->bounce + which;
+    return PATH_QUAD(w->bounce, which);
 }
 
 static void draw_direction(const struct walk *w, uint32_t u[2])
@@ -133,7 +121,7 @@ static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sam
     struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
     num_length through;
 
-    ray_intersect_lights_of(w->e->view, shadow, SURFACES, &light);
+    ray_intersect_lights_of(w->e->view, shadow, PATH_SURFACES, &light);
     bool seen =
         light.light == TIA_NO_OBJECT && ray_visibility(w->e->view, shadow, sample->distance, &w->e->blocker, &through);
     estimate_note(w->e, seen);
@@ -250,7 +238,7 @@ static bool survives(struct walk *w, uint32_t number)
 {
     num_length most = w->throughput[0];
 
-    if (w->bounce < ROULETTE)
+    if (w->bounce < PATH_ROULETTE)
         return true;
     most = most > w->throughput[1] ? most : w->throughput[1];
     most = most > w->throughput[2] ? most : w->throughput[2];
@@ -270,7 +258,7 @@ static bool step(struct walk *w)
     struct shading s;
     struct scatter scatter;
 
-    if (!estimate_meet(w->e, &w->ray, w->specular ? SEEN : SURFACES, &hit, &s)) {
+    if (!estimate_meet(w->e, &w->ray, w->specular ? PATH_SEEN : PATH_SURFACES, &hit, &s)) {
         add_beyond(w, &hit);
         return false;
     }
@@ -287,14 +275,14 @@ static bool step(struct walk *w)
     return bounce(w, &scatter, numbers) && (w->throughput[0] > 0 || w->throughput[1] > 0 || w->throughput[2] > 0);
 }
 
-static const struct path_view *path_view_of(const struct tia_view *view)
+const struct path_view *path_view_of(const struct tia_view *view)
 {
     size_t before = ALIGN(ray_prepared_size(view->scene, view->light_capacity));
 
     return (const struct path_view *)(const void *)((const char *)view->prepared + before);
 }
 
-static void radiance(struct estimate *e, const struct ray *first, num_length rgb[3])
+void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3])
 {
     struct walk w = {.e = e,
                      .view = path_view_of(e->view->view),
@@ -341,13 +329,13 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
     (void)hits;
-    estimate_light_tile(view, tile, surface, options, radiance);
+    estimate_light_tile(view, tile, surface, options, path_radiance);
 }
 
 static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                         const struct tia_gathered *gathered)
 {
-    estimate_sample_tile(view, tile, first, end, gathered, radiance);
+    estimate_sample_tile(view, tile, first, end, gathered, path_radiance);
 }
 
 static bool draws(const struct tia_scene *scene)
@@ -372,6 +360,6 @@ const struct renderer path_renderer = {
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,
-    .part = LEVEL_PARTS,
+    .part = LEVEL_SAMPLES,
     .sample = sample_tile,
 };

@@ -1,0 +1,59 @@
+/* occlude.h - ambient occlusion in packets: the steps of render/ao/ao.c. */
+#ifndef TIA_LEVELS_RAYS_OCCLUDE_H
+#define TIA_LEVELS_RAYS_OCCLUDE_H
+
+#include "flight.h"
+
+/* Ambient occlusion: decisions alone. */
+static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, const vu u[4])
+{
+    const struct sure_scene *s = f->gather->scene;
+    struct shadow shadow;
+    struct query q;
+    struct shade h;
+    vm unsure;
+
+    for (int k = 0; lanes >> k; k++)
+        for (int c = 0; c < 3; c++)
+            f->gather->colour[p->r.slot[k]][c] = 1;
+    find_first(s, &q, &p->r.p, lanes, false, 0);
+    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
+    lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q.t + q.e, q.low))), p->r.slot) & ~mbits(sky);
+    if (!lanes)
+        return;
+    find_surfaces(s, &p->r.p, &q, lanes, &h);
+    lanes = sure_of(f, lanes, h.unsure, p->r.slot);
+    shadow.p.o = h.outside;
+    shadow.p.eo = h.eoutside;
+    shadow.p.d = around(h.normal, h.en, h.exact, cosine_direction(u[2], u[3]), vset(SURE_LOCAL), &shadow.p.ed, &unsure);
+    shadow.p.from = leaving(&h, shadow.p.d, shadow.p.ed, 1, 0);
+    shadow.distance = vset(s->paths->reach);
+    shadow.edistance = vset(0);
+    vd above = v3_dot(shadow.p.d, h.geometric), e = shadow.p.ed + h.eg + SURE_2(49);
+    lanes = sure_of(f, lanes, mor(unsure, vle(vabs(above), e)), p->r.slot);
+    unsigned below = lanes & mbits(vlt(above, vset(0))), open = lanes & ~below;
+    shadow.blocked = shadow.unsure = mnone();
+    if (open)
+        find_hidden(s, &shadow, open, NULL, &f->blocker);
+    doubt(f, open & mbits(shadow.unsure), p->r.slot);
+    below |= open & mbits(shadow.blocked);
+    for (int k = 0; below >> k; k++)
+        for (int c = 0; c < 3 && (below >> k & 1); c++)
+            f->gather->colour[p->r.slot[k]][c] = 0;
+}
+
+static void occlude(struct sure_gather *g)
+{
+    const struct tia_view *view = g->scene->view->view;
+    struct flight f;
+    struct paths p;
+    vu u[4];
+
+    flight_open(&f, g);
+    for (int from = 0; from < g->count && !view_stops(view); from += LANES) {
+        unsigned lanes = flight_start(&f, from, &p, u);
+        occlude_packet(&f, &p, lanes, u);
+    }
+}
+
+#endif

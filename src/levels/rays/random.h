@@ -1,0 +1,68 @@
+/* random.h - the numbers that samples draw, as sampling/sobol.h has them, of several samples side by side. */
+#ifndef TIA_LEVELS_RAYS_RANDOM_H
+#define TIA_LEVELS_RAYS_RANDOM_H
+
+#include "sampling/sobol.h"
+#include "vector.h"
+
+#if LANES > 1
+typedef uint32_t vu __attribute__((vector_size(4 * LANES)));
+#else
+typedef uint32_t vu;
+#endif
+
+#define SOBOL_WORD vu
+#define SOBOL_STEP(name) lanes_##name
+#include "sampling/sobol_steps.h"
+#undef SOBOL_WORD
+#undef SOBOL_STEP
+
+LANE_OP vu vu_load(const uint32_t *p)
+{
+    vu u;
+
+    __builtin_memcpy(&u, p, sizeof u);
+    return u;
+}
+
+LANE_OP void vu_store(uint32_t *p, vu u)
+{
+    __builtin_memcpy(p, &u, sizeof u);
+}
+
+LANE_OP vu vu_table(vu index, unsigned dimension)
+{
+    uint32_t at[LANES];
+
+    vu_store(at, index);
+    for (int k = 0; k < LANES; k++)
+        at[k] = sobol_table(at[k], dimension);
+    return vu_load(at);
+}
+
+/* All four numbers of a quad, see sampler_pair. */
+LANE_OP void quad_numbers(vu seed, vu index, vu quad, vu u[4])
+{
+    vu hash = lanes_hash2(seed, quad), at = lanes_reverse(lanes_scramble(lanes_reverse(index), hash)), none = {0};
+    vu point[4] = {at, lanes_pascal(at), vu_table(at, 2), vu_table(at, 3)};
+
+    for (uint32_t i = 0; i < 4; i++)
+        u[i] = lanes_reverse(lanes_scramble(point[i], lanes_hash2(hash, none + i)));
+}
+
+/* (u + 1/2)/2^32: exact. */
+LANE_OP vd vu_unit(vu u)
+{
+#if LANES > 1
+    typedef double pure __attribute__((vector_size(8 * LANES)));
+    pure given = __builtin_convertvector(u, pure);
+    vd d;
+
+    __builtin_memcpy(&d, &given, sizeof d);
+#else
+    vd d = (double)u;
+#endif
+    return (d + vset(0.5)) * vset(SURE_2(32));
+}
+
+#endif

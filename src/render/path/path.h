@@ -1,0 +1,29 @@
+/* path.h - what the integrator of paths prepares, for levels that draw in its place. */
+#ifndef TIA_RENDER_PATH_PATH_H
+#define TIA_RENDER_PATH_PATH_H
+
+#include "emitters.h"
+#include "render/estimate/estimate.h"
+
+/* Behind the struct ray_view. */
+struct path_view {
+    struct emitters emitters;
+};
+
+const struct path_view *path_view_of(const struct tia_view *view);
+
+/* An estimate_radiance. */
+void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3]);
+
+/* The bounces after which paths may end by chance are those from this one on; the first is 0. */
+#define PATH_ROULETTE 3
+
+/* The lights that paths meet as surfaces; and those that are seen, by eye or mirror. */
+#define PATH_SURFACES (1u << TIA_RECTANGLE_LIGHT | 1u << TIA_DISC_LIGHT | 1u << TIA_SPHERE_LIGHT)
+#define PATH_SEEN (PATH_SURFACES | 1u << TIA_POINT_LIGHT)
+
+/* The two quads of a bounce: a point of a light, and a direction, which of the first bounce is in the quad before; and
+ * which lobe, which light, whether the path goes on, whether glass reflects. */
+#define PATH_QUAD(bounce, which) (ESTIMATE_FIRST_QUAD + 1 + 2 * (bounce) + (which))
+
+#endif
