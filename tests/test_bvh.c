@@ -1,4 +1,5 @@
 /* tia_bvh_build: what every hierarchy must keep, hostile scenes, and its memory. */
+#include "common/thread_pool.h"
 #include "hierarchy.h"
 #include "scene/bvh/split.h"
 
@@ -180,7 +181,7 @@ TEST(one_place)
 }
 
 /* Each sphere twice as far away as the one before, in every direction; many at every distance. */
-TEST(exponential_spacing)
+static void set_exponential_spheres(void)
 {
     set_spheres(MOST);
     for (uint32_t i = 0; i < MOST; i++) {
@@ -188,6 +189,11 @@ TEST(exponential_spacing)
         spheres[i].centre = (struct tia_vec3){i & 64 ? far : 0, i & 128 ? -far : 0, i & 256 ? far : 0};
         spheres[i].radius = i & 512 ? 64 : far / 2 + 64;
     }
+}
+
+TEST(exponential_spacing)
+{
+    set_exponential_spheres();
     build();
     check_all();
     CHECK(deepest <= TIA_BVH_DEPTH_MAX);
@@ -197,7 +203,7 @@ TEST(exponential_spacing)
  * many. */
 TEST(a_depth_that_would_not_do)
 {
-    struct tia_bounds boxes[100];
+    struct tia_bounds boxes[100], bounds;
     uint32_t numbers[100];
     struct asker nobody = {0};
     const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &nobody};
@@ -207,9 +213,8 @@ TEST(a_depth_that_would_not_do)
         boxes[i] = (struct tia_bounds){{p.x, 0, 0}, {p.x + 2, 2, 2}};
         numbers[i] = i;
     }
-    struct tia_bounds bounds = tia_bvh_split_bounds(&items);
-    CHECK(bounds.min.x == 0 && bounds.max.x == 99 * ONE + 2);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 100), 90);
+    CHECK(bounds.min.x == 0 && bounds.max.x == 99 * ONE + 2);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 90), 90);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 89), 50);
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 50), 50);
@@ -218,15 +223,123 @@ TEST(a_depth_that_would_not_do)
 /* Two cubes that share half of their space: 12/16 + 12/16 + 1/c < 2 for a cost c above 2. */
 TEST(items_that_cost_more_are_split_sooner)
 {
-    const struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
+    struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
     uint32_t numbers[2] = {0, 1};
     struct asker nobody = {0};
 
     for (uint32_t cost = 1; cost < 5; cost++) {
         const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &nobody};
-        struct tia_bounds bounds = tia_bvh_split_bounds(&items);
+        struct tia_bounds bounds;
         CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cost > 2);
     }
+}
+
+/* Workers that take the last job first, and never let anyone enter who is there already. */
+static bool inside;
+
+static void run_backwards(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+{
+    (void)ctx;
+    while (count-- > 0)
+        job(arg, count);
+}
+
+static bool enter(void *ctx)
+{
+    (void)ctx;
+    CHECK(!inside);
+    inside = true;
+    return true;
+}
+
+static void leave(void *ctx)
+{
+    (void)ctx;
+    inside = false;
+}
+
+static const struct tia_workers backwards = {run_backwards, enter, leave};
+
+static void check_same(const struct tia_bvh_tree *a, const struct tia_bvh_tree *b)
+{
+    CHECK_EQ(a->node_count, b->node_count);
+    CHECK_EQ(a->item_count, b->item_count);
+    CHECK(!memcmp(a->nodes, b->nodes, a->node_count * sizeof *a->nodes));
+    CHECK(!memcmp(a->items, b->items, a->item_count * sizeof *a->items));
+}
+
+/* The scene's hierarchy by these workers: that of tia_bvh_build. */
+static void check_parallel(const struct tia_workers *workers, void *ctx)
+{
+    const struct tia_bvh *other = NULL;
+    size_t size = tia_bvh_size(&scene), used_too = 0;
+    void *room = malloc(size); /* exactly: a sanitizer sees a byte too far */
+
+    memset(room, 0x5a, size);
+    CHECK_EQ(tia_bvh_build_parallel(&other, room, size - 1, &used_too, &scene, workers, ctx, NULL, NULL),
+             TIA_ERR_MEMORY);
+    CHECK_EQ(tia_bvh_build_parallel(&other, room, size, &used_too, &scene, workers, ctx, NULL, NULL), TIA_OK);
+    CHECK_EQ(used_too, used);
+    check_same(&other->objects, &bvh->objects);
+    for (uint32_t i = 0; i < scene.mesh_count; i++)
+        check_same(&other->meshes[i], &bvh->meshes[i]);
+    CHECK_EQ(other->unbounded_count, bvh->unbounded_count);
+    free(room);
+}
+
+static void check_all_workers(void)
+{
+    build();
+    check_all();
+    check_parallel(NULL, NULL);
+    check_parallel(&backwards, NULL);
+    for (unsigned count = 1; count <= 3; count++) {
+        struct threads *pool = threads_create(count);
+        CHECK(pool);
+        check_parallel(&threads_workers, pool);
+        threads_destroy(pool);
+    }
+}
+
+TEST(by_several_threads)
+{
+    set_everything();
+    set_mesh(&meshes[0], 0, MOST);
+    set_mesh(&meshes[2], 0, 1);
+    check_all_workers();
+    set_spheres(MOST);
+    check_all_workers();
+}
+
+/* Where lists are halved, the order of a node's items counts, too. */
+TEST(by_several_threads_at_one_place)
+{
+    set_spheres(MOST);
+    for (uint32_t i = 0; i < MOST; i++)
+        spheres[i] = (struct tia_sphere){{i < 300 ? (tia_q16)i * ONE : 7, 8, 9}, 100 + (tia_q16)(i % 3), 0};
+    check_all_workers();
+    set_exponential_spheres();
+    check_all_workers();
+}
+
+TEST(several_threads_asked_to_stop)
+{
+    const struct tia_bvh *none = NULL;
+    unsigned questions = 100000, all;
+
+    set_spheres(MOST);
+    size_t size = tia_bvh_size(&scene);
+    void *room = malloc(size);
+    CHECK_EQ(tia_bvh_build_parallel(&bvh, room, size, NULL, &scene, &backwards, NULL, count_down, &questions), TIA_OK);
+    all = 100000 - questions;
+    CHECK(all > MOST / 4096);
+    for (questions = 1; questions <= all; questions++) {
+        unsigned left = questions;
+        CHECK_EQ(tia_bvh_build_parallel(&none, room, size, NULL, &scene, &backwards, NULL, count_down, &left),
+                 TIA_STOPPED);
+        CHECK(!none && !left && !inside);
+    }
+    free(room);
 }
 
 TEST(ends_of_the_numbers)
@@ -263,6 +376,9 @@ int main(void)
     RUN(exponential_spacing);
     RUN(a_depth_that_would_not_do);
     RUN(items_that_cost_more_are_split_sooner);
+    RUN(by_several_threads);
+    RUN(by_several_threads_at_one_place);
+    RUN(several_threads_asked_to_stop);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);
     free(memory);
