@@ -266,7 +266,9 @@ static void measure_made(const char *kind, void (*make)(struct ray_scene *, int)
     if (!wanted(kind))
         return;
     make(&s, level);
-    (void)snprintf(name, sizeof name, "%u %s, built in %.0f ms,", count, kind, s.built);
+    (void)snprintf(name, sizeof name, "%u %s", count, kind);
+    printf("| %s | hierarchy built in %.1f ms, by two threads in %.1f, %.1f MB |\n", name, s.built[0], s.built[1],
+           (double)s.memory_bytes * 1e-6);
     measure(name, &s.scene, 320, 240, false);
     ray_scene_free(&s);
 }
