@@ -342,6 +342,45 @@ TEST(several_threads_asked_to_stop)
     free(room);
 }
 
+struct countdown {
+    unsigned left, after; /* questions before it says true, and after */
+};
+
+static bool count_after(void *ctx)
+{
+    struct countdown *c = ctx;
+    c->after += c->left == 0;
+    c->left -= c->left > 0;
+    return c->left == 0;
+}
+
+/* So many faces that the threads ask while they look at a part's items together, 32 at a time: once one is told to
+ * stop, each of the others asks once more, and nobody goes on with what was not looked at. */
+TEST(asked_to_stop_while_looking_together)
+{
+    enum { FACES = 32 * 5000, BOXES = FACES / 4096 };
+    struct tia_face *many = calloc(FACES, sizeof *many);
+    const struct tia_bvh *none = NULL;
+
+    set_everything();
+    set_mesh(&meshes[0], 0, MOST);
+    for (uint32_t i = 0; i < FACES; i++)
+        many[i] = faces[random_u32() % MOST];
+    scene = (struct tia_scene){.meshes = meshes, .mesh_count = 1};
+    meshes[0].faces = many;
+    meshes[0].face_count = FACES;
+    size_t size = tia_bvh_size(&scene);
+    void *room = malloc(size);
+    for (unsigned i = BOXES + 2; i < BOXES + 60; i += 7) {
+        struct countdown c = {i, 0};
+        CHECK_EQ(tia_bvh_build_parallel(&none, room, size, NULL, &scene, &backwards, NULL, count_after, &c),
+                 TIA_STOPPED);
+        CHECK(!none && !c.left && c.after <= 32);
+    }
+    free(room);
+    free(many);
+}
+
 TEST(ends_of_the_numbers)
 {
     set_spheres(1000);
@@ -379,6 +418,7 @@ int main(void)
     RUN(by_several_threads);
     RUN(by_several_threads_at_one_place);
     RUN(several_threads_asked_to_stop);
+    RUN(asked_to_stop_while_looking_together);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);
     free(memory);
