@@ -295,7 +295,7 @@ void bench_ray_levels(void)
         measure_file(path, 160, 120, false);
     }
     for (uint32_t level = 1, n = 10; level <= 5; level++, n = 9 * n + 1)
-        measure_made("balls", ray_scene_balls, (int)level, n);
+        measure_made("spheres", ray_scene_balls, (int)level, n);
     for (uint32_t level = 2; level <= 7; level++)
         measure_made("triangles", ray_scene_mesh, (int)level, (UINT32_C(84) << 2 * level) + 12);
 }
