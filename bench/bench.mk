@@ -11,13 +11,20 @@ BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
 $(if $(TINYGL),$(BENCH): LIBS += -lgomp)
 $(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 
+# Embree 3, which Debian gives no pkg-config file: EMBREE=no leaves it out, and so does a compiler for another machine.
+EMBREE ?= $(if $(and $(NATIVE),$(wildcard /usr/include/embree3/rtcore.h /usr/local/include/embree3/rtcore.h)),yes,no)
+EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),world.c draw.c,none.c))
+$(if $(filter yes,$(EMBREE)),$(BENCH): LIBS += -lembree3)
+# As fast as it can be: for this processor, and no errno.
+$(BUILD)/host/bench/embree/draw.o: HOSTED += -march=native -fno-math-errno
+
 # The float loops that levels are measured against: there where the level is, with its flags.
 LANES_SRC := $(wildcard bench/lanes_*.c)
 BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(LEVELS_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
 $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
-$(BENCH): $(call obj,host,$(BENCH_SRC) $(if $(GL),bench/gl/raster.c)) \
+$(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/raster.c)) \
           $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(LIBWATCHED)
 	$(link)
 $(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)

@@ -8,7 +8,8 @@
 
 struct ray_scene {
     struct tia_scene scene;
-    double built; /* milliseconds of CPU time that the hierarchy took */
+    double built[2];     /* milliseconds that the hierarchy took one thread and two */
+    size_t memory_bytes; /* that it needed */
     void *memory[5];
 };
 

@@ -38,6 +38,17 @@ static inline void set_spheres(uint32_t count)
         spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
+/* Each sphere twice as far away as the one before, in every direction; many at every distance. */
+static inline void set_exponential_spheres(void)
+{
+    set_spheres(MOST);
+    for (uint32_t i = 0; i < MOST; i++) {
+        tia_q16 far = (tia_q16)(UINT32_C(1) << (i % 30));
+        spheres[i].centre = (struct tia_vec3){i & 64 ? far : 0, i & 128 ? -far : 0, i & 256 ? far : 0};
+        spheres[i].radius = i & 512 ? 64 : far / 2 + 64;
+    }
+}
+
 /* What was built, and the memory that it is in. */
 static const struct tia_bvh *bvh;
 static void *memory;
@@ -102,6 +113,13 @@ static inline void set_everything(void)
     scene.mesh_count = 3;
     scene.transforms = &transform;
     scene.transform_count = 1;
+}
+
+/* Says stop when it is asked for the *ctx-th time, and goes on to say so. */
+static inline bool count_down(void *ctx)
+{
+    unsigned *left = ctx;
+    return *left == 0 || --*left == 0;
 }
 
 #endif

@@ -53,6 +53,14 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx);
 
+/* The same by several threads, workers as in <tia/port.h>; NULL: by one. They build trees of 16384 items and more,
+ * which take one thread over 5 ms. The hierarchy has the same bits whatever their number is. `stop` is asked
+ * by one thread at a time, whichever it is; once it says true, it must go on to say so until this returns. */
+struct tia_workers;
+int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                           const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
+                           bool (*stop)(void *ctx), void *ctx);
+
 /* The same for a scene that tia_scene_at made of `standing`, which has a hierarchy: only what moved gets new boxes. The
  * hierarchy shares what stands still with standing->bvh, which must stay. `memory` is aligned likewise and of
  * tia_bvh_move_size(scene) bytes; `stop` as above. What rays meet is the same as with a hierarchy built anew. */

@@ -78,6 +78,17 @@ $(BUILD)/boards/$(1)/scene-$(2).o: $(BUILD)/scenes/$(2).c
 	$$(call board_compile,$(1),CC,$$(BOARD))
 $(call image,$(1),$(2),,$(1),$(BUILD)/boards/$(1)/shows-$(2).o $(BUILD)/boards/$(1)/scene-$(2).o)
 endef
+# A scene of the databases ray by ray, $(1): counted, on the board with memory for each of them.
+define rayed
+$(BUILD)/boards/mps2-an385/rays-$(1).o: tests/boards/rays.c
+	$$(call board_compile,mps2-an385,CC,$$(BOARD) -DSCENE=compiled_$(1))
+$(BUILD)/boards/mps2-an385/scene-$(1).o: $(BUILD)/scenes/nff/$(1).c
+	$$(call board_compile,mps2-an385,CC,$$(BOARD))
+$(call image,mps2-an385,rays-$(1),,mps2-an385-large,$(BUILD)/boards/mps2-an385/rays-$(1).o $(BUILD)/boards/mps2-an385/scene-$(1).o,$(CORE_SRC))
+endef
+$(BUILD)/scenes/nff/%.c: scenes/nff/%.nff $(BUILD)/tia-compile
+	@mkdir -p $(@D)
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$*
 # Those boards whose compiler is there; the tests name the others.
 BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(call found,$(firstword $($(b)_CC))),$(b)))
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
@@ -94,6 +105,9 @@ rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3)
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)),,$(CORE_SRC))))
+RAYED := $(if $(filter mps2-an385,$(BOARDS)),$(patsubst scenes/nff/%.nff,%,$(wildcard scenes/nff/*.nff)))
+$(foreach n,$(RAYED),$(eval $(call rayed,$(n))))
+.SECONDARY: $(RAYED:%=$(BUILD)/scenes/nff/%.c)
 $(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
@@ -116,7 +130,7 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
-.PHONY: boards check-boards size-boards count
+.PHONY: boards check-boards size-boards count count-rays
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
 check: boards
@@ -127,3 +141,5 @@ size-boards: boards
 	@$(call python,tests/boards/size.py $(BUILD))
 count: $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR)
 	@$(call python,tests/boards/count.py $(BUILD))
+count-rays: $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/insn.so
+	@$(call python,tests/boards/count.py --rays $(BUILD))

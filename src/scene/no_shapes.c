@@ -95,6 +95,15 @@ int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, s
     return TIA_ERR_UNSUPPORTED;
 }
 
+int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                           const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
+                           bool (*stop)(void *ctx), void *ctx)
+{
+    (void)workers;
+    (void)workers_ctx;
+    return tia_bvh_build_until(bvh, memory, size, used, scene, stop, ctx);
+}
+
 size_t tia_bvh_move_size(const struct tia_scene *scene)
 {
     return tia_bvh_size(scene);

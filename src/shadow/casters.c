@@ -83,12 +83,14 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
             continue;
         }
         find_box(flat, i, low, high);
-        boxes[i] = enlarged(low, high, casters->shift);
+        boxes[first] = enlarged(low, high, casters->shift);
         items[first++] = i;
     }
     casters->unbounded = items + last;
     casters->unbounded_count = count - last;
-    casters->tree = tia_bvh_build_tree(nodes, items, first, 1, boxes, asker);
+    const struct bvh_items all = {items, boxes, 1};
+    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, first, 0}, asker);
+    casters->tree = (struct tia_bvh_tree){nodes, items, used, first};
     return asker->stopped ? TIA_STOPPED : TIA_OK;
 }
 

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Instructions per pixel on boards without an FPU: a table in Markdown.
 
-    count.py [--profile BOARD] [BUILD]      BUILD is the build's folder, default "build"
+    count.py [--profile BOARD | --rays] [BUILD]      BUILD is the build's folder, default "build"
 
 Each program BUILD/boards/BOARD/count-ARITHMETIC.elf draws a frame of 320 x 240 between marks; a
 plugin of QEMU, or simavr, counts what is executed from mark to mark. --profile shows where the
-q16 program's instructions go, by function; not on the AVR."""
+q16 program's instructions go, by function; not on the AVR. --rays counts the scenes of the databases,
+ray by ray, on a Cortex-M3: 64 x 48 pixels, with the pictures' checksums."""
 import bisect
+import glob
 import os
 import subprocess
 import sys
@@ -17,6 +19,7 @@ import qemu
 
 PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
+RAY_PIXELS = 64 * 48
 BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'), ('atmega1284p', 'ATmega1284P'))
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
@@ -75,6 +78,16 @@ def shadow_table(build):
         print('| %s | %.0f | %s | %s |' % row)
 
 
+def ray_table(build, board='mps2-an385'):
+    if qemu.missing(board):
+        print('count: %s is missing' % qemu.missing(board)[0], file=sys.stderr)
+        return
+    print('| 64x48, Cortex-M3 | instructions a pixel | picture |\n|---|--:|---|')
+    for image in sorted(glob.glob('%s/boards/%s/rays-*.elf' % (build, board))):
+        full, _, checksums, _, _ = count(board, image, plugin_of(build))
+        print('| %s | %.0f | %s |' % (os.path.basename(image)[5:-4], full / RAY_PIXELS, checksums[0]), flush=True)
+
+
 def image_of(build, board, arithmetic):
     return '%s/boards/%s/count-%s.elf' % (build, board, arithmetic)
 
@@ -128,9 +141,13 @@ def main(arguments):
     board = None
     if arguments[:1] == ['--profile'] and len(arguments) > 1:
         board, arguments = arguments[1], arguments[2:]
+    rays = arguments[:1] == ['--rays']
+    arguments = arguments[rays:]
     build = arguments[0] if arguments else 'build'
     if board:
         profile(build, board)
+    elif rays:
+        ray_table(build)
     else:
         table(build)
         shadow_table(build)

@@ -103,7 +103,7 @@ static int run_file(struct run *run, const char *path)
     struct scene_file file;
     const char *slash = strrchr(path, '/');
 
-    if (scene_open(&file, path, scene_format_of(path), false)) {
+    if (scene_open_by(&file, path, scene_format_of(path), false, run->options.threads)) {
         (void)fprintf(stderr, "tia-compare: %s\n", file.why);
         return 2;
     }

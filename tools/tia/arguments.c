@@ -230,7 +230,8 @@ void arguments_set_view(struct options *options)
 int arguments_load(struct options *options)
 {
     if (options->scene_path) {
-        int status = scene_open(&options->file, options->scene_path, options->scene_format, options->strict);
+        int status = scene_open_by(&options->file, options->scene_path, options->scene_format, options->strict,
+                                   options->threads);
         if (status)
             return fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why);
         warn(&options->file);

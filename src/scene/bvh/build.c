@@ -45,10 +45,12 @@ size_t tia_bvh_size(const struct tia_scene *scene)
 static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
-    struct tia_bvh_tree tree = tia_bvh_build_tree(nodes, items, count, cost, space->boxes, &space->asker);
+    const struct bvh_items all = {items, space->boxes, cost};
+    uint32_t used = space->build ? space->build(space, nodes, &all, count)
+                                 : tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &space->asker);
 
-    bvh_allocate(space, tree.node_count * sizeof *nodes);
-    return tree;
+    bvh_allocate(space, used * sizeof *nodes);
+    return (struct tia_bvh_tree){nodes, items, used, count};
 }
 
 static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_mesh *mesh)
@@ -113,7 +115,7 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
     uint32_t *items = bvh_allocate(space, count * (uint64_t)sizeof *items);
 
     for (uint32_t i = count; !asker_stops(&space->asker, 1) && i-- > 0;)
-        if (tia_bvh_object_box(&space->boxes[i], scene, i, bvh->meshes))
+        if (tia_bvh_object_box(&space->boxes[first], scene, i, bvh->meshes))
             items[first++] = i;
         else
             items[--last] = i;
@@ -130,22 +132,30 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
 {
-    struct bvh_space space = {memory, NULL, {stop, ctx, 0, false}};
+    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}};
+
+    return tia_bvh_build_in(bvh, &space, size, used, scene);
+}
+
+int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
+                     const struct tia_scene *scene)
+{
+    const unsigned char *begin = space->front;
     size_t needed = tia_bvh_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    space.boxes = (void *)(space.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
-    struct tia_bvh *whole = bvh_allocate(&space, sizeof *whole);
-    struct tia_bvh_tree *meshes = bvh_allocate(&space, scene->mesh_count * (uint64_t)sizeof *meshes);
+    space->boxes = (void *)(space->front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
+    struct tia_bvh *whole = bvh_allocate(space, sizeof *whole);
+    struct tia_bvh_tree *meshes = bvh_allocate(space, scene->mesh_count * (uint64_t)sizeof *meshes);
     whole->meshes = meshes;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        meshes[i] = build_mesh(&space, &scene->meshes[i]);
-    tia_bvh_build_objects(&space, whole, scene);
-    if (space.asker.stopped)
+        meshes[i] = build_mesh(space, &scene->meshes[i]);
+    tia_bvh_build_objects(space, whole, scene);
+    if (space->asker.stopped)
         return TIA_STOPPED;
     *bvh = whole;
     if (used)
-        *used = (size_t)(space.front - (unsigned char *)memory);
+        *used = (size_t)(space->front - begin);
     return TIA_OK;
 }

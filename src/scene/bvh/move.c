@@ -125,7 +125,7 @@ int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const st
                  const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
 {
     uint64_t boxes = ALIGN(bvh_object_count(scene) * (uint64_t)sizeof(struct tia_bounds));
-    struct bvh_space space = {memory, NULL, {stop, ctx, 0, false}}, anew;
+    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}}, anew;
     size_t needed = tia_bvh_move_size(scene);
 
     if (needed == SIZE_MAX || size < needed)

@@ -2,14 +2,20 @@
 #ifndef TIA_SCENE_BVH_OBJECTS_H
 #define TIA_SCENE_BVH_OBJECTS_H
 
+#include <tia/port.h>
+
 #include "math/align.h"
 #include "tree.h"
 
-/* A block of memory that fills from the front. */
+/* A block of memory that fills from the front; and who builds. */
 struct bvh_space {
     unsigned char *front;
     struct tia_bounds *boxes; /* of the items of one tree, while it is built */
     struct asker asker;
+    /* What builds a tree of `count` items as tia_bvh_build_range does; NULL: that. */
+    uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
+    const struct tia_workers *workers; /* for `build` */
+    void *workers_ctx;
 };
 
 static inline uint64_t bvh_object_count(const struct tia_scene *scene)
@@ -35,5 +41,9 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
 
 /* Builds bvh->objects; the meshes' trees are there already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
+
+/* tia_bvh_build_until, in space->front, by whom the space says. */
+int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
+                     const struct tia_scene *scene);
 
 #endif

@@ -13,25 +13,9 @@
 #include "math/integer.h"
 #include "scene/bounds.h"
 
-#define BINS 16
-
-struct bin {
-    struct tia_bounds bounds;
-    uint32_t count;
-};
-
-/* The bin of an item is ((centre - first) >> shift) * scale >> 28. */
-struct binning {
-    int axis;
-    int64_t first;
-    unsigned shift;
-    uint32_t scale;
-    bool divides; /* not all centres are the same */
-};
-
 struct split {
     uint64_t cost; /* the sum of area times items over the two children */
-    struct binning binning;
+    int axis;
     uint32_t bin;   /* the second child's first bin */
     uint32_t count; /* the first child's items */
 };
@@ -59,15 +43,6 @@ static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
                                 smaller(to->min.z, more->min.z)};
     to->max = (struct tia_vec3){larger(to->max.x, more->max.x), larger(to->max.y, more->max.y),
                                 larger(to->max.z, more->max.z)};
-}
-
-struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items)
-{
-    struct tia_bounds bounds = BOUNDS_NOTHING;
-
-    for (uint32_t i = 0; i < items->count && !stops(items); i++)
-        add(&bounds, &items->boxes[items->items[i]]);
-    return bounds;
 }
 
 /* Twice the centre's coordinate, exact. */
@@ -100,75 +75,98 @@ static uint64_t area(const struct tia_bounds *b, unsigned shift)
     return x * y + y * z + z * x;
 }
 
-/* False when all centres coincide on that axis. */
-static bool choose_bins(struct binning *binning, int axis, int64_t least, int64_t most)
+void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more)
+{
+    add(&to->bounds, &more->bounds);
+    for (int axis = 0; axis < 3; axis++) {
+        to->least[axis] = more->least[axis] < to->least[axis] ? more->least[axis] : to->least[axis];
+        to->most[axis] = more->most[axis] > to->most[axis] ? more->most[axis] : to->most[axis];
+    }
+}
+
+void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items)
+{
+    struct tia_bvh_extent all = {BOUNDS_NOTHING, {INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+
+    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
+        const struct tia_bounds *box = &items->boxes[i];
+        int64_t x = centre(box, 0), y = centre(box, 1), z = centre(box, 2);
+        const struct tia_bvh_extent one = {*box, {x, y, z}, {x, y, z}};
+        tia_bvh_join_extents(&all, &one);
+    }
+    *extent = all;
+}
+
+/* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
+static struct tia_bvh_binning binning_of(int64_t least, int64_t most)
 {
     if (most <= least)
-        return false;
-    /* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
+        return (struct tia_bvh_binning){0};
     unsigned bits = 64 - tia_clz64((uint64_t)(most - least));
     unsigned shift = bits > 28 ? bits - 28 : 0;
     uint64_t range = (uint64_t)(most - least) >> shift;
-    *binning = (struct binning){axis, least, shift, (uint32_t)(((uint64_t)BINS << 28) / (range + 1)), true};
-    return true;
+    return (struct tia_bvh_binning){least, shift, (uint32_t)(((uint64_t)SPLIT_BINS << 28) / (range + 1)), true};
 }
 
-/* All axes at once, since the boxes lie about in memory. False when there is no axis to split along, or when it is
- * stopped: an item without a look may have no bin. */
-static bool choose_axes(struct binning binning[3], const struct tia_bvh_split_items *items)
+bool tia_bvh_choose_bins(struct tia_bvh_binning binning[3], const struct tia_bvh_extent *extent)
 {
-    int64_t least[3] = {INT64_MAX, INT64_MAX, INT64_MAX}, most[3] = {INT64_MIN, INT64_MIN, INT64_MIN};
-    bool any = false;
-
-    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
-        const struct tia_bounds *box = &items->boxes[items->items[i]];
-        for (int axis = 0; axis < 3; axis++) {
-            int64_t c = centre(box, axis);
-            least[axis] = c < least[axis] ? c : least[axis];
-            most[axis] = c > most[axis] ? c : most[axis];
-        }
-    }
-    for (int axis = 0; axis < 3; axis++) {
-        binning[axis].divides = false;
-        any = choose_bins(&binning[axis], axis, least[axis], most[axis]) || any;
-    }
-    return any && !items->asker->stopped;
+    for (int axis = 0; axis < 3; axis++)
+        binning[axis] = binning_of(extent->least[axis], extent->most[axis]);
+    return binning[0].divides || binning[1].divides || binning[2].divides;
 }
 
-static uint32_t bin_of(const struct binning *binning, const struct tia_bounds *b)
+static uint32_t bin_of(const struct tia_bvh_binning *binning, const struct tia_bounds *b, int axis)
 {
-    uint32_t place = (uint32_t)((uint64_t)(centre(b, binning->axis) - binning->first) >> binning->shift);
+    uint32_t place = (uint32_t)((uint64_t)(centre(b, axis) - binning->first) >> binning->shift);
     return (uint32_t)(tia_mul_u32(place, binning->scale) >> 28);
 }
 
-static void fill_bins(struct bin bins[3][BINS], const struct tia_bvh_split_items *items,
-                      const struct binning binning[3])
+static inline void add_to_bin(struct tia_bvh_bins *bins, int axis, uint32_t bin, const struct tia_bounds *box,
+                              uint32_t count)
 {
-    for (int i = 0; i < BINS; i++)
-        bins[0][i] = bins[1][i] = bins[2][i] = (struct bin){BOUNDS_NOTHING, 0};
-    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
-        const struct tia_bounds *box = &items->boxes[items->items[i]];
-        for (int axis = 0; axis < 3; axis++) {
-            if (!binning[axis].divides)
-                continue;
-            struct bin *bin = &bins[axis][bin_of(&binning[axis], box)];
-            add(&bin->bounds, box);
-            bin->count++;
-        }
+    struct tia_bvh_bin *to = &bins->axes[axis][bin];
+
+    if (bins->used[axis] >> bin & 1) {
+        add(&to->bounds, box);
+        to->count += count;
+    } else {
+        bins->used[axis] |= UINT32_C(1) << bin;
+        *to = (struct tia_bvh_bin){*box, count};
     }
+}
+
+void tia_bvh_fill_bins(struct tia_bvh_bins *bins, const struct tia_bvh_split_items *items,
+                       const struct tia_bvh_binning binning[3])
+{
+    bins->used[0] = bins->used[1] = bins->used[2] = 0;
+    for (uint32_t i = 0; i < items->count && !stops(items); i++) {
+        const struct tia_bounds *box = &items->boxes[i];
+        for (int axis = 0; axis < 3; axis++)
+            if (binning[axis].divides)
+                add_to_bin(bins, axis, bin_of(&binning[axis], box, axis), box, 1);
+    }
+}
+
+void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more)
+{
+    for (int axis = 0; axis < 3; axis++)
+        for (uint32_t i = 0; i < SPLIT_BINS; i++)
+            if (more->used[axis] >> i & 1)
+                add_to_bin(to, axis, i, &more->axes[axis][i].bounds, more->axes[axis][i].count);
 }
 
 /* Sets *best to the best plane of one axis if that is better. A plane behind an empty bin is as good as the one before
  * it, which was tried. */
-static void choose_split(struct split *best, uint32_t items, const struct bin bins[BINS], const struct binning *binning,
-                         unsigned shift)
+static void choose_split(struct split *best, uint32_t items, const struct tia_bvh_bins *all, int axis, unsigned shift)
 {
-    uint64_t right[BINS], cost = 0; /* right: cost of a second child that starts at bin i */
+    const struct tia_bvh_bin *bins = all->axes[axis];
+    uint32_t used = all->used[axis];
+    uint64_t right[SPLIT_BINS], cost = 0; /* right: cost of a second child that starts at bin i */
     struct tia_bounds bounds = BOUNDS_NOTHING;
     uint32_t count = 0;
 
-    for (int i = BINS - 1; i > 0; i--) {
-        if (bins[i].count) {
+    for (int i = SPLIT_BINS - 1; i > 0; i--) {
+        if (used >> i & 1) {
             add(&bounds, &bins[i].bounds);
             count += bins[i].count;
             cost = area(&bounds, shift) * count;
@@ -177,60 +175,68 @@ static void choose_split(struct split *best, uint32_t items, const struct bin bi
     }
     bounds = BOUNDS_NOTHING;
     count = 0;
-    for (uint32_t i = 1; i < BINS; i++) {
-        if (!bins[i - 1].count)
+    for (uint32_t i = 1; i < SPLIT_BINS; i++) {
+        if (!(used >> (i - 1) & 1))
             continue;
         add(&bounds, &bins[i - 1].bounds);
         count += bins[i - 1].count;
         cost = area(&bounds, shift) * count + right[i];
         if (count < items && cost < best->cost)
-            *best = (struct split){cost, *binning, i, count};
+            *best = (struct split){cost, axis, i, count};
     }
 }
 
-static void partition(const struct tia_bvh_split_items *items, const struct split *choice)
+static void partition(const struct tia_bvh_split_items *items, const struct split *choice,
+                      const struct tia_bvh_binning *binning)
 {
     uint32_t low = 0, high = items->count;
 
     while (low < high && !stops(items)) {
-        uint32_t item = items->items[low];
-        if (bin_of(&choice->binning, &items->boxes[item]) < choice->bin) {
+        struct tia_bounds box = items->boxes[low];
+        if (bin_of(binning, &box, choice->axis) < choice->bin) {
             low++;
         } else {
+            uint32_t item = items->items[low];
             items->items[low] = items->items[--high];
+            items->boxes[low] = items->boxes[high];
             items->items[high] = item;
+            items->boxes[high] = box;
         }
     }
 }
 
-static void find_split(struct split *best, const struct tia_bvh_split_items *items, unsigned shift)
-{
-    struct binning binning[3];
-    struct bin bins[3][BINS];
-
-    if (!choose_axes(binning, items))
-        return;
-    fill_bins(bins, items, binning);
-    for (int axis = 0; axis < 3; axis++)
-        if (binning[axis].divides)
-            choose_split(best, items->count, bins[axis], &binning[axis], shift);
-}
-
-uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds, uint32_t most)
+uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
+                               const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most)
 {
     struct split best = {.cost = UINT64_MAX};
     unsigned shift = area_shift(bounds);
     uint64_t visit = area(bounds, shift);
 
-    if (items->count < 2)
-        return 0;
-    find_split(&best, items, shift);
+    for (int axis = 0; axis < 3 && bins; axis++)
+        if (binning[axis].divides)
+            choose_split(&best, items->count, bins, axis, shift);
     bool leaf = best.cost == UINT64_MAX || best.cost + visit / items->cost >= visit * items->count;
     if (leaf && items->count <= SPLIT_ITEMS_MOST)
         return 0;
     /* No plane separates the centres, or a child would be too large for the depth limit: halve the list. */
     if (best.cost == UINT64_MAX || best.count > most || items->count - best.count > most)
         return items->count / 2;
-    partition(items, &best);
+    partition(items, &best, &binning[best.axis]);
     return best.count;
+}
+
+uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most)
+{
+    struct tia_bvh_extent extent;
+    struct tia_bvh_binning binning[3];
+    struct tia_bvh_bins bins;
+
+    tia_bvh_measure(&extent, items);
+    *bounds = extent.bounds;
+    if (items->count < 2 || items->asker->stopped)
+        return 0;
+    bool divides = tia_bvh_choose_bins(binning, &extent);
+    if (divides)
+        tia_bvh_fill_bins(&bins, items, binning);
+    return items->asker->stopped ? 0 : tia_bvh_split_at_best(items, bounds, divides ? &bins : NULL, binning, most);
 }

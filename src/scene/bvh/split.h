@@ -7,21 +7,61 @@
 #include "scene/asker.h"
 
 #define SPLIT_ITEMS_MOST 8 /* more items are always split, whatever the heuristic finds */
+#define SPLIT_BINS 16
 
-/* Items are indices into `boxes`. Once the asker is stopped, what the functions return means nothing. */
+/* boxes[i] is the box of items[i]; both are put into another order together, so that whoever goes through a node's
+ * items goes through memory. Once the asker is stopped, what the functions return means nothing. */
 struct tia_bvh_split_items {
-    const struct tia_bounds *boxes;
+    struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
     uint32_t cost; /* of testing an item, in visits to a node's two children; not 0 */
     struct asker *asker;
 };
 
-/* The bounding box of all items. */
-struct tia_bounds tia_bvh_split_bounds(const struct tia_bvh_split_items *items);
+/* Where the items are. */
+struct tia_bvh_extent {
+    struct tia_bounds bounds;  /* of all items */
+    int64_t least[3], most[3]; /* of twice the coordinates of their centres */
+};
+
+/* The bin of an item is ((centre - first) >> shift) * scale >> 28. */
+struct tia_bvh_binning {
+    int64_t first;
+    unsigned shift;
+    uint32_t scale;
+    bool divides; /* not all centres are the same */
+};
+
+struct tia_bvh_bin {
+    struct tia_bounds bounds;
+    uint32_t count;
+};
+
+/* Bin i of an axis has no value unless bit i is set: most nodes have few items, and clearing all takes longer. */
+struct tia_bvh_bins {
+    uint32_t used[3];
+    struct tia_bvh_bin axes[3][SPLIT_BINS];
+};
 
 /* Partitions the items and returns n: the first n become the first child, the rest the second. 0: better make a
- * leaf. No child gets more than `most` items; `most` must be at least half of them. */
-uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds, uint32_t most);
+ * leaf. No child gets more than `most` items; `most` must be at least half of them. Sets their bounds. */
+uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most);
+
+/* Its steps. The first and the third may look at some of the items at a time: extents and bins of parts are joined, and
+ * it does not matter how they were divided. */
+void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
+void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);
+
+/* For each axis; false when there is none to split along. */
+bool tia_bvh_choose_bins(struct tia_bvh_binning binning[3], const struct tia_bvh_extent *extent);
+
+void tia_bvh_fill_bins(struct tia_bvh_bins *bins, const struct tia_bvh_split_items *items,
+                       const struct tia_bvh_binning binning[3]);
+void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more);
+
+/* What tia_bvh_split_items returns; `bins` are NULL when there is no axis to split along. */
+uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
+                               const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most);
 
 #endif

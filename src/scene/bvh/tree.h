@@ -1,18 +1,46 @@
-/* tree.h - builds one hierarchy, top down. */
+/* tree.h - builds one hierarchy, or a part of one, top down. */
 #ifndef TIA_SCENE_BVH_TREE_H
 #define TIA_SCENE_BVH_TREE_H
 
 #include <tia/bvh.h>
 
 #include "scene/asker.h"
+#include "split.h"
 
 /* Upper bound of the nodes for n items: each leaf has at least one. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
-/* Fills `nodes`, which has room for TREE_NODES(count), and reorders `items`, whose boxes are boxes[item]. In each leaf
- * the items are in rising order. `cost` is what it costs to test one, in visits to a node's children, at least 1. When
- * it is stopped, the tree is not complete. */
-struct tia_bvh_tree tia_bvh_build_tree(struct tia_bvh_node *nodes, uint32_t *items, uint32_t count, uint32_t cost,
-                                       const struct tia_bounds *boxes, struct asker *asker);
+/* What a tree is built of. Building reorders the items, and their boxes with them: boxes[i] is that of items[i], but in
+ * leaves, where it is no more needed and items are in rising order. `cost` is what it costs to test an item, in visits
+ * to a node's children, at least 1. */
+struct bvh_items {
+    uint32_t *items;
+    struct tia_bounds *boxes;
+    uint32_t cost;
+};
+
+/* The items below a node, and how many levels below the root it is. */
+struct bvh_range {
+    uint32_t first, count, depth;
+};
+
+static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *all, struct bvh_range range,
+                                                      struct asker *asker)
+{
+    return (struct tia_bvh_split_items){all->boxes + range.first, all->items + range.first, range.count, all->cost,
+                                        asker};
+}
+
+/* The most items that a node may have at `depth`: with no more, halving reaches single items by TIA_BVH_DEPTH_MAX. */
+static inline uint32_t bvh_most_items(uint32_t depth)
+{
+    uint32_t left = TIA_BVH_DEPTH_MAX - depth;
+    return UINT32_C(1) << (left < 31 ? left : 31);
+}
+
+/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, itself the first; returns how
+ * many there are. When it is stopped, the tree is not complete. */
+uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
+                             struct asker *asker);
 
 #endif

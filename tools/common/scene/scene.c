@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "common/checksum.h"
+#include "common/thread_pool.h"
 #include "part.h"
 #include "whole.h"
 
@@ -126,16 +127,29 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
     return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
-static int build_boxes(struct scene_file *file)
+/* A smaller hierarchy is built sooner than threads are. */
+#define BOXES_FOR_THREADS ((size_t)1 << 20)
+
+/* Without memory for threads one does it. */
+static int build_boxes(struct scene_file *file, unsigned threads)
 {
-    size_t size = tia_bvh_size(&file->scene);
+    struct tia_scene *scene = &file->scene;
+    size_t size = tia_bvh_size(scene);
+    struct threads *pool = threads > 1 && size >= BOXES_FOR_THREADS ? threads_create(threads) : NULL;
     file->boxes = size <= MEMORY_MOST ? malloc(size > 0 ? size : 1) : NULL;
-    if (!file->boxes || tia_bvh_build(&file->scene.bvh, file->boxes, size, NULL, &file->scene) == TIA_ERR_MEMORY)
-        return exhausted(file);
-    return TIA_OK;
+    int status = !file->boxes ? TIA_ERR_MEMORY
+                              : tia_bvh_build_parallel(&scene->bvh, file->boxes, size, NULL, scene,
+                                                       pool ? &threads_workers : NULL, pool, NULL, NULL);
+    threads_destroy(pool);
+    return status == TIA_ERR_MEMORY ? exhausted(file) : TIA_OK;
 }
 
 int scene_open(struct scene_file *file, const char *path, int format, bool strict)
+{
+    return scene_open_by(file, path, format, strict, 1);
+}
+
+int scene_open_by(struct scene_file *file, const char *path, int format, bool strict, unsigned threads)
 {
     struct whole text;
     *file = (struct scene_file){.path = path};
@@ -146,7 +160,7 @@ int scene_open(struct scene_file *file, const char *path, int format, bool stric
     status = read_scene(file, &text, format, strict);
     free(text.bytes);
     if (!status)
-        status = build_boxes(file);
+        status = build_boxes(file, threads);
     if (status)
         scene_close(file);
     return status;

@@ -1,0 +1,21 @@
+/* embree.h - the scenes of the Standard Procedural Databases by Embree 3, to compare with: rtcIntersect1 and
+ * rtcOccluded1 in float, one ray at a time, and Whitted's shading around them in float, too. The rays are tia's: its
+ * camera, its bias, its depth, and what is too dark is not followed. */
+#ifndef BENCH_EMBREE_EMBREE_H
+#define BENCH_EMBREE_EMBREE_H
+
+#include <tia/tia.h>
+
+struct embree;
+
+/* False where this was built without Embree: then embree_open always returns NULL. */
+extern const bool embree_is_there;
+
+/* NULL when the scene has more than these have (other shapes, lights or textures), or memory is short. `scene` must
+ * stay. */
+struct embree *embree_open(const struct tia_scene *scene);
+void embree_close(struct embree *embree);
+
+void embree_draw(const struct embree *embree, uint16_t width, uint16_t height, tia_rgb565 *pixels);
+
+#endif

@@ -1,0 +1,61 @@
+/* world.h - a scene as Embree has it, and what shading has to know of it. */
+#ifndef BENCH_EMBREE_WORLD_H
+#define BENCH_EMBREE_WORLD_H
+
+#include <embree3/rtcore.h>
+#include <stdbool.h>
+
+#include "embree.h"
+#include "float_world.h"
+
+#define EMBREE_DEPTH 64 /* at most */
+
+enum embree_geometry { EMBREE_SPHERES, EMBREE_FACES, EMBREE_CONES, EMBREE_GEOMETRIES };
+
+struct embree_material {
+    float colour[3], specular[3], mirror[3], refraction[3], transmission[3], exponent, index;
+    bool shines, reflects, refracts, passes; /* those are not black */
+};
+
+struct embree_light {
+    struct vec place;
+    float emission[3];
+};
+
+struct embree_face {
+    struct vec geometric, normal[3];
+    bool smooth;
+};
+
+struct embree {
+    const struct tia_scene *given;
+    RTCDevice device;
+    RTCScene scene;
+    struct embree_material *materials;
+    struct embree_light *lights;
+    struct embree_face *faces;
+    const float (*spheres)[4];                /* centre and radius: Embree's own buffer */
+    uint32_t *material_of[EMBREE_GEOMETRIES]; /* by the number of the primitive */
+    float background[3];
+    unsigned depth;
+};
+
+/* In the units of the scene's file, for which the bias is meant: tia enlarges small scenes, which have more digits
+ * then; floats have as many anywhere. */
+static inline float embree_length(const struct tia_scene *scene, tia_q16 length)
+{
+    return ldexpf((float)length, -16 - (int)scene->scale_bits);
+}
+
+static inline struct vec embree_place(const struct tia_scene *scene, struct tia_vec3 v)
+{
+    return (struct vec){embree_length(scene, v.x), embree_length(scene, v.y), embree_length(scene, v.z)};
+}
+
+/* As rays ask for it: the context of one, and what shadow rays have left of the light. */
+struct embree_context {
+    struct RTCIntersectContext context; /* must be the first */
+    float through[3];
+};
+
+#endif

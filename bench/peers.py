@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""The databases' scenes by tia's levels, by Embree and by POV-Ray: milliseconds of CPU time a picture of 640x480.
+
+    taskset -c 1 bench/peers.py [BUILD [NAME ...]]      scenes whose name contains NAME
+
+Needs `make BUILD/bench BUILD/tia-pov`, libembree-dev when that was made, and povray; what is missing is said, and its
+column left out. One thread each. Embree and the levels are measured by `bench ray-levels`, in turns; POV-Ray, between
+two runs of that, by the CPU time that it reports for tracing, of scenes that tia-pov wrote. Of all runs the least
+counts. In the last lines: how many times as fast as tia's plain C, and as Embree, in the geometric mean.
+"""
+import glob
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROUNDS = 2
+SIZE = ("640", "480")
+BUILD = sys.argv[1] if len(sys.argv) > 1 else "build"
+
+
+def output(*command, **options):
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    return done.stdout.decode(errors="replace")
+
+
+def by_bench(name):
+    """{who: ms} for a scene."""
+    rows = re.findall(rf"^\| {name}\.nff \S+ \| ([^|]+) \| ([0-9.]+) \|", output(f"{BUILD}/bench", "ray-levels", name),
+                      re.MULTILINE)
+    return {who: float(ms) for who, ms in rows if "threads" not in who}
+
+
+def by_povray(folder, name):
+    said = output("povray", f"+I{name}.pov", f"+O{name}.png", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "+FN", "-A", "-D", "-P",
+                  "+WT1", "File_Gamma=1.0", cwd=folder)
+    return 1e3 * float(re.findall(r"Trace Time:.*\n.*with ([0-9.]+) CPU-seconds", said)[0])
+
+
+def measure(folder, scene):
+    name = os.path.splitext(os.path.basename(scene))[0]
+    least = {}
+    if shutil.which("povray"):
+        output(f"{BUILD}/tia-pov", scene, "-o", os.path.join(folder, name + ".pov"))
+    for _ in range(ROUNDS):
+        found = by_bench(name)
+        if shutil.which("povray"):
+            found["POV-Ray"] = by_povray(folder, name)
+        for who, ms in found.items():
+            least[who] = min(ms, least.get(who, ms))
+    return name, least
+
+
+def mean(rows, who, over):
+    return math.exp(sum(math.log(row[over] / row[who]) for row in rows) / len(rows))
+
+
+def main():
+    names = sys.argv[2:] or [""]
+    rows = []
+    if not shutil.which("povray"):
+        print("peers: no povray: measured without it (apt-get install povray)", file=sys.stderr)
+    with tempfile.TemporaryDirectory(prefix="peers.") as folder:
+        for scene in sorted(glob.glob("scenes/nff/*.nff")):
+            if not any(name in scene for name in names):
+                continue
+            name, row = measure(folder, scene)
+            if not rows:
+                print("| 640x480, ms | " + " | ".join(row) + " |\n|---|" + "--:|" * len(row))
+            rows.append(row)
+            print(f"| {name} | " + " | ".join(f"{ms:.0f}" for ms in row.values()) + " |", flush=True)
+    for over in ("plain", "Embree"):
+        if rows and over in rows[0]:
+            print(f"| {over} over it | " + " | ".join(f"{mean(rows, who, over):.2f}" for who in rows[0]) + " |")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

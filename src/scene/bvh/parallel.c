@@ -1,0 +1,254 @@
+/* parallel.c - a tree built by several threads.
+ *
+ * One thread splits the largest part of the items, then the largest of what there is then, until there are enough
+ * parts; the looks at all items of a part are divided among the threads. Then each part becomes a tree of its own, by
+ * one thread, in nodes that are its alone: a tree of n items has at most 2n - 1 of them, so the places where parts
+ * would begin, if all trees were that large, are known before. At last the trees are moved together. So the nodes have
+ * the order, and the bits, of tia_bvh_build_range's, and do not depend on the number of threads.
+ *
+ * Boards do not link this: tia_bvh_build does not need it.
+ */
+#include <tia/port.h>
+
+#include "objects.h"
+#include "split.h"
+
+#define PARTS 64      /* enough that threads seldom wait for the last one */
+#define CHUNKS 32     /* of a part's items, looked at together */
+#define LEAST 16384   /* items of a tree worth it: it takes longer than to wake threads */
+#define SMALLEST 2048 /* items of a part that is not split further */
+
+/* What a chunk of a part's items comes to. It is kept in nodes, of which none is in use yet:
+ * CHUNKS * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
+struct chunk {
+    struct tia_bvh_extent extent;
+    struct tia_bvh_bins bins;
+    bool stopped;
+};
+
+/* A node whose children are parts, too, or the root of a tree. */
+struct part {
+    struct tia_bounds bounds; /* of a node with children */
+    struct bvh_range range;
+    uint32_t place; /* its first node while the tree is built */
+    uint32_t nodes; /* its tree's */
+    bool divided, stopped;
+};
+
+struct crew {
+    struct bvh_space *space;
+    struct bvh_items all;
+    struct tia_bvh_node *nodes;
+    struct part parts[2 * PARTS - 1]; /* each part before its children, the first child's before the second's */
+    unsigned count;
+    /* the part whose chunks are looked at */
+    struct tia_bvh_split_items items;
+    struct tia_bvh_binning binning[3];
+    struct chunk *chunks;
+};
+
+/* ---- what threads do ---- */
+
+/* One thread at a time; others go on meanwhile. */
+static bool asks(void *ctx)
+{
+    const struct bvh_space *space = ctx;
+    bool stopped = false;
+
+    if (space->workers->enter(space->workers_ctx)) {
+        stopped = space->asker.stop(space->asker.ctx);
+        space->workers->leave(space->workers_ctx);
+    }
+    return stopped;
+}
+
+/* Each thread counts its own work. */
+static struct asker asker_of(const struct crew *crew)
+{
+    return (struct asker){crew->space->asker.stop ? asks : NULL, crew->space, 0, false};
+}
+
+static struct tia_bvh_split_items chunk_items(const struct crew *crew, unsigned index, struct asker *asker)
+{
+    struct tia_bvh_split_items items = crew->items;
+    uint32_t size = (items.count + CHUNKS - 1) / CHUNKS, first = index * size;
+
+    first = first < items.count ? first : items.count;
+    items.boxes += first;
+    items.items += first;
+    items.count = items.count - first < size ? items.count - first : size;
+    items.asker = asker;
+    return items;
+}
+
+static void measure_chunk(void *arg, unsigned index)
+{
+    struct crew *crew = arg;
+    struct asker asker = asker_of(crew);
+    struct tia_bvh_split_items items = chunk_items(crew, index, &asker);
+
+    tia_bvh_measure(&crew->chunks[index].extent, &items);
+    crew->chunks[index].stopped = asker.stopped;
+}
+
+static void fill_chunk(void *arg, unsigned index)
+{
+    struct crew *crew = arg;
+    struct asker asker = asker_of(crew);
+    struct tia_bvh_split_items items = chunk_items(crew, index, &asker);
+
+    tia_bvh_fill_bins(&crew->chunks[index].bins, &items, crew->binning);
+    crew->chunks[index].stopped = asker.stopped;
+}
+
+/* The tree of the part with that number among those that have no children. */
+static void build_part(void *arg, unsigned index)
+{
+    struct crew *crew = arg;
+    struct part *part = crew->parts;
+    struct asker asker = asker_of(crew);
+
+    for (; part->divided || index > 0; part++)
+        index -= !part->divided;
+    part->nodes = tia_bvh_build_range(crew->nodes + part->place, &crew->all, part->range, &asker);
+    part->stopped = asker.stopped;
+}
+
+/* ---- the upper part of the tree ---- */
+
+static void run(struct crew *crew, void (*job)(void *arg, unsigned index), unsigned count)
+{
+    crew->space->workers->run(crew->space->workers_ctx, job, crew, count);
+}
+
+/* One after another would find the same; False: stopped. */
+static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index))
+{
+    bool stopped = false;
+
+    run(crew, job, CHUNKS);
+    for (unsigned i = 0; i < CHUNKS; i++)
+        stopped = stopped || crew->chunks[i].stopped;
+    crew->space->asker.stopped = crew->space->asker.stopped || stopped;
+    return !stopped;
+}
+
+/* As tia_bvh_split_items. */
+static uint32_t split_together(struct crew *crew, struct tia_bounds *bounds, uint32_t most)
+{
+    struct chunk *c = crew->chunks;
+
+    if (!run_chunks(crew, measure_chunk))
+        return 0;
+    for (unsigned i = 1; i < CHUNKS; i++)
+        tia_bvh_join_extents(&c->extent, &c[i].extent);
+    *bounds = c->extent.bounds;
+    bool divides = tia_bvh_choose_bins(crew->binning, &c->extent);
+    if (divides && !run_chunks(crew, fill_chunk))
+        return 0;
+    for (unsigned i = 1; i < CHUNKS && divides; i++)
+        tia_bvh_join_bins(&c->bins, &c[i].bins);
+    return tia_bvh_split_at_best(&crew->items, bounds, divides ? &c->bins : NULL, crew->binning, most);
+}
+
+static struct part *find_largest(struct crew *crew)
+{
+    struct part *largest = NULL;
+
+    for (unsigned i = 0; i < crew->count; i++)
+        if (!crew->parts[i].divided && (!largest || crew->parts[i].range.count > largest->range.count))
+            largest = &crew->parts[i];
+    return largest;
+}
+
+/* The part keeps its place, and its children follow at once; `left` items are the first one's. */
+static void divide(struct crew *crew, struct part *part, uint32_t left)
+{
+    struct bvh_range whole = part->range;
+
+    for (struct part *p = &crew->parts[crew->count - 1]; p > part; p--)
+        p[2] = *p;
+    crew->count += 2;
+    part->divided = true;
+    part[1] = (struct part){.range = {whole.first, left, whole.depth + 1}, .place = part->place + 1};
+    part[2] = (struct part){.range = {whole.first + left, whole.count - left, whole.depth + 1},
+                            .place = part->place + 1 + (uint32_t)TREE_NODES(left)};
+}
+
+static void divide_all(struct crew *crew)
+{
+    struct asker *asker = &crew->space->asker;
+
+    while (crew->count < 2 * PARTS - 1) {
+        struct part *part = find_largest(crew);
+        if (part->range.count <= SMALLEST || asker_stops(asker, part->range.count))
+            return;
+        crew->items = bvh_items_of(&crew->all, part->range, asker);
+        uint32_t left = split_together(crew, &part->bounds, bvh_most_items(part->range.depth + 1));
+        if (asker->stopped)
+            return;
+        divide(crew, part, left);
+    }
+}
+
+/* ---- together again ---- */
+
+/* Moves a tree's nodes to the front, `to`. Those of its nodes that have children know them by numbers from its root. */
+static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
+{
+    for (uint32_t i = 0; i < part->nodes; i++) {
+        struct tia_bvh_node node = crew->nodes[part->place + i];
+        node.index += node.count ? 0 : to;
+        crew->nodes[to + i] = node;
+    }
+}
+
+/* After a tree comes the second child of the last node that has only its first. Returns the number of nodes. */
+static uint32_t move_together(struct crew *crew)
+{
+    uint32_t waiting[TIA_BVH_DEPTH_MAX + 1], to = 0;
+    unsigned depth = 0;
+
+    for (const struct part *part = crew->parts; part < crew->parts + crew->count; part++) {
+        if (part > crew->parts && !part[-1].divided)
+            crew->nodes[waiting[--depth]].index = to;
+        if (part->divided) {
+            crew->nodes[to] = (struct tia_bvh_node){.bounds = part->bounds};
+            waiting[depth++] = to++;
+        } else {
+            move_tree(crew, part, to);
+            to += part->nodes;
+        }
+    }
+    return to;
+}
+
+static uint32_t build(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count)
+{
+    struct crew crew = {.space = space, .all = *all, .nodes = nodes, .count = 1, .chunks = (void *)nodes};
+
+    if (count < LEAST)
+        return tia_bvh_build_range(nodes, all, (struct bvh_range){0, count, 0}, &space->asker);
+    crew.parts[0] = (struct part){.range = {0, count, 0}};
+    divide_all(&crew);
+    if (space->asker.stopped)
+        return 0;
+    run(&crew, build_part, (crew.count + 1) / 2);
+    for (unsigned i = 0; i < crew.count; i++)
+        space->asker.stopped = space->asker.stopped || crew.parts[i].stopped;
+    return space->asker.stopped ? 0 : move_together(&crew);
+}
+
+int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
+                           const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
+                           bool (*stop)(void *ctx), void *ctx)
+{
+    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}};
+
+    if (workers) {
+        space.build = build;
+        space.workers = workers;
+        space.workers_ctx = workers_ctx;
+    }
+    return tia_bvh_build_in(bvh, &space, size, used, scene);
+}
