@@ -2,6 +2,7 @@
 #
 #   make install PREFIX=/usr LIBDIR=lib/x86_64-linux-gnu DESTDIR=root
 
+PYTHON ?= $(call found,python3)
 PREFIX  ?= /usr/local
 DESTDIR ?=
 LIBDIR  ?= lib
@@ -51,6 +52,13 @@ PORT_HEADERS := $(PORTABLE:%=%.h)
 $(LIBDEVICES): $(patsubst %,$(BUILD)/q16/%.o,$(PORTABLE))
 $(BUILD)/q16/port/%.o: CORE += -Iport
 
+# ---- the library as two files, for builds that know no other way: python3 writes them ----
+.PHONY: amalgamation
+amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
+	@$(if $(PYTHON),:,echo "amalgamation: python3 not found (make deps check installs it)" >&2; exit 1)
+$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
+	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC)
+
 # ---- what is installed: mode:file:place below PREFIX ----
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
@@ -66,7 +74,6 @@ PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:sha
     $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
     644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)
 # The reference, a page for each header and one that leads to it for each function: python3 writes it.
-PYTHON ?= $(call found,python3)
 MAN3 := $(sort $(patsubst tia_tia,tia,$(patsubst include/tia/%.h,tia_%,$(wildcard include/tia/*.h))) \
     $(patsubst %;,%,$(filter tia_%;,$(file <libtia.map))))
 MAN3_DIR = $(DESTDIR)$(PREFIX)/share/man/man3
