@@ -59,6 +59,13 @@ amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
 $(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
 	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC)
 
+# As Arduino wants a library: of spheres alone, with headers at the top of src/.
+.PHONY: arduino
+ARDUINO := $(BUILD)/arduino/tia
+arduino: tools/generate/amalgamation.py $(SPHERES_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h package/arduino/* package/arduino/examples/*/*)
+	$(call say,WRITE,$(ARDUINO))rm -rf $(ARDUINO) && mkdir -p $(ARDUINO) && cp -R package/arduino/. LICENSE $(ARDUINO) \
+	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(SPHERES_SRC)
+
 # ---- what is installed: mode:file:place below PREFIX ----
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
@@ -87,6 +94,18 @@ else
 man3:
 	@echo "note: no python3: without the man pages of section 3 (make deps check installs it)"
 endif
+
+# ---- packages for Debian: built from a copy of the sources, as dpkg-buildpackage wants them ----
+.PHONY: deb
+DEB := $(BUILD)/deb
+DEB_TREE := $(DEB)/tia-$(VERSION)
+deb:
+	@command -v dpkg-buildpackage >/dev/null || { echo "deb: dpkg-buildpackage not found (make deps check installs it)" >&2; exit 1; }
+	$(call say,COPY,$(DEB_TREE))rm -rf $(DEB) && mkdir -p $(DEB_TREE) && cp -R $(filter-out build $(firstword $(subst /, ,$(BUILD))),$(wildcard *)) $(DEB_TREE) \
+	    && cp -R package/debian $(DEB_TREE)/debian
+	$(call say,BUILD,$(DEB)/*.deb)cd $(DEB_TREE) && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u BUILD -u CC -u F64 dpkg-buildpackage -us -uc -b >../build.log 2>&1 \
+	    || { tail -20 ../build.log >&2; exit 1; }
+	@ls $(DEB)/*.deb
 
 # Names of the shared library that lead to it.
 SHARED_LINKS := $(if $(BARE),,$(LIBDIR)/libtia.so.0 $(LIBDIR)/libtia.so)
