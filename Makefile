@@ -26,7 +26,7 @@ HOSTED  := $(COMMON) -D_GNU_SOURCE -Iport -Itools -Ibench -pthread
 
 # The compiler's target when it has no operating system: then there is the library alone.
 BARE := $(if $(NATIVE),,$(filter %-elf %-eabi %-eabihf %-none avr,$(shell $(CC) -dumpmachine 2>/dev/null)))
-LIBRARY_GOALS := all install uninstall man3 size clean lint deps help $(BUILD)/%
+LIBRARY_GOALS := all amalgamation arduino deb install uninstall man3 size clean lint deps help $(BUILD)/%
 ifneq ($(and $(BARE),$(filter-out $(LIBRARY_GOALS),$(MAKECMDGOALS))),)
 $(error $(CC) is for $(BARE), which has no operating system: there is only `make all` or `make install`)
 endif
@@ -390,8 +390,11 @@ help:
 	@echo "web                the viewer as a page for browsers, in build/web"
 	@echo "docs               draws the pictures of docs again; gallery: those without the course's"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
+	@echo "amalgamation       the library as two files, tia.c and tia.h, in build/amalgamation"
+	@echo "arduino            a library for Arduino, in build/arduino/tia (docs/ecosystems.md has the others)"
+	@echo "deb                packages for Debian in build/deb: tia, libtia0, libtia-dev, tia-doc"
 	@echo "install uninstall  below DESTDIR and PREFIX (/usr/local)"
 	@echo "lint clean help"
 	@echo "The top of the Makefile tells of CC, CROSS, CFLAGS, BUILD and of leaving parts out."
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -name '*.d' -type f -print 2>/dev/null)

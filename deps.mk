@@ -12,6 +12,9 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux zsh fish g++ cmake \
         wasi-libc libclang-rt-14-dev-wasm32 lld nodejs chromium fonts-dejavu-core \
+        parallel openssh-server openssh-client slurm-wlm slurm-client slurmctld slurmd munge \
+        debhelper dpkg-dev lintian mmdebstrap libgl-dev \
+        arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \
         gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
 DEPS += $(if $(filter-out run,$(or $(GOALS),all)),$(DEPS_ALL)) $(if $(filter-out run all install,$(GOALS)),$(DEPS_CHECK))

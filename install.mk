@@ -2,6 +2,7 @@
 #
 #   make install PREFIX=/usr LIBDIR=lib/x86_64-linux-gnu DESTDIR=root
 
+PYTHON ?= $(call found,python3)
 PREFIX  ?= /usr/local
 DESTDIR ?=
 LIBDIR  ?= lib
@@ -51,6 +52,20 @@ PORT_HEADERS := $(PORTABLE:%=%.h)
 $(LIBDEVICES): $(patsubst %,$(BUILD)/q16/%.o,$(PORTABLE))
 $(BUILD)/q16/port/%.o: CORE += -Iport
 
+# ---- the library as two files, for builds that know no other way: python3 writes them ----
+.PHONY: amalgamation
+amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
+	@$(if $(PYTHON),:,echo "amalgamation: python3 not found (make deps check installs it)" >&2; exit 1)
+$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
+	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC)
+
+# As Arduino wants a library: of spheres alone, with headers at the top of src/.
+.PHONY: arduino
+ARDUINO := $(BUILD)/arduino/tia
+arduino: tools/generate/amalgamation.py $(SPHERES_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h package/arduino/* package/arduino/examples/*/*)
+	$(call say,WRITE,$(ARDUINO))rm -rf $(ARDUINO) && mkdir -p $(ARDUINO) && cp -R package/arduino/. LICENSE $(ARDUINO) \
+	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(SPHERES_SRC)
+
 # ---- what is installed: mode:file:place below PREFIX ----
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
@@ -66,7 +81,6 @@ PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:sha
     $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
     644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)
 # The reference, a page for each header and one that leads to it for each function: python3 writes it.
-PYTHON ?= $(call found,python3)
 MAN3 := $(sort $(patsubst tia_tia,tia,$(patsubst include/tia/%.h,tia_%,$(wildcard include/tia/*.h))) \
     $(patsubst %;,%,$(filter tia_%;,$(file <libtia.map))))
 MAN3_DIR = $(DESTDIR)$(PREFIX)/share/man/man3
@@ -80,6 +94,18 @@ else
 man3:
 	@echo "note: no python3: without the man pages of section 3 (make deps check installs it)"
 endif
+
+# ---- packages for Debian: built from a copy of the sources, as dpkg-buildpackage wants them ----
+.PHONY: deb
+DEB := $(BUILD)/deb
+DEB_TREE := $(DEB)/tia-$(VERSION)
+deb:
+	@command -v dpkg-buildpackage >/dev/null || { echo "deb: dpkg-buildpackage not found (make deps check installs it)" >&2; exit 1; }
+	$(call say,COPY,$(DEB_TREE))rm -rf $(DEB) && mkdir -p $(DEB_TREE) && cp -R $(filter-out build $(firstword $(subst /, ,$(BUILD))),$(wildcard *)) $(DEB_TREE) \
+	    && cp -R package/debian $(DEB_TREE)/debian
+	$(call say,BUILD,$(DEB)/*.deb)cd $(DEB_TREE) && env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u BUILD -u CC -u F64 dpkg-buildpackage -us -uc -b >../build.log 2>&1 \
+	    || { tail -20 ../build.log >&2; exit 1; }
+	@ls $(DEB)/*.deb
 
 # Names of the shared library that lead to it.
 SHARED_LINKS := $(if $(BARE),,$(LIBDIR)/libtia.so.0 $(LIBDIR)/libtia.so)

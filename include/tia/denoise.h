@@ -23,6 +23,10 @@
 
 #include <tia/render.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_DENOISE_PASSES 3
 
 struct tia_denoiser; /* in the caller's memory */
@@ -61,5 +65,9 @@ struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gath
 /* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
  * of its samples; of one sample: that luminance. Sobol points are evener than chance, so it is rather too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

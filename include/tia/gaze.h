@@ -15,6 +15,10 @@
 
 #include <tia/fixed.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TIA_FOVEA TIA_Q16(2.5) /* degrees: half of the fovea's 5 */
 #define TIA_GAZE_W0 349525u    /* 1/48 degree, Q8.24 */
 #define TIA_GAZE_M 461373u     /* 0.0275 */
@@ -42,5 +46,9 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
 
 /* The block at a pixel: 1, 2, 4, 8 or 16. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include <tia/scene.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Makes a camera that looks along -z look at a point: as far away as the object, of those before it, that is the least
  * off its line of sight; 10 where there is none. Others stay as they are. */
 void tia_camera_aim(struct tia_camera *camera, const struct tia_scene *scene);
@@ -21,5 +25,9 @@ void tia_camera_walk(struct tia_camera *camera, int right, int up, int ahead);
 
 /* Narrows the view to 7/8, or widens it to 8/7: the field of view within TIA_FOV_MIN and 120 degrees, or the window. */
 void tia_camera_zoom(struct tia_camera *camera, bool in);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

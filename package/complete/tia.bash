@@ -70,9 +70,12 @@ _tia() {
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
         --name) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --memory) compopt -o default; COMPREPLY=(); return ;;
+        -s|--size) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --lights) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
         esac
-        words='--output --name --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--output --name --memory --size --lights --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-join)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;

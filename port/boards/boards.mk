@@ -114,7 +114,7 @@ $(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k,,$(CORE_SRC))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
-$(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c $(LIBTIA)
+$(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \

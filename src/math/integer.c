@@ -3,7 +3,7 @@
 // clang-format off
 #include "integer.h"
 
-const uint32_t tia_rsqrt_lines[384] = {
+const TIA_FLASH uint32_t tia_rsqrt_lines[384] = {
     0xffffa7f4, 0xfe02b7dd, 0xfc0b77c5, 0xfa1a37af, 0xf82e8799, 0xf6486783, 0xf467976d, 0xf28c4758,
     0xf0b64744, 0xeee5472f, 0xed19671b, 0xeb528708, 0xe99086f5, 0xe7d356e2, 0xe61ae6d0, 0xe466e6bd,
     0xe2b796ab, 0xe10cc69a, 0xdf664688, 0xddc43678, 0xdc264667, 0xda8c9657, 0xd8f6e646, 0xd7654636,
@@ -54,7 +54,7 @@ const uint32_t tia_rsqrt_lines[384] = {
     0x02062106, 0x01c4a105, 0x01836104, 0x01425103, 0x01019103, 0x00c0e102, 0x00806101, 0x00401100,
 };
 
-const uint32_t tia_reciprocal_lines[128] = {
+const TIA_FLASH uint32_t tia_reciprocal_lines[128] = {
     0xffff0fe0, 0xfc070fa2, 0xf81eaf65, 0xf4457f29, 0xf07b3eee, 0xecbf9eb5, 0xe9125e7e, 0xe572de47,
     0xe1e12e12, 0xde5cbdde, 0xdae55dab, 0xd77abd79, 0xd41c9d48, 0xd0caad18, 0xcd84bce9, 0xca4a8cbb,
     0xc71bcc8e, 0xc3f84c62, 0xc0dfdc37, 0xbdd22c0d, 0xbacefbe3, 0xb7d63bbb, 0xb4e78b93, 0xb202db6c,
@@ -73,12 +73,12 @@ const uint32_t tia_reciprocal_lines[128] = {
     0x0842043f, 0x07324436, 0x0624b42d, 0x05196425, 0x0410341d, 0x0308f414, 0x0203e40c, 0x0100e404,
 };
 
-const uint8_t tia_clz_places[32] = {
+const TIA_FLASH uint8_t tia_clz_places[32] = {
     31, 22, 30, 21, 18, 10, 29, 2, 20, 17, 15, 13, 9, 6, 28, 1,
     23, 19, 11, 3, 16, 14, 7, 24, 12, 4, 8, 25, 5, 26, 27, 0,
 };
 
-const int64_t tia_turns[60] = {
+const TIA_FLASH int64_t tia_turns[60] = {
     0x0800000000000000, 0x04b90147677cc21a, 0x027ece16d7b8e7a3, 0x0144447507776687,
     0x00a2c350c39626bb, 0x005175f85641189e, 0x0028bd87970a098a, 0x00145f15447510ac,
     0x000a2f94d1b430ce, 0x000517cbaecc2ace, 0x00028be600246e9f, 0x000145f3052a032e,
@@ -96,7 +96,7 @@ const int64_t tia_turns[60] = {
     0x000000000000000a, 0x0000000000000005, 0x0000000000000003, 0x0000000000000001,
 };
 
-const int64_t tia_sines[65] = {
+const TIA_FLASH int64_t tia_sines[65] = {
     0x0000000000000000, 0x0192155f7a3667e0, 0x0323ecbe21bb027d, 0x04b54824b3867d73,
     0x0645e9af0a6d0af8, 0x07d59395aa5cc38d, 0x0964083747309d11, 0x0af10a22459fe32a,
     0x0c7c5c1e34d3055b, 0x0e05c1353f27b17e, 0x0f8cfcbd90af8d58, 0x1111d262b1f67761,

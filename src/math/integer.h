@@ -21,17 +21,25 @@
 /* Implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
-/* Newton's first guesses: piecewise linear, see tools/generate/tables.py. */
-extern const uint32_t tia_rsqrt_lines[384];
-extern const uint32_t tia_reciprocal_lines[128];
+/* Tables lie in flash also where constants are copied to RAM, if the compiler has a word for it: avr-gcc, in GNU C. They
+ * are only indexed: their addresses are no others'. */
+#ifdef __FLASH
+#define TIA_FLASH __flash
+#else
+#define TIA_FLASH
+#endif
 
-extern const uint8_t tia_clz_places[32];
+/* Newton's first guesses: piecewise linear, see tools/generate/tables.py. */
+extern const TIA_FLASH uint32_t tia_rsqrt_lines[384];
+extern const TIA_FLASH uint32_t tia_reciprocal_lines[128];
+
+extern const TIA_FLASH uint8_t tia_clz_places[32];
 
 /* atan(2^-i)/(2 pi), Q1.62. */
-extern const int64_t tia_turns[60];
+extern const TIA_FLASH int64_t tia_turns[60];
 
 /* sin(2 pi i/256), i = 0..64, Q1.62. */
-extern const int64_t tia_sines[65];
+extern const TIA_FLASH int64_t tia_sines[65];
 
 /* Leading zero bits, x not 0, for machines without an instruction for it. Setting all bits below the first one
  * makes x = 2^n - 1; the multiplier (from Anderson's Bit Twiddling Hacks) gives each n different

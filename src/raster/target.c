@@ -60,7 +60,7 @@ static bool is_inside(const struct tia_tile *area, const struct tia_tile *all)
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces)
 {
-    static const uint16_t black[3];
+    static const uint16_t black[3] = {0};
     size_t needed = tia_raster_size(area, buffers, faces);
 
     if (!area.width || !area.height || !is_inside(&area, &(struct tia_tile){0, 0, lattice->width, lattice->height}) ||
@@ -68,7 +68,7 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .pitch = area.width, .face_count = faces};
+    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces, .pitch = area.width};
     place(target, memory, buffers);
     tia_clear_depth(target);
     tia_clear_stencil(target, 0, 255);

@@ -14,20 +14,19 @@ static const struct tia_sphere tia_thesis_scene_spheres[] = {
 };
 
 static const struct tia_binding tia_thesis_scene_bindings[] = {
-    {.key = 'a', .state = {.kind = TIA_POINT_LIGHT, .centre = {-1310720, 1310720, -1310720}, .radius = 196608,
-    .emission = {1073741824, 1073741824, 1073741824},}},
-    {.key = 'd', .state = {.kind = TIA_POINT_LIGHT, .centre = {1310720, 1310720, -1310720}, .radius = 196608,
-    .emission = {1073741824, 1073741824, 1073741824},}},
-    {.key = 's', .state = {.kind = TIA_POINT_LIGHT, .centre = {0, 1310720, -524288}, .radius = 196608,
-    .emission = {1073741824, 1073741824, 1073741824},}},
-    {.key = 'w', .state = {.kind = TIA_POINT_LIGHT, .centre = {0, 1310720, -2097152}, .radius = 196608,
-    .emission = {1073741824, 1073741824, 1073741824},}},
+    {.key = 'a', .state = {.centre = {-1310720, 1310720, -1310720}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824}, .kind = TIA_POINT_LIGHT,}},
+    {.key = 'd', .state = {.centre = {1310720, 1310720, -1310720}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824}, .kind = TIA_POINT_LIGHT,}},
+    {.key = 's', .state = {.centre = {0, 1310720, -524288}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824}, .kind = TIA_POINT_LIGHT,}},
+    {.key = 'w', .state = {.centre = {0, 1310720, -2097152}, .radius = 196608,
+    .emission = {1073741824, 1073741824, 1073741824}, .kind = TIA_POINT_LIGHT,}},
 };
 
 const struct tia_scene tia_thesis_scene = {
-    .camera = {.projection = TIA_PERSPECTIVE, .fov = 1638400,},
-    .background = {858993459, 858993459, 858993459},
-    .materials = tia_thesis_scene_materials, .material_count = 2u,
-    .spheres = tia_thesis_scene_spheres, .sphere_count = 2u,
-    .bindings = tia_thesis_scene_bindings, .binding_count = 4u,
+    .camera = {.fov = 1638400, .projection = TIA_PERSPECTIVE,},
+    .background = {858993459, 858993459, 858993459}, .materials = tia_thesis_scene_materials,
+    .spheres = tia_thesis_scene_spheres, .bindings = tia_thesis_scene_bindings, .material_count = 2u,
+    .sphere_count = 2u, .binding_count = 4u,
 };

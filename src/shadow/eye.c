@@ -102,7 +102,7 @@ void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64
 static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {
     const tia_q16 at[3] = {place.x, place.y, place.z};
-    const int8_t digits[3] = {fine ? fine->x : 0, fine ? fine->y : 0, fine ? fine->z : 0};
+    const int digits[3] = {fine ? fine->x : 0, fine ? fine->y : 0, fine ? fine->z : 0};
 
     for (int i = 0; i < 3; i++)
         out[i] = at[i] * INT64_C(256) + digits[i];

@@ -39,10 +39,20 @@ static void set_ends(struct tia_facet_shape *f, struct tia_vec3 base, struct tia
     tia_eye_across(axis, f->across);
 }
 
+static void set_disc(struct tia_facet_shape *f, const struct tia_disc *disc)
+{
+    const int64_t given[3] = {disc->normal.x, disc->normal.y, disc->normal.z};
+    int64_t normal[3];
+
+    place(disc->centre, NULL, f->centre[0]);
+    f->radius[0] = finely(disc->radius, 0);
+    (void)wide_normalise(given, normal);
+    tia_eye_across(normal, f->across);
+}
+
 static void set_shape(struct tia_facet_shape *f, const struct tia_shape *s, const struct tia_fine_ends *fine)
 {
-    const struct tia_dir3 *n = &s->disc.normal;
-    int64_t normal[3];
+    tia_q16 radius[2];
 
     switch (s->kind) {
     case TIA_SPHERE:
@@ -50,19 +60,18 @@ static void set_shape(struct tia_facet_shape *f, const struct tia_shape *s, cons
         f->radius[0] = finely(s->sphere.radius, 0);
         break;
     case TIA_DISC:
-        place(s->disc.centre, NULL, f->centre[0]);
-        f->radius[0] = finely(s->disc.radius, 0);
-        (void)wide_normalise((const int64_t[3]){n->x, n->y, n->z}, normal);
-        tia_eye_across(normal, f->across);
+        set_disc(f, &s->disc);
         break;
     case TIA_CYLINDER:
         f->capped = s->cylinder.capped;
-        set_ends(f, s->cylinder.base, s->cylinder.top, (const tia_q16[2]){s->cylinder.radius, s->cylinder.radius},
-                 fine);
+        radius[0] = radius[1] = s->cylinder.radius;
+        set_ends(f, s->cylinder.base, s->cylinder.top, radius, fine);
         break;
     default:
         f->capped = s->cone.capped;
-        set_ends(f, s->cone.base, s->cone.top, (const tia_q16[2]){s->cone.base_radius, s->cone.top_radius}, fine);
+        radius[0] = s->cone.base_radius;
+        radius[1] = s->cone.top_radius;
+        set_ends(f, s->cone.base, s->cone.top, radius, fine);
     }
 }
 

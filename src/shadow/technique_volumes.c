@@ -3,8 +3,10 @@
 #include "rays.h"
 
 /* How the volumes of a sample are counted: behind what is seen or before it. Where neither can tell, rays do. */
+enum counts { BEHIND, BEFORE, NOT };
+
 struct counted {
-    enum { BEHIND, BEFORE, NOT } where;
+    enum counts where;
     uint32_t start; /* the count begins with it, and light arrives where it ends with 0 */
 };
 

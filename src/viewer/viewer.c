@@ -40,11 +40,11 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
 static struct tia_frame new_frame(const struct loop *loop)
 {
     return (struct tia_frame){.number = loop->frame,
-                              .relit = loop->traced == VIEWER_PASSES,
-                              .shadows = loop->base->shadows,
                               .block = 1,
                               .pixels = (uint32_t)loop->mode.width * loop->mode.height,
                               .moving = tia_viewer_is_moving(loop),
+                              .relit = loop->traced == VIEWER_PASSES,
+                              .shadows = loop->base->shadows,
                               .level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain"};
 }
 

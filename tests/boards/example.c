@@ -1,6 +1,8 @@
 #include <tia/tia.h>
 
-static uint64_t view_memory[128], hits_memory[320 + 8]; /* the prepared scene; a row's hits */
+#include "thesis.h" /* tia-compile scenes/thesis.tia --name thesis --memory thesis.h -s 320x1 --lights 1 */
+
+static uint64_t view_memory[TIA_WORDS(THESIS_VIEW)], hits_memory[TIA_WORDS(THESIS_HITS_320x1)]; /* a row's hits */
 static tia_rgb565 row[320];
 
 int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))

@@ -13,7 +13,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#ifndef MCU
 #define MCU "atmega1284p"
+#endif
 #define STATUS 0x3e                          /* GPIOR0: board_exit writes the status there and sleeps for ever */
 #define LIMIT (UINT64_C(16000000) * 60 * 60) /* an hour of the processor's time */
 

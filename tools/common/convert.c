@@ -9,7 +9,9 @@
 #include "common/signals.h"
 #include "ports.h"
 
-enum { NAME = 256, SCENE_FORMAT, STRICT };
+#define LIGHTS_MOST 65535
+
+enum { NAME = 256, SCENE_FORMAT, STRICT, MEMORY, LIGHTS };
 
 static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
                                              {"scene-format", required_argument, NULL, SCENE_FORMAT},
@@ -17,7 +19,12 @@ static const struct option long_options[] = {{"output", required_argument, NULL,
                                              {"version", no_argument, NULL, 'V'},
                                              {"strict", no_argument, NULL, STRICT},
                                              {"name", required_argument, NULL, NAME},
+                                             {"memory", required_argument, NULL, MEMORY},
+                                             {"size", required_argument, NULL, 's'},
+                                             {"lights", required_argument, NULL, LIGHTS},
                                              {0}};
+/* From which of them on they are for commands that have --name, and what it goes with. */
+#define COMMON_OPTIONS 5
 
 /* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int fail(const struct converter *converter, int status, const char *what, const char *why)
@@ -51,6 +58,47 @@ static bool is_identifier(const char *text)
     return !strstr(keywords, word);
 }
 
+/* A number in 1..most, up to `end`. */
+static bool read_number(const char **text, char end, uint32_t most, uint32_t *value)
+{
+    const char *at = *text;
+
+    for (*value = 0; isdigit((unsigned char)*at) && *value <= most; at++)
+        *value = *value * 10 + (uint32_t)(*at - '0');
+    *text = at + 1;
+    return *at == end && *value > 0 && *value <= most;
+}
+
+static bool add_tile(struct request *request, const char *text)
+{
+    uint32_t width, height;
+    bool is_size = read_number(&text, 'x', TIA_SIZE_MAX, &width) && read_number(&text, '\0', TIA_SIZE_MAX, &height);
+
+    if (!is_size || request->tile_count == CONVERT_TILES)
+        return false;
+    request->tiles[request->tile_count][0] = (uint16_t)width;
+    request->tiles[request->tile_count++][1] = (uint16_t)height;
+    return true;
+}
+
+/* What --memory goes with. */
+static int set_memory(const struct converter *converter, struct request *request, int option, const char *text)
+{
+    switch (option) {
+    case MEMORY:
+        request->memory = text;
+        return 0;
+    case LIGHTS:
+        return read_number(&text, '\0', LIGHTS_MOST, &request->lights)
+                   ? 0
+                   : fail(converter, 2, "--lights", "must be a number in 1..65535");
+    default:
+        return add_tile(request, text)
+                   ? 0
+                   : fail(converter, 2, "--size", "must be WIDTHxHEIGHT, each 1..8192, at most 16 times");
+    }
+}
+
 /* 0: continue; 1: done; 2: usage error. */
 static int set(const struct converter *converter, struct request *request, int option, const char *text)
 {
@@ -67,6 +115,10 @@ static int set(const struct converter *converter, struct request *request, int o
     case STRICT:
         request->strict = true;
         return 0;
+    case MEMORY:
+    case LIGHTS:
+    case 's':
+        return set_memory(converter, request, option, text);
     case 'h':
         (void)fputs(converter->usage, stdout);
         return 1;
@@ -90,10 +142,11 @@ static int parse(const struct converter *converter, struct request *request, int
     int option, result = 0;
 
     memcpy(options, known, sizeof options);
-    if (!converter->symbol) /* drops --name, the last one */
-        options[sizeof options / sizeof *options - 2] = (struct option){0};
+    if (!converter->symbol)
+        options[COMMON_OPTIONS] = (struct option){0};
     opterr = 0;
-    while (result == 0 && (option = getopt_long(argc, argv, ":o:hV", options, NULL)) != -1)
+    while (result == 0 &&
+           (option = getopt_long(argc, argv, converter->write_memory ? ":o:hVs:" : ":o:hV", options, NULL)) != -1)
         result =
             option == '?' || option == ':' ? reject(converter, option, argv) : set(converter, request, option, optarg);
     if (result != 0)
@@ -103,7 +156,7 @@ static int parse(const struct converter *converter, struct request *request, int
     request->scene = argv[optind];
     if (optind + 1 < argc)
         return fail(converter, 2, argv[optind + 1], "unexpected argument (see --help)");
-    return request->output ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
+    return request->output || request->memory ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
 }
 
 static void name_source(struct request *request)
@@ -155,7 +208,8 @@ int convert(const struct converter *converter, int argc, char **argv)
     result = open_scene(converter, &request, &file);
     if (result != 0)
         return result;
-    if (converter->write(&request, &file.scene, why))
+    if ((request.output && converter->write(&request, &file.scene, why)) ||
+        (request.memory && converter->write_memory(&request, &file.scene, why)))
         result = fail(converter, 1, why, "");
     scene_close(&file);
     return result;

@@ -4,12 +4,20 @@
 
 #include <tia/scene.h>
 
+#define CONVERT_TILES 16
+
 struct request {
     const char *scene, *output; /* paths; "-": standard input, standard output */
     int format;                 /* of the scene; SCENE_UNKNOWN: by the file's name */
     bool strict;
     const char *symbol; /* --name */
     char source[64];    /* the scene's name, made safe for a comment */
+
+    /* Of a command with `write_memory`. */
+    const char *memory; /* --memory: NULL, or a path; then `output` may be NULL */
+    uint32_t lights;    /* --lights: 0 when it is not given */
+    uint16_t tiles[CONVERT_TILES][2];
+    unsigned tile_count; /* --size: widths and heights */
 };
 
 struct converter {
@@ -17,6 +25,8 @@ struct converter {
     const char *symbol; /* default of --name; NULL: the command has no --name */
     /* Writes request->output. TIA_OK, or a failure with the reason in `why`, PORT_WHY bytes. */
     int (*write)(const struct request *request, const struct tia_scene *scene, char *why);
+    /* NULL, or writes request->memory in the same way. */
+    int (*write_memory)(const struct request *request, const struct tia_scene *scene, char *why);
 };
 
 /* Runs the whole command; returns its exit status: 0 success, 1 failure, 2 usage error or invalid scene. */

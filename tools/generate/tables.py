@@ -16,6 +16,8 @@ the error at the ends is minus the error at the interior extremum.
 import math
 import sys
 
+IN_FLASH = ("tia_turns", "tia_sines")   # see src/math/integer.h
+
 
 def line(f, lo, hi, extremum):
     """The best (largest relative error, c0, c1), in units of 2^-20 and 2^-18, for f on [lo, hi]."""
@@ -53,7 +55,7 @@ def tangent_rsqrt(lo, hi):
 
 
 def show(name, words):
-    print(f"const uint32_t {name}[{len(words)}] = {{")
+    print(f"const TIA_FLASH uint32_t {name}[{len(words)}] = {{")
     for i in range(0, len(words), 8):
         print("    " + " ".join(f"0x{w:08x}," for w in words[i:i + 8]))
     print("};")
@@ -104,7 +106,7 @@ def sines(count, bits=200):
 
 
 def show_longs(name, words):
-    print(f"\nconst int64_t {name}[{len(words)}] = {{")
+    print(f"\nconst {'TIA_FLASH ' if name in IN_FLASH else ''}int64_t {name}[{len(words)}] = {{")
     for i in range(0, len(words), 4):
         print("    " + " ".join(f"{'-' if w < 0 else ''}0x{abs(w):016x}," for w in words[i:i + 4]))
     print("};")
@@ -179,7 +181,7 @@ def main():
     show("tia_rsqrt_lines", rsqrt)
     print()
     show("tia_reciprocal_lines", recip)
-    print("\nconst uint8_t tia_clz_places[32] = {")
+    print("\nconst TIA_FLASH uint8_t tia_clz_places[32] = {")
     for row in (leading_zeros()[:16], leading_zeros()[16:]):
         print("    " + " ".join(f"{z}," for z in row))
     print("};")

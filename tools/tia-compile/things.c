@@ -26,10 +26,11 @@ void unit_light(struct unit *unit, const struct tia_light *l)
                                         "TIA_SPOT_LIGHT",  "TIA_RECTANGLE_LIGHT",   "TIA_DISC_LIGHT",
                                         "TIA_SPHERE_LIGHT"};
 
-    text_word(&unit->text, "{.kind = %s,", kinds[l->kind]);
+    text_word(&unit->text, "{");
     field_vec3(unit, "centre", l->centre);
     field_number(unit, "radius", l->radius);
     field_rgb(unit, "emission", l->emission);
+    text_word(&unit->text, ".kind = %s,", kinds[l->kind]);
     field_dir3(unit, "direction", l->direction);
     field_number(unit, "inner", l->inner);
     field_number(unit, "outer", l->outer);

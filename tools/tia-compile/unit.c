@@ -60,9 +60,10 @@ static void write_camera(struct unit *unit)
     static const char *const projections[] = {"TIA_PERSPECTIVE", "TIA_FRUSTUM", "TIA_ORTHOGRAPHIC"};
     const struct tia_camera *c = &unit->scene->camera;
 
-    text_word(&unit->text, ".camera = {.projection = %s,", projections[c->projection]);
+    text_word(&unit->text, ".camera = {");
     field_vec3(unit, "eye", c->eye);
     field_number(unit, "fov", c->fov);
+    text_word(&unit->text, ".projection = %s,", projections[c->projection]);
     field_vec3(unit, "reference", c->reference);
     field_vec3(unit, "up", c->up);
     field_number(unit, "window.left", c->window.left);
@@ -74,14 +75,18 @@ static void write_camera(struct unit *unit)
     text_print(&unit->text, "},\n");
 }
 
-/* Writes the scene's reference to a table, and the table's length. */
-static void refer(struct unit *unit, const char *table, const char *count, uint32_t n)
+struct reference {
+    const char *table, *count;
+    uint32_t n;
+};
+
+/* Writes the scene's references to tables, then their lengths: the order of struct tia_scene, on which C++ insists. */
+static void refer(struct unit *unit, const struct reference *references, unsigned count)
 {
-    if (n == 0)
-        return;
-    field_table(unit, table, n, "%s", table);
-    field_unsigned(unit, count, n);
-    text_print(&unit->text, "\n");
+    for (unsigned i = 0; i < count; i++)
+        field_table(unit, references[i].table, references[i].n, "%s", references[i].table);
+    for (unsigned i = 0; i < count; i++)
+        field_unsigned(unit, references[i].count, references[i].n);
 }
 
 static void write_integration(struct unit *unit)
@@ -109,11 +114,23 @@ static void write_shadows(struct unit *unit)
 static void write_scene(struct unit *unit)
 {
     const struct tia_scene *s = unit->scene;
+    const struct reference parts[] = {{"materials", "material_count", s->material_count},
+                                      {"spheres", "sphere_count", s->sphere_count},
+                                      {"lights", "light_count", s->light_count},
+                                      {"bindings", "binding_count", s->binding_count}};
+    const struct reference more[] = {{"shapes", "shape_count", s->shape_count},
+                                     {"transforms", "transform_count", s->transform_count},
+                                     {"textures", "texture_count", s->texture_count},
+                                     {"meshes", "mesh_count", s->mesh_count},
+                                     {"grids", "grid_count", s->grid_count}};
+    const struct reference tracks = {"tracks", "track_count", s->track_count};
 
     text_print(&unit->text, "const struct tia_scene %s = {\n", unit->symbol);
     unit->text.indent = 4;
     write_camera(unit);
     field_rgb(unit, "background", s->background);
+    refer(unit, parts, sizeof parts / sizeof *parts);
+    refer(unit, more, sizeof more / sizeof *more);
     field_unsigned(unit, "depth", s->depth);
     write_integration(unit);
     write_shadows(unit);
@@ -122,20 +139,11 @@ static void write_scene(struct unit *unit)
         text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);
     if (s->bvh)
         text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
-    if (unit->text.column > 0)
-        text_print(&unit->text, "\n");
-    refer(unit, "materials", "material_count", s->material_count);
-    refer(unit, "spheres", "sphere_count", s->sphere_count);
-    refer(unit, "lights", "light_count", s->light_count);
-    refer(unit, "bindings", "binding_count", s->binding_count);
-    refer(unit, "shapes", "shape_count", s->shape_count);
-    refer(unit, "transforms", "transform_count", s->transform_count);
-    refer(unit, "textures", "texture_count", s->texture_count);
-    refer(unit, "meshes", "mesh_count", s->mesh_count);
-    refer(unit, "grids", "grid_count", s->grid_count);
-    refer(unit, "tracks", "track_count", s->track_count);
+    refer(unit, &tracks, 1);
     if (s->falling)
         text_word(&unit->text, ".falling = &%s_falling,", unit->symbol);
+    if (unit->text.column > 0)
+        text_print(&unit->text, "\n");
     text_print(&unit->text, "};\n");
 }
 

@@ -32,7 +32,7 @@ static int write_pov(const struct request *request, const struct tia_scene *scen
 
 int main(int argc, char **argv)
 {
-    static const struct converter converter = {"tia-pov", usage, NULL, write_pov};
+    static const struct converter converter = {"tia-pov", usage, NULL, write_pov, NULL};
 
     return convert(&converter, argc, argv);
 }

@@ -74,7 +74,7 @@ static const void *next_item(const struct tia_array *array)
 
 static void open_mesh(struct nff *n)
 {
-    static const struct tia_fine_ends none;
+    static const struct tia_fine_ends none = {0};
     struct tia_shape shape = {.kind = TIA_MESH, .material = material(n), .mesh = n->meshes.count};
 
     if (n->mesh.vertex_count)

@@ -69,10 +69,10 @@ static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *
         (void)tia_text_error(&o->text, word, "is no corner", "V, V/VT, V//VN or V/VT/VN");
         return tia_obj_forgive(o, TIA_WARN_FACE);
     }
-    for (enum part part = PART_VERTEX; part < PARTS; part++) {
+    for (unsigned part = PART_VERTEX; part < PARTS; part++) {
         int64_t i = index[part] < 0 ? counts[part] + index[part] : index[part] - 1;
         bool is_there = i >= 0 && i < counts[part];
-        int status = index[part] && !is_there ? unknown(o, word, part, counts[part]) : TIA_OK;
+        int status = index[part] && !is_there ? unknown(o, word, (enum part)part, counts[part]) : TIA_OK;
         if (status)
             return status;
         found[part] = is_there ? (uint32_t)i : TIA_NO_INDEX;
@@ -88,7 +88,7 @@ static int add_corner(struct obj *o, struct obj_face *face, const struct tia_cor
     bool has[PARTS] = {corner->vertex != TIA_NO_INDEX, corner->uv != TIA_NO_INDEX, corner->normal != TIA_NO_INDEX};
     bool is_mixed = face->count && (has[PART_UV] != face->has[PART_UV] || has[PART_NORMAL] != face->has[PART_NORMAL]);
 
-    for (enum part part = PART_VERTEX; part < PARTS; part++)
+    for (unsigned part = PART_VERTEX; part < PARTS; part++)
         face->has[part] = has[part] && (face->has[part] || (!face->count && part != PART_VERTEX));
     if (o->pass == OBJ_FILL && face->count < o->most_corners)
         o->corners[face->count] = *corner;

@@ -155,9 +155,9 @@ static struct tia_camera look_at(struct tia_vec3 c, uint64_t radius)
     return (struct tia_camera){.eye = {c.x + (tia_q16)tia_round_shift(distance * TOWARDS_X, 30),
                                        c.y + (tia_q16)tia_round_shift(distance * TOWARDS_Y, 30),
                                        c.z + (tia_q16)tia_round_shift(distance * TOWARDS_Z, 30)},
+                               .fov = TIA_Q16(40),
                                .reference = c,
-                               .up = {0, TIA_Q16_ONE, 0},
-                               .fov = TIA_Q16(40)};
+                               .up = {0, TIA_Q16_ONE, 0}};
 }
 
 int tia_obj_frame(struct obj *o, struct tia_light *lights)
@@ -176,10 +176,10 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
     scene->camera = look_at(c, radius);
     scene->background = tia_grey(TIA_Q30(0.8));
     /* The sun stands to the camera's left, and higher; the sky fills its shadows. */
-    lights[0] = (struct tia_light){.kind = TIA_DIRECTIONAL_LIGHT,
-                                   .emission = tia_grey(TIA_Q30(0.75)),
+    lights[0] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.75)),
+                                   .kind = TIA_DIRECTIONAL_LIGHT,
                                    .direction = {TIA_Q30(0.36), TIA_Q30(-0.8), TIA_Q30(-0.48)}};
-    lights[1] = (struct tia_light){.kind = TIA_AMBIENT_LIGHT, .emission = tia_grey(TIA_Q30(0.25))};
+    lights[1] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.25)), .kind = TIA_AMBIENT_LIGHT};
     scene->lights = lights;
     scene->light_count = OBJ_LIGHTS;
     return TIA_OK;

@@ -147,8 +147,8 @@ static int read_fields(struct tia_job *job, struct shape_line *line)
 
 static struct shape_line line_of(enum tia_shape_kind kind)
 {
-    return (struct shape_line){.shape = {.kind = kind},
-                               .transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}}};
+    return (struct shape_line){.transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
+                               .shape = {.kind = kind}};
 }
 
 int tia_line_shape(struct tia_job *job, enum tia_shape_kind kind)

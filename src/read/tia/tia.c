@@ -59,9 +59,11 @@ static bool find_shape(const struct tia_word *word, enum tia_shape_kind *kind)
 {
     const struct shape_description *shape;
 
-    for (*kind = TIA_SPHERE; (shape = tia_shape_description(*kind)); (*kind)++)
-        if (shape->word && tia_word_is(word, shape->word))
+    for (unsigned i = TIA_SPHERE; (shape = tia_shape_description((enum tia_shape_kind)i)); i++)
+        if (shape->word && tia_word_is(word, shape->word)) {
+            *kind = (enum tia_shape_kind)i;
             return true;
+        }
     return false;
 }
 
@@ -226,7 +228,8 @@ static void set_arrays(struct tia_job *job)
     s->binding_count = tia_job_count(job, TIA_OF_BINDINGS);
     s->tracks = tia_job_at(job, TIA_OF_TRACKS, 0);
     s->track_count = tia_job_count(job, TIA_OF_TRACKS);
-    s->falling = tia_job_count(job, TIA_OF_FALLING) ? tia_job_at(job, TIA_OF_FALLING, 0) : NULL;
+    if (tia_job_count(job, TIA_OF_FALLING))
+        s->falling = tia_job_at(job, TIA_OF_FALLING, 0);
 }
 
 static void size_arrays(struct tia_job *job)

@@ -168,8 +168,9 @@ bool round_intersect(const struct shape *shape, const struct ray *ray, num_lengt
     bool enters = side.near >= height.near, leaves = side.far <= height.far;
     if (cone->capped) {
         uint32_t first = b.rise > 0 ? ROUND_BASE : ROUND_TOP, last = b.rise > 0 ? ROUND_TOP : ROUND_BASE;
-        return take(cone, &b, enters ? side.near : height.near, limit, enters ? ROUND_SIDE : first, intersection) ||
-               take(cone, &b, leaves ? side.far : height.far, limit, leaves ? ROUND_SIDE : last, intersection);
+        const uint32_t side_part = ROUND_SIDE;
+        return take(cone, &b, enters ? side.near : height.near, limit, enters ? side_part : first, intersection) ||
+               take(cone, &b, leaves ? side.far : height.far, limit, leaves ? side_part : last, intersection);
     }
     return (enters && take(cone, &b, side.near, limit, ROUND_SIDE, intersection)) ||
            (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, intersection));
@@ -253,7 +254,7 @@ static void set_anchor(struct prepared_cone *cone, struct num_point top)
 
 struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_shape *given)
 {
-    static const struct tia_fine_ends none;
+    static const struct tia_fine_ends none = {0};
 
     return scene->fine && !given->transform ? scene->fine->shapes[given - scene->shapes] : none;
 }

@@ -13,7 +13,7 @@ static bool draws(const struct tia_scene *scene)
 
 static uint64_t view_size(const struct tia_scene *scene)
 {
-    return ALIGN(sizeof(struct raster_view) + tia_flat_samples(scene) * sizeof(struct tia_shadow_view));
+    return ALIGN(offsetof(struct raster_view, shadow) + tia_flat_samples(scene) * sizeof(struct tia_shadow_view));
 }
 
 static uint64_t own_size(const struct tia_scene *scene, uint32_t light_capacity)

@@ -30,14 +30,14 @@ void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, 
     size_t first = hits_index(hits, tile.x, tile.y);
     struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
                                     .area = hits->area,
-                                    .pitch = hits->area.width,
-                                    .planes = shadow->flat.planes,
-                                    .planes_known = true,
-                                    .runs = view->raster_runs,
-                                    .face_count = shadow->flat.face_count,
                                     .face = b->face,
+                                    .nearness = b->nearness,
                                     .count = b->count,
-                                    .nearness = b->nearness};
+                                    .planes = shadow->flat.planes,
+                                    .face_count = shadow->flat.face_count,
+                                    .pitch = hits->area.width,
+                                    .planes_known = true,
+                                    .runs = view->raster_runs};
 
     open->lit = b->lit + first;
     open->more = b->more + raster->more_bytes * first;

@@ -10,9 +10,10 @@ static int check_disc(const struct check *check, const struct tia_shape *shape)
 static void add_bounds(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape)
 {
     const struct tia_dir3 *n = &shape->disc.normal;
+    const int64_t normal[3] = {n->x, n->y, n->z};
 
     (void)scene;
-    tia_hull_add_disc(hull, shape->disc.centre, shape->disc.radius, (const int64_t[3]){n->x, n->y, n->z});
+    tia_hull_add_disc(hull, shape->disc.centre, shape->disc.radius, normal);
 }
 
 const struct shape_description tia_disc_description = {

@@ -1,0 +1,92 @@
+/* memory.c - what a header by `tia-compile --memory` says, and what the library asks for on this machine. It is
+ * compiled with SCENE, the scene's name, NAME, that of its sizes, and LIGHTS, and prints both, name by name. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <tia/tia.h>
+
+extern const struct tia_scene SCENE;
+
+#define JOIN2(a, b) a##b
+#define JOIN(a, b) JOIN2(a, b)
+#define SIZE(what) JOIN(NAME, what)
+
+/* An array of the size is what an embedded program has. */
+static uint64_t view_memory[TIA_WORDS(SIZE(_VIEW))];
+
+struct asked {
+    size_t size; /* of the first request for a frame's memory */
+    unsigned first, requests;
+};
+
+static void *no_memory(void *ctx, size_t size)
+{
+    struct asked *asked = ctx;
+
+    if (asked->requests++ < asked->first)
+        return calloc(1, size);
+    if (!asked->size)
+        asked->size = size;
+    return NULL;
+}
+
+static int mode(void *ctx, struct tia_mode *out)
+{
+    (void)ctx;
+    *out = (struct tia_mode){.width = 320, .height = 250};
+    return TIA_OK;
+}
+
+static int poll(void *ctx, struct tia_event *event)
+{
+    (void)ctx;
+    (void)event;
+    return 0;
+}
+
+static uint64_t now_us(void *ctx)
+{
+    (void)ctx;
+    return 0;
+}
+
+static size_t viewer_size(void)
+{
+    static const struct tia_display display = {.mode = mode};
+    static const struct tia_input input = {.poll = poll};
+    static const struct tia_clock clock = {now_us};
+    static struct tia_light lights[LIGHTS];
+    static bool detached[LIGHTS];
+    struct asked asked = {0, tia_scene_moves(&SCENE), 0};
+    struct tia_viewer viewer = {.scene = &SCENE,
+                                .lights = lights,
+                                .light_capacity = LIGHTS,
+                                .detached = detached,
+                                .display = &display,
+                                .input = &input,
+                                .clock = &clock,
+                                .memory = no_memory,
+                                .memory_ctx = &asked};
+
+    (void)tia_viewer_run(&viewer);
+    return asked.size;
+}
+
+static void tell(const char *what, size_t said, size_t asked)
+{
+    printf("%s %lu %lu\n", what, (unsigned long)said, (unsigned long)asked);
+}
+
+int main(void)
+{
+    struct tia_tile row = {0, 0, 320, 1}, odd = {0, 0, 33, 7}, frame = {0, 0, 320, 250};
+    struct tia_view *view;
+
+    if (tia_view_init(&view, view_memory, sizeof view_memory, &SCENE, LIGHTS, 320, 250))
+        return 1;
+    tell("view", SIZE(_VIEW), tia_view_size(&SCENE, LIGHTS));
+    tell("row", SIZE(_HITS_320x1), tia_hits_size(&SCENE, row));
+    tell("tile", SIZE(_HITS_33x7), tia_hits_size(&SCENE, odd));
+    tell("frame", SIZE(_HITS_320x250), tia_hits_size(&SCENE, frame));
+    tell("viewer", SIZE(_VIEWER_320x250), viewer_size());
+    return 0;
+}

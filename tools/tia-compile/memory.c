@@ -1,0 +1,288 @@
+#include "memory.h"
+
+#include <ctype.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <tia/bvh.h>
+#include <tia/motion.h>
+#include <tia/render.h>
+
+#include "common/text.h"
+#include "ports.h"
+
+#define ALIGN(size) (((size) + 7) / 8 * 8)
+
+/* Kinds of machines, by how large pointers and enumerations are; all have 64-bit numbers at multiples of 8. */
+enum { WIDE, NARROW, SHORT, KINDS };
+
+/* The library's sizes here, less those of its structures that have another size on another kind of machine, plus what
+ * they have there. These are all such structures: tests/slow/memory asks the library on machines of each kind. */
+struct layout {
+    unsigned view, hits, scene, bvh, block; /* block: a plane or a box that things fall onto */
+    unsigned spans;                         /* of scenes drawn by row */
+    unsigned rays, shape;                   /* of all others */
+    unsigned emitter;                       /* of paths: of each light, and of each sphere that emits */
+    unsigned raster, sample;    /* of other techniques for shadows than traced rays: once, and of a pixel's sample */
+    unsigned map, volumes, own; /* what these techniques keep */
+};
+
+static const struct layout layouts[KINDS] = {{88, 32, 288, 48, 208, 72, 272, 224, 88, 40, 2856, 744, 560, 40},
+                                             {52, 20, 232, 28, 200, 64, 256, 216, 80, 32, 2576, 728, 544, 28},
+                                             {52, 20, 228, 28, 200, 64, 256, 208, 80, 32, 2576, 728, 544, 28}};
+
+/* The kind of this machine; KINDS when it is of none. */
+static int kind_here(void)
+{
+    struct aligned {
+        char before;
+        uint64_t number;
+    };
+
+    if (offsetof(struct aligned, number) != 8)
+        return KINDS;
+    return sizeof(void *) == 8 ? WIDE : sizeof(enum tia_light_kind) == 1 ? SHORT : NARROW;
+}
+
+struct scene_memory {
+    const struct tia_scene *scene;
+    uint32_t lights; /* the view's capacity */
+};
+
+/* Spheres drawn by row keep a distance for each pixel. */
+static bool is_drawn_by_row(const struct tia_scene *scene)
+{
+    const struct tia_tile none = {0, 0, 0, 0}, few = {0, 0, 8, 8};
+
+    return !scene->integration.integrator && !scene->shadows &&
+           tia_hits_size(scene, few) - tia_hits_size(scene, none) == 512;
+}
+
+static uint64_t emitters(const struct scene_memory *m)
+{
+    uint64_t count = m->lights;
+
+    for (uint32_t i = 0; i < m->scene->sphere_count; i++) {
+        const struct tia_rgb *e = &m->scene->materials[m->scene->spheres[i].material].emission;
+        count += e->r || e->g || e->b;
+    }
+    return count;
+}
+
+static uint64_t technique_part(const struct layout *l, const struct tia_scene *scene)
+{
+    uint64_t samples = scene->camera.samples ? scene->camera.samples : 1, part = ALIGN(l->raster + samples * l->sample);
+
+    switch (scene->shadows) {
+    case TIA_SHADOWS_MAP_EXACT:
+        return part;
+    case TIA_SHADOWS_MAP:
+        return part + ALIGN(l->map);
+    case TIA_SHADOWS_RAYS:
+        return part + ALIGN(l->own);
+    default:
+        return part + ALIGN(l->volumes);
+    }
+}
+
+/* What differs between kinds of machines. */
+static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
+{
+    enum tia_integrator integrator = m->scene->integration.integrator;
+    uint64_t part = ALIGN(l->view);
+
+    if (is_drawn_by_row(m->scene))
+        return part + ALIGN(l->spans);
+    part += ALIGN(l->rays) + (uint64_t)m->scene->shape_count * l->shape;
+    if (integrator == TIA_PATHS)
+        return part + l->emitter * emitters(m);
+    return integrator == TIA_OCCLUSION || !m->scene->shadows ? part : part + technique_part(l, m->scene);
+}
+
+static uint64_t view_size(const struct scene_memory *m, int kind)
+{
+    uint64_t rest = tia_view_size(m->scene, m->lights) - view_part(&layouts[kind_here()], m);
+
+    return ALIGN(rest + view_part(&layouts[kind], m));
+}
+
+static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, int kind)
+{
+    return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
+}
+
+static bool moves(const struct tia_scene *scene, const struct tia_shape *shape)
+{
+    for (uint32_t i = 0; shape->transform && i < scene->track_count; i++) {
+        enum tia_target target = scene->tracks[i].target;
+        if (target >= TIA_MOVES_TRANSFORM && target <= TIA_SCALES_TRANSFORM &&
+            scene->tracks[i].index == shape->transform - 1)
+            return true;
+    }
+    return false;
+}
+
+static bool is_block(const struct tia_scene *scene, const struct tia_shape *shape)
+{
+    return (shape->kind == TIA_PLANE || shape->kind == TIA_BOX) && !moves(scene, shape);
+}
+
+/* What differs of a copy of what moves. */
+static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
+{
+    uint64_t part = ALIGN(l->scene);
+
+    for (uint32_t i = 0; scene->falling && i < scene->shape_count; i++)
+        if (is_block(scene, &scene->shapes[i]))
+            part += l->block;
+    return part + (scene->bvh ? ALIGN(l->bvh) : 0);
+}
+
+/* What the viewer asks for first: a view, whole frames of hits, a canvas to refine pictures on, and a copy of what
+ * moves. Without a limit of the display's a tile has so many rows. */
+static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
+{
+    enum { ROWS = 16 };
+    const struct tia_scene *scene = m->scene;
+    uint64_t tiles = (frame.height + ROWS - 1u) / ROWS, size = 0;
+
+    if (tia_scene_moves(scene)) {
+        size = ALIGN(tia_scene_at_size(scene)) + ALIGN(sizeof *scene) + (scene->bvh ? tia_bvh_move_size(scene) : 0);
+        size = size - copy_part(&layouts[kind_here()], scene) + copy_part(&layouts[kind], scene);
+    }
+    size += view_size(m, kind) + ALIGN(hits_size(scene, frame, kind)) + 2 * ALIGN(tiles) + ALIGN(4 * tiles);
+    if (tia_draws_by_pixel(scene))
+        size += ALIGN((uint64_t)frame.width * frame.height * sizeof(tia_rgb565));
+    return size;
+}
+
+/* ---- flash ---- */
+
+/* A program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured on the example of
+ * docs/boards.md, linked with libtia-spheres.a and with libtia.a. */
+enum { FLASH_SPHERES = 24000, FLASH_ALL = 219000 };
+
+static uint64_t textures_size(const struct tia_scene *scene)
+{
+    uint64_t size = scene->texture_count * (uint64_t)sizeof *scene->textures;
+
+    for (uint32_t i = 0; i < scene->texture_count; i++)
+        size += (uint64_t)scene->textures[i].width * scene->textures[i].height *
+                (scene->textures[i].kind == TIA_OPACITY ? 1 : 3);
+    for (uint32_t i = 0; i < scene->grid_count; i++)
+        size += sizeof *scene->grids +
+                (uint64_t)scene->grids[i].size[0] * scene->grids[i].size[1] * scene->grids[i].size[2];
+    return size;
+}
+
+static uint64_t meshes_size(const struct tia_scene *scene)
+{
+    uint64_t size = scene->mesh_count * (uint64_t)sizeof *scene->meshes;
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct tia_mesh *m = &scene->meshes[i];
+        size += m->vertex_count * (uint64_t)sizeof *m->vertices + m->face_count * (uint64_t)sizeof *m->faces +
+                m->normal_count * (uint64_t)sizeof *m->normals + m->uv_count * (uint64_t)sizeof *m->uvs;
+    }
+    return size + (scene->bvh ? tia_bvh_size(scene) * 3 / 5 : 0); /* less the boxes that only building it takes */
+}
+
+static uint64_t tables_size(const struct tia_scene *scene)
+{
+    uint64_t size = sizeof *scene + scene->material_count * (uint64_t)sizeof *scene->materials +
+                    scene->sphere_count * (uint64_t)sizeof *scene->spheres +
+                    scene->light_count * (uint64_t)sizeof *scene->lights +
+                    scene->binding_count * (uint64_t)sizeof *scene->bindings +
+                    scene->shape_count * (uint64_t)sizeof *scene->shapes +
+                    scene->transform_count * (uint64_t)sizeof *scene->transforms +
+                    scene->track_count * (uint64_t)sizeof *scene->tracks;
+
+    for (uint32_t i = 0; i < scene->track_count; i++)
+        size += scene->tracks[i].key_count * (uint64_t)sizeof *scene->tracks[i].keys;
+    return size + textures_size(scene) + meshes_size(scene);
+}
+
+/* ---- the header ---- */
+
+static const char top[] =
+    "#include <stdint.h>\n\n"
+    "/* Bytes on a machine with 64-bit pointers, with 32-bit ones, and with those and enumerations of a byte, as "
+    "arm-none-eabi\n"
+    " * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */\n"
+    "#ifndef TIA_BYTES\n"
+    "enum tia_bytes_small { TIA_BYTES_SMALL };\n"
+    "typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: ask tia_view_size there "
+    "*/\n"
+    "#define TIA_BYTES(wide, narrow, small) \\\n"
+    "    (sizeof(void *) == 8 ? (wide) : sizeof(enum tia_bytes_small) > 1 ? (narrow) : (small))\n"
+    "#define TIA_WORDS(bytes) (((bytes) + 7) / 8) /* of an array of uint64_t, whose alignment is the right one */\n"
+    "#endif\n\n";
+
+static void write_sizes(struct text *text, const char *name, const char *what, const char *tile,
+                        const uint64_t bytes[KINDS])
+{
+    text_print(text, "#define %s_%s%s TIA_BYTES(%lluu, %lluu, %lluu)\n", name, what, tile,
+               (unsigned long long)bytes[WIDE], (unsigned long long)bytes[NARROW], (unsigned long long)bytes[SHORT]);
+}
+
+static void write_tile(struct text *text, const char *name, const struct scene_memory *m, struct tia_tile tile)
+{
+    uint64_t hits[KINDS], viewer[KINDS];
+    char size[16];
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        hits[kind] = hits_size(m->scene, tile, kind);
+        viewer[kind] = viewer_size(m, tile, kind);
+    }
+    (void)snprintf(size, sizeof size, "_%ux%u", tile.width, tile.height);
+    write_sizes(text, name, "HITS", size, hits);
+    write_sizes(text, name, "VIEWER", size, viewer);
+}
+
+static void write_header(struct text *text, const struct request *request, const struct scene_memory *m)
+{
+    char name[64] = "";
+    uint64_t view[KINDS];
+
+    for (size_t i = 0; request->symbol[i]; i++)
+        name[i] = (char)toupper((unsigned char)request->symbol[i]);
+    for (int kind = 0; kind < KINDS; kind++)
+        view[kind] = view_size(m, kind);
+    text_print(text, "/* The memory of %s, as tia-compile wrote it: do not edit. */\n", request->source);
+    text_print(text, "#ifndef %s_MEMORY\n#define %s_MEMORY\n\n", name, name);
+    text_print(text, "%s", top);
+    text_print(text,
+               "/* A view with at most %u lights; hits of a tile; all that tia_viewer_run asks for on a display of "
+               "that size,\n"
+               " * with an input and a clock. */\n",
+               m->lights);
+    write_sizes(text, name, "VIEW", "", view);
+    for (unsigned i = 0; i < request->tile_count; i++)
+        write_tile(text, name, m, (struct tia_tile){0, 0, request->tiles[i][0], request->tiles[i][1]});
+    text_print(
+        text,
+        "\n/* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */\n");
+    text_print(text, "#define %s_FLASH_LIBRARY %uu\n", name, is_drawn_by_row(m->scene) ? FLASH_SPHERES : FLASH_ALL);
+    text_print(text, "#define %s_FLASH_SCENE %lluu\n\n#endif\n", name, (unsigned long long)tables_size(m->scene));
+}
+
+int memory_write(const struct request *request, const struct tia_scene *scene, char *why)
+{
+    static struct text text;
+    const struct scene_memory m = {scene,
+                                   request->lights ? request->lights : scene->light_count + scene->binding_count};
+
+    if (kind_here() == KINDS) {
+        (void)snprintf(why, PORT_WHY, "--memory: not on this machine, whose 64-bit numbers are not aligned to 8 bytes");
+        return TIA_ERR_UNSUPPORTED;
+    }
+    if (m.lights < scene->light_count) {
+        (void)snprintf(why, PORT_WHY, "--lights: the scene has %u", scene->light_count);
+        return TIA_ERR_ARGUMENT;
+    }
+    int status = text_open(&text, request->memory, why);
+    if (status)
+        return status;
+    write_header(&text, request, &m);
+    return text_close(&text);
+}
