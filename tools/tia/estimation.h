@@ -24,8 +24,8 @@ struct estimation {
     unsigned char *bytes; /* as many rows as a band has, as they are written */
     size_t row_bytes;
     struct progress progress;
-    atomic_int status; /* of what threads do */
-    uint64_t end_us;   /* when the time is over; 0: the drawing is not one that is asked to stop */
+    atomic_int status;     /* of what threads do */
+    uint64_t end_us;       /* when the time is over; 0: the drawing is not one that is asked to stop */
     atomic_uint looked_us; /* clock_now_us() at the last look for a reason to stop, mod 2^32 */
     atomic_bool stopped;
     char why[PORT_WHY];

@@ -7,6 +7,7 @@
 #include "fail.h"
 #include "gaze.h"
 #include "integration.h"
+#include "lightfield.h"
 #include "parse.h"
 
 static int set_size(struct options *options, const char *value)
@@ -322,6 +323,6 @@ int parse_option(struct options *options, int option, char *value)
     case OPT_MODE:
         return set_mode(options, value);
     default:
-        return set_flag(options, option);
+        return value ? light_parse(options, option, value) : set_flag(options, option);
     }
 }
