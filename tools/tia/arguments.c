@@ -7,11 +7,11 @@
 
 #include "check.h"
 #include "common/keys.h"
+#include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "integration.h"
 #include "lightfield.h"
-#include "parse.h"
 #include "parse_option.h"
 
 static const char shorts[] = ":d:o:s:k:i:n:j:hV";

@@ -2,9 +2,9 @@
 
 #include <string.h>
 
+#include "common/parse.h"
 #include "fail.h"
 #include "option_codes.h"
-#include "parse.h"
 
 /* "ao=2.5": the name's end at the '='. */
 static int set_integrator(struct options *options, char *value)

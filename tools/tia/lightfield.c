@@ -4,13 +4,14 @@
 #include <string.h>
 
 #include "common/image/series.h"
+#include "common/modules.h"
+#include "common/parse.h"
+#include "common/quilt.h"
 #include "fail.h"
 #include "lenticular.h"
 #include "option_codes.h"
-#include "parse.h"
-#include "quilt.h"
 
-enum { PICTURES_MAX = 65536 };
+enum { PICTURES_MAX = MODULES_MAX };
 
 /* ---- the command line alone ---- */
 
@@ -101,59 +102,19 @@ static int load_quilt(struct options *options, uint32_t aspect)
     return EXIT_FINE;
 }
 
-/* "distance=0.5" */
-static bool set_length(const char *field, const char *name, unsigned scale_bits, tia_q16 *length)
-{
-    size_t size = strlen(name);
-
-    return strncmp(field, name, size) == 0 && field[size] == '=' &&
-           parse_scaled(field + size + 1, scale_bits, length) && *length > 0;
-}
-
-/* As far from the screen as half the observer line is; so wide apart that all of the line gets all of the screen: each
- * end of it sees each edge of the screen before a module. */
-static tia_q16 spacing_of(const struct tia_camera *camera, tia_q16 distance, uint32_t modules)
-{
-    double part = (double)distance / camera->window.near;
-    double screen = ((double)camera->window.right - camera->window.left) / 2;
-    double reach = screen + (screen + camera->line) * part;
-    double spacing = 2 * reach / modules;
-
-    return spacing < INT32_MAX ? (tia_q16)spacing + 1 : INT32_MAX;
-}
-
-static int check_places(const struct options *options, uint32_t modules)
-{
-    if ((int64_t)options->light.spacing * (modules - 1) / 2 > INT32_MAX)
-        return wrong("--modules", options->light.modules, "farther from the screen's middle than 32768");
-    return EXIT_FINE;
-}
-
 static int load_modules(struct options *options)
 {
     struct light_options *light = &options->light;
-    const struct tia_camera *camera = &options->scene.camera;
-    tia_q16 *distance = &light->field.projector.distance;
-    const char *text = light->modules, *rest;
-    unsigned bits = options->scene.scale_bits;
-    uint32_t modules;
+    struct modules modules;
+    const char *why = modules_parse(&modules, light->modules, &options->scene);
 
-    *distance = camera->window.near / 2 > 0 ? camera->window.near / 2 : 1;
-    light->spacing = 0;
-    if (!parse_number(text, &rest, 1, PICTURES_MAX, &modules) || (*rest != '\0' && *rest != ','))
-        return wrong("--modules", text, "not a number from 1 to 65536 (32,distance=0.5,spacing=0.02)");
-    char *copy = strdup(*rest ? rest + 1 : ""), *left = copy, *field;
-    bool good = copy != NULL;
-    while (good && *rest && (field = strsep(&left, ",")) != NULL)
-        good = set_length(field, "distance", bits, distance) || set_length(field, "spacing", bits, &light->spacing);
-    free(copy);
-    if (!good)
-        return wrong("--modules", text, "not distance=L or spacing=L, lengths above 0 (32,distance=0.5,spacing=0.02)");
-    if (!light->spacing)
-        light->spacing = spacing_of(camera, *distance, modules);
+    if (why)
+        return wrong("--modules", light->modules, why);
     light->field.kind = TIA_PROJECTOR;
-    light->pictures = modules;
-    return check_places(options, modules);
+    light->field.projector.distance = modules.distance;
+    light->spacing = modules.spacing;
+    light->pictures = modules.count;
+    return EXIT_FINE;
 }
 
 static int load_lens(struct options *options)
@@ -209,13 +170,12 @@ void light_picture(struct tia_scene *scene, struct tia_light_field *field, const
 {
     const struct light_options *light = &options->light;
     const struct tia_camera line = scene->camera;
-    int64_t twice = (2 * (int64_t)picture - (light->pictures - 1)) * light->spacing;
 
     if (light->views) {
         tia_light_field_camera(&scene->camera, &line, tia_light_field_place(&line, picture, light->views));
         return;
     }
     *field = light->field;
-    field->projector.place = (tia_q16)((twice + 1) >> 1);
+    field->projector.place = modules_place(picture, light->pictures, light->spacing);
     scene->field = field;
 }

@@ -3,12 +3,12 @@
 #include <string.h>
 
 #include "arithmetic.h"
+#include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "gaze.h"
 #include "integration.h"
 #include "lightfield.h"
-#include "parse.h"
 
 static int set_size(struct options *options, const char *value)
 {

@@ -1,8 +1,8 @@
 /* quilt.h - quilts by their names: NAME_qs8x6a0.75.png has 8 columns, 6 rows, and views of the aspect ratio 0.75. */
-#ifndef TOOLS_TIA_QUILT_H
-#define TOOLS_TIA_QUILT_H
+#ifndef TOOLS_QUILT_H
+#define TOOLS_QUILT_H
 
-#include "options.h"
+#include <tia/lightfield.h>
 
 /* Whether a file's name is that of a quilt; `aspect` in thousandths, rounded down. */
 bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect);

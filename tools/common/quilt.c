@@ -3,6 +3,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include <tia/render.h>
+
 #include "parse.h"
 
 enum { COLUMNS_MAX = 256, VIEW_HEIGHT = 480, ASPECT_MAX = 100000 };
