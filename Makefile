@@ -337,6 +337,7 @@ endif
 
 # The pictures of README.md and docs/, which a test compares with what is drawn.
 .PHONY: gallery
+comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
@@ -345,6 +346,12 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/gallery/window.png,scenes/window.tia --spp 64 --denoise -s 400x300)
 	$(call draw,docs/gallery/caustic.png,scenes/caustic.tia --spp 128 --denoise -s 400x300)
 	$(call draw,docs/gallery/castle-openness.png,scenes/castle.tia --integrator ao=6 --spp 64 -s 400x300)
+	$(call draw,docs/gallery/lightfield.png,scenes/lightfield.tia -s 400x225)
+	$(call draw,docs/lightfield/quilt_qs4x2a1.777.png,scenes/lightfield.tia -s 800x224)
+	$(call draw,docs/lightfield/panel.png,scenes/lightfield.tia --lenticular pitch=41$(comma)slope=-6.1$(comma)center=0.2 -s 400x225)
+	$(call draw,docs/lightfield/module%d.png,scenes/lightfield.tia --modules 9 --module-range 4-4 -s 400x225)
+	$(call draw,$(BUILD)/eyes%02d.png,scenes/lightfield.tia --views 14 -s 400x225)
+	$(call say,DRAW,docs/lightfield/eyes.png)$(BUILD)/tia-observe -e 0$(comma)0.15$(comma)2.4 --two 0.13 --anaglyph -o docs/lightfield/eyes.png --views 14 scenes/lightfield.tia $(BUILD)/eyes%02d.png
 	$(call draw,docs/light/noisy.png,scenes/cornell.tia -s 128x128 --spp 16)
 	$(call draw,docs/light/denoised.png,scenes/cornell.tia -s 128x128 --spp 16 --denoise)
 	$(foreach n,normal albedo,$(call draw,docs/light/$(n).png,scenes/cornell.tia -s 128x128 --spp 16 --guide $(n)))
