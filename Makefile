@@ -5,7 +5,7 @@
 #   make CROSS=aarch64-linux-gnu-    for another Linux
 #   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
 #   make F64=no          leaves the double-precision reference out (targets without an FPU)
-#   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no   leaves a part out though its library is there
+#   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no JSON=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
@@ -62,6 +62,7 @@ F64 ?= $(if $(BARE),no,yes)
 unless_no = $(if $(filter no,$($(1))),,$(2))
 WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
                                $(call unless_no,STB,stb) $(call unless_no,CHAFA,chafa) \
+                               $(call unless_no,JSON,jansson) \
                                $(call unless_no,OSMESA,osmesa gl) $(call unless_no,EGL,egl gl)))
 # Flags begin with -, the names of the packages that are there do not. All are asked for in one call;
 # only where one is missing they are asked for one by one.
@@ -74,13 +75,14 @@ DRM ?= $(call have,libdrm)
 PNG ?= $(call have,libpng)
 STB ?= $(call have,stb)
 CHAFA ?= $(call have,chafa)
+JSON ?= $(call have,jansson)
 OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
 # stb_image is a header: it is compiled here, and the compiler has nothing to say about it.
 HOSTED += $(patsubst -I%,-isystem%,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
-LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
+LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0 -ljansson,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
 ifeq ($(DRM),yes)
 HOSTED += -DTIA_HAVE_DRM
@@ -105,6 +107,12 @@ LIBS += -Wl,--as-needed -lchafa -lglib-2.0 -Wl,--no-as-needed
 else
 MISSING += "no libchafa: built without symbols, sixel and kitty's pictures on terminals"
 endif
+ifeq ($(JSON),yes)
+HOSTED += -DTIA_HAVE_JANSSON
+LIBS += -Wl,--as-needed -ljansson -Wl,--no-as-needed
+else
+MISSING += "no libjansson: built without calibrations of light-field displays from .json files"
+endif
 # Damaged pictures make its sums overflow, which is harmless where they wrap around.
 $(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
 ifneq ($(GL),)
@@ -125,7 +133,7 @@ NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/levels/levels.mk
 # Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone denoise read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
+             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/axes.c scene/lightfield.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c lightfield.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
 without_coherence = $(filter-out src/render/span/coherence%,$(1)) src/render/span/no_coherence.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
@@ -146,7 +154,7 @@ LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
+PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
@@ -334,6 +342,7 @@ docs: gallery
 	@sed -n 's,^    build/\(tia.* docs/course/[a-z0-9-]*\.png.*\),$(BUILD)/\1,p' docs/course/*.md | \
 	    while read -r command; do echo "  DRAW    $${command##*docs/course/}"; sh -c "$$command" >/dev/null || exit; done
 
+comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
@@ -342,6 +351,12 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/gallery/window.png,scenes/window.tia --spp 64 --denoise -s 400x300)
 	$(call draw,docs/gallery/caustic.png,scenes/caustic.tia --spp 128 --denoise -s 400x300)
 	$(call draw,docs/gallery/castle-openness.png,scenes/castle.tia --integrator ao=6 --spp 64 -s 400x300)
+	$(call draw,docs/gallery/lightfield.png,scenes/lightfield.tia -s 400x225)
+	$(call draw,docs/lightfield/quilt_qs4x2a1.777.png,scenes/lightfield.tia -s 800x224)
+	$(call draw,docs/lightfield/panel.png,scenes/lightfield.tia --lenticular pitch=41$(comma)slope=-6.1$(comma)center=0.2 -s 400x225)
+	$(call draw,docs/lightfield/module%d.png,scenes/lightfield.tia --modules 9 --module-range 4-4 -s 400x225)
+	$(call draw,$(BUILD)/eyes%02d.png,scenes/lightfield.tia --views 14 -s 400x225)
+	$(call say,DRAW,docs/lightfield/eyes.png)$(BUILD)/tia-observe -e 0$(comma)0.15$(comma)2.4 --two 0.13 --anaglyph -o docs/lightfield/eyes.png --views 14 scenes/lightfield.tia $(BUILD)/eyes%02d.png
 	$(call draw,docs/light/noisy.png,scenes/cornell.tia -s 128x128 --spp 16)
 	$(call draw,docs/light/denoised.png,scenes/cornell.tia -s 128x128 --spp 16 --denoise)
 	$(foreach n,normal albedo,$(call draw,docs/light/$(n).png,scenes/cornell.tia -s 128x128 --spp 16 --guide $(n)))

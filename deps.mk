@@ -3,7 +3,7 @@
 # `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
 # any other goal: everything.
 DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
-DEPS_ALL := libstb-dev libchafa-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_ALL := libstb-dev libchafa-dev libjansson-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \

@@ -97,8 +97,9 @@ static void compare_rays(const struct tia_scene *scene, const struct tia_bvh *ot
     for (int i = 0; i < 48 * 36 && !check_failed; i++) {
         struct hit hit[2];
         struct ray ray;
+        const struct light_pixel pixel = ray_pixel_at(i % 48, i / 48);
         const struct ray_view *one = view[0]->prepared;
-        ray_camera_ray(&one->camera, i % 48, i / 48, 0, &ray);
+        ray_camera_ray(&one->camera, &pixel, 0, &ray);
         for (int k = 0; k < 2; k++)
             ray_intersect(view[k]->prepared, &ray, &hit[k]);
         differ += hit[0].object != hit[1].object ||

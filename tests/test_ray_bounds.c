@@ -50,11 +50,12 @@ static struct path path;
 
 static void check_camera(const struct sure_block *b, const struct rays *r)
 {
-    int pixel = (int)r->slot[0] / b->samples, x = b->x + pixel % b->width, y = b->y + pixel / b->width;
+    int slot = (int)r->slot[0] / b->samples, x = b->x + slot % b->width, y = b->y + slot / b->width;
+    const struct light_pixel pixel = ray_pixel_at(x, y);
 
     now.class = ray_pixel_class(x, y);
     now.media.count = 0;
-    ray_camera_ray(&view->camera, x, y, (int)r->slot[0] % b->samples, &now.ray);
+    ray_camera_ray(&view->camera, &pixel, (int)r->slot[0] % b->samples, &now.ray);
 }
 
 static void check_push(int item, bool refracted)

@@ -14,6 +14,10 @@
  * that window around the eye and all run along -n. A window with left = right = 0 is centred and takes its
  * width from the image's aspect ratio, up to 65536.
  *
+ * A frustum camera can have an observer line, along u and with the eye in its middle. Its window is then a display's
+ * flat screen, whose pictures for other eyes on that line lightfield.h makes; what the camera itself draws is the
+ * picture for the middle.
+ *
  * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n):
  * no two samples share a row or a column. Each sample's colour is clamped; the pixel is the mean.
  *
@@ -50,6 +54,8 @@ struct tia_camera {
                                   (0, 0, 0): the camera looks along -z */
     struct tia_window window;  /* TIA_FRUSTUM and TIA_ORTHOGRAPHIC only */
     uint32_t samples;          /* per pixel: 1, 4 or 16; 0 means 1 */
+    tia_q16 line; /* TIA_FRUSTUM only: half the length of the observer line, 0: none. The window must lie within 32768
+                     of all eyes on it, along u. */
 };
 
 #ifdef __cplusplus

@@ -21,6 +21,7 @@
 #include <tia/camera.h>
 #include <tia/integrator.h>
 #include <tia/light.h>
+#include <tia/lightfield.h>
 #include <tia/material.h>
 #include <tia/shadow.h>
 #include <tia/shape.h>
@@ -89,8 +90,10 @@ struct tia_scene {
                             faces, none of which is farther than this from its surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
     uint32_t scale_bits; /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
-    const struct tia_fine *fine; /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
-    const struct tia_bvh *bvh;   /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
+                                            another technique for shadows than traced rays */
+    const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
 
     /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;

@@ -3,6 +3,7 @@
  *   fixed.h   number formats and status codes
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
+ *   lightfield.h    pictures for displays that show each eye another one
  *   shadow.h  techniques for shadows
  *   integrator.h    how light is summed up
  *   denoise.h       pictures of samples without noise

@@ -46,9 +46,14 @@ _tia() {
         --view-angle) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --w0) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --m) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --views) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --lenticular) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --calibration) compopt -o default; COMPREPLY=(); return ;;
+        --modules) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --module-range) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
         esac
-        words='--display --output --format --size --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --gaze --view-angle --w0 --m --smooth --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--display --output --format --size --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --gaze --view-angle --w0 --m --smooth --views --lenticular --calibration --modules --module-range --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-compare)
         case $prev in
         -k|--keys) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
@@ -88,6 +93,18 @@ _tia() {
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
         esac
         words='--output --scene-format --strict --help --version' ends='tia nff obj' ;;
+    tia-observe)
+        case $prev in
+        -e|--eye) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        -o|--output) compopt -o default; COMPREPLY=(); return ;;
+        --views) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --modules) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        -s|--size) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --two) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --to) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        -n|--frames) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        esac
+        words='--eye --output --views --modules --size --two --anaglyph --to --frames --help --version' ends='tia nff obj' ;;
     esac
     if [[ $cur == -* ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur"); return; fi
     # Folders, and files of the right kind.
@@ -96,4 +113,4 @@ _tia() {
     COMPREPLY=($(compgen -d -- "$cur"))
     for end in ${ends// /$IFS}; do COMPREPLY+=($(compgen -f -X "!*.$end" -- "$cur")); done
 }
-complete -F _tia tia tia-compare tia-compile tia-join tia-pov
+complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe

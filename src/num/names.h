@@ -118,6 +118,7 @@
 #define instance_point NAMES(instance_point)
 #define instance_normal NAMES(instance_normal)
 #define ray_camera_prepare NAMES(ray_camera_prepare)
+#define ray_camera_pixel NAMES(ray_camera_pixel)
 #define ray_camera_ray NAMES(ray_camera_ray)
 #define ray_camera_ray_within NAMES(ray_camera_ray_within)
 #define path_renderer NAMES(path_renderer)

@@ -60,6 +60,12 @@ int tia_check_uses(struct check *check)
     return TIA_OK;
 }
 
+void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes)
+{
+    (void)camera;
+    (void)eyes;
+}
+
 int tia_check_rendering(struct check *check)
 {
     return check->scene->shadows ? tia_check_refuse(check, "shadows", RULE) : TIA_OK;

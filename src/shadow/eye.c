@@ -11,6 +11,7 @@
 #include "math/rotation.h"
 #include "math/trig.h"
 #include "math/wide.h"
+#include "scene/axes.h"
 
 /* m 2^-places */
 struct ratio {
@@ -67,14 +68,6 @@ static struct tia_eye_row sum(struct tia_eye_row a, struct tia_eye_row b, bool s
     return a;
 }
 
-void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3])
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        c[i] = wide_round(wide_difference(wide_product(a[j], b[k]), wide_product(a[k], b[j])), 62);
-    }
-}
-
 void tia_eye_across(const int64_t n[3], int64_t across[2][3])
 {
     int64_t e[3] = {0, 0, 0}, aside[3];
@@ -84,9 +77,9 @@ void tia_eye_across(const int64_t n[3], int64_t across[2][3])
         if ((n[k] < 0 ? -n[k] : n[k]) < (n[least] < 0 ? -n[least] : n[least]))
             least = k;
     e[least] = INT64_C(1) << 61;
-    tia_eye_cross(e, n, aside);
+    tia_axes_cross(e, n, aside);
     (void)wide_normalise(aside, across[0]);
-    tia_eye_cross(n, across[0], across[1]);
+    tia_axes_cross(n, across[0], across[1]);
 }
 
 void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64_t direction[3])
@@ -106,25 +99,6 @@ static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int
 
     for (int i = 0; i < 3; i++)
         out[i] = at[i] * INT64_C(256) + digits[i];
-}
-
-/* The rows of axes are u, v and n, Q1.62. */
-static void look(int64_t axes[3][3], const struct tia_camera *c, const int64_t at[3], const int64_t reference[3])
-{
-    const int64_t back[3] = {at[0] - reference[0], at[1] - reference[1], at[2] - reference[2]};
-    const int64_t up[3] = {c->up.x, c->up.y, c->up.z};
-    int64_t side[3], towards[3];
-
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            axes[i][k] = i == k ? INT64_C(1) << 62 : 0;
-    if (!up[0] && !up[1] && !up[2])
-        return;
-    (void)wide_normalise(back, axes[2]);
-    (void)wide_normalise(up, towards);
-    tia_eye_cross(towards, axes[2], side);
-    (void)wide_normalise(side, axes[0]);
-    tia_eye_cross(axes[2], axes[0], axes[1]);
 }
 
 /* a over the window's width */
@@ -193,11 +167,13 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
 {
     static const struct ratio one = {INT64_C(1) << 60, 60};
     const struct tia_camera *camera = &scene->camera;
-    int64_t axes[3][3], at[3], reference[3];
+    int64_t axes[3][3], at[3], reference[3], back[3];
 
     finely(camera->eye, scene->fine ? &scene->fine->eye : NULL, at);
     finely(camera->reference, scene->fine ? &scene->fine->reference : NULL, reference);
-    look(axes, camera, at, reference);
+    for (int i = 0; i < 3; i++)
+        back[i] = at[i] - reference[i];
+    tia_camera_axes(axes, camera, back);
     eye->projection = camera->projection;
     for (int i = 0; i < 3; i++)
         eye->origin[i] = at[i] * 256;

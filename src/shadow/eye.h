@@ -34,9 +34,6 @@ void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fracti
 void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex);
 
-/* c = a x b, all Q1.62. */
-void tia_eye_cross(const int64_t a[3], const int64_t b[3], int64_t c[3]);
-
 /* The axes A and B of light.h for a normal of length 1, all Q1.62. */
 void tia_eye_across(const int64_t normal[3], int64_t across[2][3]);
 

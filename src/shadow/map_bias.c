@@ -2,6 +2,7 @@
 
 #include "math/wide.h"
 #include "raster/depth.h"
+#include "scene/axes.h"
 
 #define STEEP (INT64_C(50) << 16) /* the largest tangent */
 
@@ -36,7 +37,7 @@ void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint
             tia_world_direction(point->world, &corners[k + 1], sides[k]);
         else
             tia_world_from_to(point->world, &corners[0], &corners[k + 1], sides[k]);
-    tia_eye_cross(sides[turned], sides[!turned], normal);
+    tia_axes_cross(sides[turned], sides[!turned], normal);
     (void)wide_normalise(normal, point->normal);
 }
 

@@ -3,6 +3,7 @@
 
 #include "math/trig.h"
 #include "math/wide.h"
+#include "scene/axes.h"
 
 #define ONE (INT64_C(1) << 62)
 #define DENSITY_BITS 40
@@ -39,9 +40,9 @@ static void along_direction(int64_t axes[3][3], const int64_t forward[3])
         if ((forward[k] < 0 ? -forward[k] : forward[k]) < (forward[least] < 0 ? -forward[least] : forward[least]))
             least = k;
     aside[least] = ONE / 2;
-    tia_eye_cross(forward, aside, across);
+    tia_axes_cross(forward, aside, across);
     (void)wide_normalise(across, axes[0]);
-    tia_eye_cross(axes[0], forward, axes[1]);
+    tia_axes_cross(axes[0], forward, axes[1]);
     for (int k = 0; k < 3; k++)
         axes[2][k] = forward[k];
 }

@@ -3,6 +3,7 @@
 #include "math/align.h"
 #include "math/wide.h"
 #include "raster/target.h"
+#include "scene/axes.h"
 
 /* Behind the struct: maps, room to draw one, distances. */
 struct maps {
@@ -107,7 +108,7 @@ static int64_t radius_of(const struct tia_light *light)
         return (int64_t)light->radius << (TIA_WORLD_BITS - 16);
     if (light->kind != TIA_RECTANGLE_LIGHT || !wide_normalise(a, unit[0]) || !wide_normalise(b, unit[1]))
         return 0;
-    tia_eye_cross(unit[0], unit[1], normal);
+    tia_axes_cross(unit[0], unit[1], normal);
     int64_t sine = wide_sqrt(wide_dot(normal, normal));                                              /* Q1.62 */
     int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b)))); /* Q.16, mean */
     int64_t root = wide_sqrt(wide_product(sine, INT64_C(1) << 62));

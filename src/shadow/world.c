@@ -3,6 +3,7 @@
 #include "world.h"
 
 #include "math/wide.h"
+#include "scene/axes.h"
 
 #define COLUMN_BITS 60 /* of the largest column */
 
@@ -32,7 +33,7 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
 
     rows_of(eye, rows);
     for (int k = 0; k < 3; k++)
-        tia_eye_cross(rows[(k + 1) % 3], rows[(k + 2) % 3], columns[k]);
+        tia_axes_cross(rows[(k + 1) % 3], rows[(k + 2) % 3], columns[k]);
     int64_t det = wide_round(wide_dot(rows[0], columns[0]), 62);
     for (int k = 0; k < 3; k++) {
         exponents[k] = eye->row[k].places - 1 - 62;

@@ -72,6 +72,7 @@ static void write_camera(struct unit *unit)
     field_number(unit, "window.top", c->window.top);
     field_number(unit, "window.near", c->window.near);
     field_unsigned(unit, "samples", c->samples);
+    field_number(unit, "line", c->line);
     text_print(&unit->text, "},\n");
 }
 

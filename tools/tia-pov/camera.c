@@ -69,6 +69,8 @@ void pov_camera(struct pov *pov)
         perspective(pov, &axes);
     else
         window(pov, &axes);
+    if (pov->scene->camera.line)
+        pov_note(pov, "camera: seen from the middle of its observer line");
     if (pov->scene->camera.samples > 1)
         pov_note(pov, "camera: %u samples a pixel are asked of povray itself, with +A", pov->scene->camera.samples);
 }

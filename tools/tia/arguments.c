@@ -7,10 +7,11 @@
 
 #include "check.h"
 #include "common/keys.h"
+#include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "integration.h"
-#include "parse.h"
+#include "lightfield.h"
 #include "parse_option.h"
 
 static const char shorts[] = ":d:o:s:k:i:n:j:hV";
@@ -62,6 +63,11 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"w0", required_argument, NULL, OPT_W0},
                                       {"m", required_argument, NULL, OPT_M},
                                       {"smooth", no_argument, NULL, OPT_SMOOTH},
+                                      {"views", required_argument, NULL, OPT_VIEWS},
+                                      {"lenticular", required_argument, NULL, OPT_LENTICULAR},
+                                      {"calibration", required_argument, NULL, OPT_CALIBRATION},
+                                      {"modules", required_argument, NULL, OPT_MODULES},
+                                      {"module-range", required_argument, NULL, OPT_MODULE_RANGE},
                                       {"list-displays", no_argument, NULL, OPT_LIST},
                                       {"help", no_argument, NULL, 'h'},
                                       {"version", no_argument, NULL, 'V'},
@@ -242,6 +248,7 @@ int arguments_load(struct options *options)
     if (options->depth != 0)
         options->scene.depth = options->depth;
     int status = load_shadows(options);
+    status = status ? status : light_load(options);
     status = status ? status : integration_load(options);
     status = status ? status : load_views(options);
     return status ? status : load_keys(options);

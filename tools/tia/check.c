@@ -5,6 +5,7 @@
 #include "common/image/series.h"
 #include "fail.h"
 #include "gaze.h"
+#include "lightfield.h"
 #include "ports.h"
 
 enum { PACE_MAX = 1000 };
@@ -156,5 +157,7 @@ int check(struct options *options)
         result = check_drm(options);
     if (result == EXIT_FINE)
         result = gaze_check(options);
+    if (result == EXIT_FINE)
+        result = light_check(options);
     return result == EXIT_FINE ? check_scenes(options) : result;
 }

@@ -1,5 +1,6 @@
 #include "film.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +12,7 @@ enum { DEFAULT_WIDTH = 640, DEFAULT_HEIGHT = 480 };
 
 tia_q16 film_time(const struct options *options, uint32_t frame)
 {
-    return tia_frame_time(options->time, frame, options->rate);
+    return options->light.pictures ? options->time : tia_frame_time(options->time, frame, options->rate);
 }
 
 struct rotation film_rotation(const struct options *options)
@@ -24,6 +25,8 @@ struct rotation film_rotation(const struct options *options)
 static uint32_t count_frames(const struct options *options)
 {
     int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
+    if (options->light.pictures != 0)
+        return options->light.pictures;
     if (options->frames != 0)
         return options->frames;
     if (left <= 0)
@@ -33,11 +36,21 @@ static uint32_t count_frames(const struct options *options)
     return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
 }
 
+static int identify_field(char *text, size_t size, const struct light_options *light)
+{
+    const struct tia_light_field *f = &light->field;
+
+    return snprintf(text, size, " %d %u %u %" PRId64 " %" PRId64 " %" PRId64 " %d %d %d %d %d", (int)f->kind,
+                    f->quilt.columns, f->quilt.rows, f->lens.pitch, f->lens.rise, f->lens.centre,
+                    (int)f->lens.subpixels, f->lens.flipped, f->lens.inverted, (int)f->projector.distance,
+                    (int)light->spacing);
+}
+
 /* A CRC of everything besides the size that the pixels depend on: the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
     const struct tia_integration *how = &options->scene.integration;
-    char text[240];
+    char text[480];
     const char *keys = options->key_text ? options->key_text : "";
     int length = snprintf(
         text, sizeof text, "%s %d %u %u %u %u %u %u %d %u %d %d %u/%u", options->core->name, options->dither,
@@ -50,6 +63,8 @@ static uint32_t identify(const struct options *options)
     if (how->integrator != TIA_WHITTED && !options->samples_range && !options->resume)
         length += snprintf(text + length, sizeof text - (size_t)length, " %u %u %d", (unsigned)how->spp,
                            (unsigned)how->tone, (int)how->exposure);
+    if (options->scene.field)
+        length += identify_field(text + length, sizeof text - (size_t)length, &options->light);
     return checksum_bytes(checksum_bytes(options->file.crc, text, (size_t)length), keys, strlen(keys));
 }
 

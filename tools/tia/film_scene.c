@@ -5,6 +5,7 @@
 
 #include "fail.h"
 #include "film.h"
+#include "lightfield.h"
 #include "ports.h"
 
 /* Makes *memory at least `size` bytes; its contents may be lost. */
@@ -100,11 +101,17 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
 
 int film_scene_update(struct film_scene *film, uint32_t frame)
 {
-    if (film->view && !tia_scene_moves(&film->options->scene))
+    const struct options *options = film->options;
+    if (film->view && !tia_scene_moves(&options->scene) && !options->light.pictures)
         return TIA_OK;
     int status = set_time(film, frame);
     if (!status)
         status = move_bvh(film);
+    if (!status && options->light.pictures) {
+        film->pictured = *film->scene;
+        light_picture(&film->pictured, &film->field, options, frame);
+        film->scene = &film->pictured;
+    }
     if (!status) {
         lights_follow(&film->lights, film->scene);
         status = prepare_view(film);

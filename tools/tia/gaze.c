@@ -1,9 +1,9 @@
 #include "gaze.h"
 
 #include "common/image/series.h"
+#include "common/parse.h"
 #include "fail.h"
 #include "option_codes.h"
-#include "parse.h"
 
 /* The viewing angle of a monitor of 24 inches, 53 cm wide, from 57 cm away. */
 #define VIEW_ANGLE TIA_Q16(50)

@@ -2,9 +2,9 @@
 
 #include <string.h>
 
+#include "common/parse.h"
 #include "fail.h"
 #include "option_codes.h"
-#include "parse.h"
 
 /* "ao=2.5": the name's end at the '='. */
 static int set_integrator(struct options *options, char *value)
@@ -172,12 +172,12 @@ static int check_rounds(struct options *options)
 static int choose_depth(struct options *options)
 {
     bool sampled = options->scene.integration.integrator != TIA_WHITTED;
-    bool plain = options->checksum || options->dither || options->rotate;
+    bool plain = options->checksum || options->dither || options->rotate || options->light.pictures;
 
     if (options->colour_given && options->depth_bits && !sampled)
         return fail(EXIT_USAGE, "--colour: whitted draws in 565 (--integrator ao or path)");
     if (options->colour_given && options->depth_bits && plain)
-        return fail(EXIT_USAGE, "--colour: --checksum, --dither and --rotate take 565");
+        return fail(EXIT_USAGE, "--colour: --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {
         if (!sampled || plain || options->colour_given)
             return fail(EXIT_USAGE,

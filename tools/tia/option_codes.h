@@ -43,6 +43,11 @@ enum {
     OPT_W0,
     OPT_M,
     OPT_SMOOTH,
+    OPT_VIEWS,
+    OPT_LENTICULAR,
+    OPT_CALIBRATION,
+    OPT_MODULES,
+    OPT_MODULE_RANGE,
     OPT_LIST,
     OPT_STRICT
 };

@@ -7,6 +7,7 @@
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 #include "common/views/views.h"
+#include "lightfield_options.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
 
@@ -39,7 +40,8 @@ struct options {
     const char *tessellated;                  /* NULL: not given */
     const struct tia_core *core, *plain_core; /* what draws; and what draws without false colours */
     struct views views;                       /* without its core */
-    struct tia_gaze gaze;                     /* its angle 0: the default */
+    struct light_options light;
+    struct tia_gaze gaze; /* its angle 0: the default */
     bool gazes;
     const char *gaze_option;              /* one that needs a gaze; NULL: none is given */
     const struct tia_level *level;        /* vector units; NULL: plain C */

@@ -4,11 +4,12 @@
 #include <string.h>
 
 #include "arithmetic.h"
+#include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "gaze.h"
 #include "integration.h"
-#include "parse.h"
+#include "lightfield.h"
 
 static int set_size(struct options *options, char *value)
 {
@@ -277,6 +278,11 @@ static const struct row rows[] = {
     {OPT_W0, .parse = gaze_parse},
     {OPT_M, .parse = gaze_parse},
     {OPT_SMOOTH, .parse = gaze_parse},
+    {OPT_VIEWS, .parse = light_parse},
+    {OPT_LENTICULAR, .parse = light_parse},
+    {OPT_CALIBRATION, .parse = light_parse},
+    {OPT_MODULES, .parse = light_parse},
+    {OPT_MODULE_RANGE, .parse = light_parse},
     {'k', TEXT(key_text)},
     {'n', .set = set_frames},
     {OPT_TIME, .set = set_time},

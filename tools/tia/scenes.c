@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "check.h"
 #include "fail.h"
+#include "lightfield.h"
 
 /* Keys were for the first scene. */
 bool scenes_go(struct options *options, int step, char *why)
@@ -29,6 +30,7 @@ bool scenes_go(struct options *options, int step, char *why)
     next.key_count = 0;
     scene_close(&options->file);
     *options = next;
+    light_attach(options);
     return true;
 }
 

@@ -143,10 +143,10 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     }
 }
 
-/* Without a hierarchy there are no boxes. */
+/* Without a hierarchy there are no boxes. A light field's neighbours have eyes of their own. */
 static bool draws(const struct tia_view *view)
 {
-    return view->scene->bvh;
+    return view->scene->bvh && !view->scene->field;
 }
 
 const struct level_renderer tia_level_rays = {tia_sure_size, draws, tia_sure_prepare, tia_sure_set_lights, light, NULL};

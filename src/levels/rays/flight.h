@@ -144,9 +144,10 @@ static void first_paths(const struct flight *f, struct paths *p, const vu u[2])
     vu_store(numbers[1], u[1]);
     for (int k = 0; k < LANES; k++) {
         const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
+        const struct light_pixel pixel = ray_pixel_at(g->x[p->r.slot[k]], g->y[p->r.slot[k]]);
         double origin[3], direction[3];
         struct ray ray;
-        ray_camera_ray_within(&g->scene->view->camera, g->x[p->r.slot[k]], g->y[p->r.slot[k]], pair, &ray);
+        ray_camera_ray_within(&g->scene->view->camera, &pixel, pair, &ray);
         sure_point(origin, ray.origin);
         sure_dir(direction, ray.direction);
         for (int i = 0; i < 3; i++) {

@@ -148,10 +148,10 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         }
 }
 
-/* A strategy that is left out is for the integers. */
+/* A strategy that is left out is for the integers, and so is a light field: neighbours have eyes of their own. */
 static bool draws(const struct tia_view *view)
 {
-    return view->scene->bvh && !view->scene->integration.without;
+    return view->scene->bvh && !view->scene->integration.without && !view->scene->field;
 }
 
 const struct level_renderer tia_level_samples = {tia_gather_size,       draws, tia_gather_prepare,

@@ -143,6 +143,7 @@ int tia_include_end(struct tia_job *job);
 
 /* Read the rest of a statement's line, and its block if it has one. */
 int tia_line_camera(struct tia_job *job);
+int tia_light_field_line(struct tia_job *job); /* of a camera */
 int tia_line_samples(struct tia_job *job);
 int tia_line_background(struct tia_job *job);
 int tia_line_depth(struct tia_job *job);

@@ -116,16 +116,27 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
     enlarge_own(r, distance(radius));
 }
 
+/* The observer line may lead anywhere. */
+static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
+{
+    int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};
+
+    for (int i = 0; i < 3; i++)
+        at[i] = at[i] < INT32_MIN ? INT32_MIN : at[i] > INT32_MAX ? INT32_MAX : at[i];
+    return (struct tia_vec3){(tia_q16)at[0], (tia_q16)at[1], (tia_q16)at[2]};
+}
+
 void tia_reach_camera(struct tia_reach *r, const struct tia_camera *camera)
 {
     const struct tia_window *w = &camera->window;
     int64_t side =
         larger(size_of((struct tia_vec3){w->left, w->right, 0}), size_of((struct tia_vec3){w->bottom, w->top, 0}));
 
-    tia_lengths_cover_eye(&r->lengths, camera->eye);
+    tia_lengths_cover_eye(&r->lengths, beside(camera->eye, -camera->line));
+    tia_lengths_cover_eye(&r->lengths, beside(camera->eye, camera->line));
     if (camera->up.x || camera->up.y || camera->up.z)
         tia_lengths_cover(&r->lengths, camera->reference, 0);
-    lengthen(r, side * 3 / 2);
+    lengthen(r, side * 3 / 2 + camera->line);
     if (!w->left && !w->right)
         lengthen(r, ((int64_t)w->top - w->bottom) * WINDOW_GROWS);
 }

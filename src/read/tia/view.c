@@ -43,17 +43,21 @@ static const struct tia_form projections[] = {
 int tia_line_camera(struct tia_job *job)
 {
     struct tia_camera *camera = &job->scene->camera;
-    const struct tia_form *form = tia_form(&job->text, projections, TIA_COUNT_OF(projections));
+    struct tia_word word;
     uint32_t given = 0;
-    struct tia_word end;
+
+    (void)tia_text_peek(&job->text, &word);
+    if (tia_word_is(&word, "lightfield"))
+        return tia_light_field_line(job);
+    const struct tia_form *form = tia_form(&job->text, projections, TIA_COUNT_OF(projections));
 
     camera->projection = (enum tia_projection)form->kind;
     int status = tia_fields(&job->text, form->what, form->fields, form->count, camera, &given);
     if (status)
         return status;
-    (void)tia_text_peek(&job->text, &end);
+    (void)tia_text_peek(&job->text, &word);
     if ((given & UP_GIVEN) && !(given & LOOK_GIVEN))
-        return tia_text_error(&job->text, &end, "", "look, as there is up");
+        return tia_text_error(&job->text, &word, "", "look, as there is up");
     if ((given & LOOK_GIVEN) && !(given & UP_GIVEN))
         camera->up.y = TIA_Q16_ONE;
     return TIA_OK;

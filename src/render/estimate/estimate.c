@@ -62,19 +62,36 @@ void estimate_guide(struct estimate *e, const num_length albedo[3], const struct
     guide->normal[2] += num_q24(num_length_of_unit(normal->z) + NUM_LENGTH_ONE) - ONE;
 }
 
-/* Sample number `index` of the pixel, added to its sum. */
-static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
-                       struct tia_sum *sum, int64_t rounded[3])
+/* Sample number `index` of what a channel shows. */
+static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t index, estimate_radiance *radiance,
+                      num_length rgb[3])
 {
-    num_length rgb[3];
     struct ray ray;
     uint32_t u[2];
 
-    e->sampler = sampler_of(e->view->scene->integration.seed, x, y, index);
+    e->sampler = sampler_of(e->view->scene->integration.seed, at->x, at->y, index);
     e->layers = 0;
     sampler_pair(&e->sampler, ESTIMATE_FIRST_QUAD, 0, u);
-    ray_camera_ray_within(&e->view->camera, x, y, u, &ray);
+    ray_camera_ray_within(&e->view->camera, at, u, &ray);
     radiance(e, &ray, rgb);
+}
+
+/* Sample number `index` of the pixel, added to its sum. Of three channels each is what its own ray found of it. */
+static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
+                       struct tia_sum *sum, int64_t rounded[3])
+{
+    const struct ray_camera *camera = &e->view->camera;
+    num_length rgb[3] = {0, 0, 0};
+
+    for (int channel = 0; channel < camera->channels; channel++) {
+        num_length all[3] = {0, 0, 0};
+        struct light_pixel at;
+
+        if (ray_camera_pixel(camera, x, y, channel, &at))
+            sample_of(e, &at, index, radiance, all);
+        for (int c = 0; c < 3; c++)
+            rgb[c] = camera->channels == 1 || c == channel ? all[c] : rgb[c];
+    }
     for (int c = 0; c < 3; c++) {
         rounded[c] = num_q24(num_length_clamp(rgb[c], 0, RADIANCE_MAX));
         sum->rgb[c] += rounded[c];

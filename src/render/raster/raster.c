@@ -138,7 +138,9 @@ static void look_for_curved(const struct ray_view *rays, const struct tia_flat_s
     struct ray ray;
     struct hit hit;
 
-    ray_camera_ray(&rays->camera, x, y, (int)sample, &ray);
+    const struct light_pixel pixel = ray_pixel_at(x, y);
+
+    ray_camera_ray(&rays->camera, &pixel, (int)sample, &ray);
     raster_find_face(rays, flat, b->face[at], x, y, &ray, &hit);
     curved_intersect(rays, &ray, &hit);
     if (hit.object == TIA_NO_OBJECT || tia_flat_takes(rays->scene, hit.object))

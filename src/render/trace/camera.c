@@ -52,6 +52,26 @@ static void open_window(struct ray_camera *c, const struct tia_camera *given)
     }
 }
 
+static void set_grid(struct ray_camera *c, const struct tia_scene *scene, int width, int height)
+{
+    c->width = width;
+    c->height = height;
+    c->channels = 1;
+    c->grid.field = NULL;
+    if (!scene->field)
+        return;
+    tia_light_grid_init(&c->grid, scene, width, height);
+    c->width = c->grid.ordinary_width;
+    c->height = c->grid.ordinary_height;
+    c->channels = c->grid.channels;
+}
+
+/* n 2^-5: an image may be three times as wide as a picture, which num_integer leaves no room for. */
+static num_length small(int64_t n)
+{
+    return num_length_of_q45(n * (INT64_C(1) << 40));
+}
+
 void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int width, int height)
 {
     const struct tia_camera *given = &scene->camera;
@@ -59,23 +79,30 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int
 
     c->eye = finely(given->eye, fine ? &fine->eye : NULL);
     c->projection = given->projection;
-    c->width = width;
-    c->height = height;
+    set_grid(c, scene, width, height);
+    c->window = given->window;
     c->side = given->samples == 16 ? 4 : given->samples == 4 ? 2 : 1;
-    c->columns = num_divisor_of(num_integer(c->side * c->side * width));
-    c->rows = num_divisor_of(num_integer(c->side * c->side * height));
+    c->columns = num_divisor_of(small(2 * c->side * c->side * (int64_t)c->width));
+    c->rows = num_divisor_of(small(2 * c->side * c->side * (int64_t)c->height));
     look(c, given, fine);
     open_window(c, given);
     c->ahead = num_point_sub((struct num_point){0, 0, 0}, num_point_along(c->n, c->depth));
 }
 
-/* Through the point at these parts of the image's width and height. */
-static void through(const struct ray_camera *c, num_unit right, num_unit down, struct ray *ray)
+bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, struct light_pixel *pixel)
 {
-    num_length h = c->left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
+    *pixel = ray_pixel_at(x, y);
+    return !c->grid.field || tia_light_grid_pixel(&c->grid, x, y, channel, pixel);
+}
+
+/* Through the point at these parts of the image's width and height, from the eye at `place`. */
+static void through(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down, struct ray *ray)
+{
+    num_length left = place ? num_length_of(c->window.left - place) : c->left;
+    num_length h = left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
     struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
-    ray->origin = c->eye;
+    ray->origin = place ? num_point_add(c->eye, num_point_of(tia_light_offset(c->grid.u, place))) : c->eye;
     ray_watch(ray, NULL);
     ray->direction = num_dir_negated(c->n);
     if (c->projection == TIA_ORTHOGRAPHIC)
@@ -85,13 +112,13 @@ static void through(const struct ray_camera *c, num_unit right, num_unit down, s
 }
 
 /* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
-void ray_camera_ray(const struct ray_camera *c, int x, int y, int sample, struct ray *ray)
+void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
 {
     int32_t n = c->side, i = sample % n, j = sample / n;
-    int32_t column = 2 * n * n * x + 2 * n * i + 2 * j + 1, row = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+    int32_t column = 2 * n * n * pixel->x + 2 * n * i + 2 * j + 1;
+    int32_t row = 2 * n * n * pixel->y + 2 * n * j + 2 * n - 2 * i - 1;
 
-    through(c, num_fraction_by(num_integer(column) / 2, c->columns), num_fraction_by(num_integer(row) / 2, c->rows),
-            ray);
+    through(c, pixel->place, num_fraction_by(small(column), c->columns), num_fraction_by(small(row), c->rows), ray);
 }
 
 /* x + (u + 1/2)/2^32 */
@@ -100,8 +127,9 @@ static num_length within_pixel(int x, uint32_t u)
     return num_length_of_q45(((int64_t)x << 45) + ((int64_t)u << 13) + (1 << 12));
 }
 
-void ray_camera_ray_within(const struct ray_camera *c, int x, int y, const uint32_t u[2], struct ray *ray)
+void ray_camera_ray_within(const struct ray_camera *c, const struct light_pixel *pixel, const uint32_t u[2],
+                           struct ray *ray)
 {
-    through(c, num_fraction(within_pixel(x, u[0]), num_integer(c->width)),
-            num_fraction(within_pixel(y, u[1]), num_integer(c->height)), ray);
+    through(c, pixel->place, num_fraction(within_pixel(pixel->x, u[0]), num_integer(c->width)),
+            num_fraction(within_pixel(pixel->y, u[1]), num_integer(c->height)), ray);
 }

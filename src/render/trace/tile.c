@@ -9,13 +9,17 @@ void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct t
 
     for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
         for (int x = (int)tile.x; x < tile_right(tile); x++) {
+            struct light_pixel pixel;
             struct ray ray;
             struct hit hit;
 
             if (++count % PATIENCE == 0 && view_stops(view))
                 return;
-            ray_camera_ray(&rays->camera, x, y, 0, &ray);
-            ray_intersect(rays, &ray, &hit);
+            hit.object = TIA_NO_OBJECT;
+            if (ray_camera_pixel(&rays->camera, x, y, 0, &pixel)) {
+                ray_camera_ray(&rays->camera, &pixel, 0, &ray);
+                ray_intersect(rays, &ray, &hit);
+            }
             hits->object[hits_index(hits, (unsigned)x, (unsigned)y)] = hit.object;
         }
     }

@@ -4,7 +4,8 @@
 #include "sampling/sobol.h"
 #include "whitted.h"
 
-/* What the ray of a pixel's sample meets. `object` is what the first one does, or receives it if path->traces. */
+/* What the ray of a pixel's sample meets, or of those of a channel after the first. `object` is what the first one
+ * does, or receives it if path->traces. */
 static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
                        struct hit *hit)
 {
@@ -21,27 +22,47 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t *ob
     *object = sample == 0 ? hit->object : *object;
 }
 
-/* The mean of a pixel's samples, each clamped. `object` as of find_first. */
-static void pixel(struct path *path, int x, int y, uint32_t *object, num_length mean[3])
+/* The mean of the samples of what a channel of a pixel shows, each clamped. `object` as of find_first. */
+static void add_channel(struct path *path, const struct light_pixel *at, int channel, uint32_t *object,
+                        num_length mean[3])
 {
     const struct ray_camera *camera = &path->view->camera;
     int samples = camera->side * camera->side;
 
-    mean[0] = mean[1] = mean[2] = 0;
+    path->class = path->first ? 0 : ray_pixel_class(at->x, at->y);
     for (int i = 0; i < samples && !path_stops(path); i++) {
         struct ray ray;
         struct hit hit;
         num_length colour[3];
 
-        path->next_reached = i == 0 ? 0 : PATH_REACHED;
-        path->seed = sampler_of((uint32_t)i, x, y, 0).seed;
-        ray_camera_ray(camera, x, y, i, &ray);
+        path->next_reached = i + channel == 0 ? 0 : PATH_REACHED;
+        path->seed = sampler_of((uint32_t)i, at->x, at->y, 0).seed;
+        ray_camera_ray(camera, at, i, &ray);
         observe_count(path, &ray);
-        find_first(path, x, y, i, object, &ray, &hit);
+        find_first(path, at->x, at->y, i + channel, object, &ray, &hit);
         ray_intersect_lights(path->view, &ray, &hit);
         path_colour(path, &ray, &hit, colour);
         for (int c = 0; c < 3; c++)
             mean[c] += num_length_clamp(colour[c], 0, NUM_LENGTH_ONE) / (num_length)samples;
+    }
+}
+
+/* Of three channels each is what its own rays found of it. */
+static void pixel(struct path *path, int x, int y, uint32_t *object, num_length mean[3])
+{
+    const struct ray_camera *camera = &path->view->camera;
+
+    mean[0] = mean[1] = mean[2] = 0;
+    for (int channel = 0; channel < camera->channels; channel++) {
+        num_length all[3] = {0, 0, 0};
+        struct light_pixel at;
+
+        if (ray_camera_pixel(camera, x, y, channel, &at))
+            add_channel(path, &at, channel, object, all);
+        else
+            *object = TIA_NO_OBJECT;
+        for (int c = 0; c < 3; c++)
+            mean[c] = camera->channels == 1 || c == channel ? all[c] : mean[c];
     }
 }
 
@@ -85,7 +106,6 @@ static bool row(const struct job *job, int y)
         int x = (int)job->tile.x + i;
         num_length mean[3];
 
-        path.class = job->first ? 0 : ray_pixel_class(x, y);
         path.hash = PATH_HASH;
         path.reached = 0;
         pixel(&path, x, y, &objects[i], mean);

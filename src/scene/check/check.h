@@ -76,6 +76,12 @@ int tia_check_placed(const struct check *check, const struct tia_shape *shape, c
 /* How the shapes use the meshes and grids; and the scene's unit, which only the ray renderer asks for. */
 int tia_check_uses(struct check *check);
 
+/* The observer line and the light field. */
+int tia_check_light_field(struct check *check);
+
+/* Makes the box around the camera's eyes one around all of their lines. */
+void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
+
 /* How it is to be drawn; and what its technique for shadows asks of the whole scene. */
 int tia_check_rendering(struct check *check);
 int tia_check_shadows(struct check *check);

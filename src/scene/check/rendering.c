@@ -44,9 +44,11 @@ static int check_emission(struct check *check)
 
 int tia_check_rendering(struct check *check)
 {
+    int status = tia_check_light_field(check);
+
     check->index = 0;
     check->thing = "scene";
-    int status = check_integration(check);
+    status = status ? status : check_integration(check);
     status = status ? status : check_emission(check);
     return status ? status : tia_check_shadows(check);
 }

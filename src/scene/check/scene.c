@@ -116,6 +116,7 @@ static struct tia_bounds find_eyes(const struct tia_scene *scene)
         for (uint32_t k = 0; t->target == TIA_MOVES_EYE && t->keys && k < t->key_count; k++)
             tia_bounds_add(&eyes, &(struct tia_bounds){t->keys[k].value, t->keys[k].value});
     }
+    tia_check_eyes(&scene->camera, &eyes);
     return eyes;
 }
 

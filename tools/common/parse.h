@@ -1,6 +1,6 @@
 /* parse.h - strict parsers for the values of options. */
-#ifndef TOOLS_TIA_PARSE_H
-#define TOOLS_TIA_PARSE_H
+#ifndef TOOLS_PARSE_H
+#define TOOLS_PARSE_H
 
 #include <tia/scene.h>
 

@@ -1,0 +1,22 @@
+/* modules.h - projectors behind a light-field display's screen: "32,distance=0.5,spacing=0.02", lengths in the scene's
+ * unit. They stand in a row along the screen, their middle behind its middle. */
+#ifndef TOOLS_MODULES_H
+#define TOOLS_MODULES_H
+
+#include <tia/scene.h>
+
+enum { MODULES_MAX = 65536 };
+
+struct modules {
+    uint32_t count;
+    tia_q16 distance, spacing; /* from the screen; from one to the next */
+};
+
+/* NULL, or why the text is wrong. The scene has an observer line. By default they are half as far from the screen as
+ * that is, and so wide apart that every place on the line gets all of the screen. */
+const char *modules_parse(struct modules *modules, const char *text, const struct tia_scene *scene);
+
+/* Where module `module` stands, from the screen's middle: (module - (count - 1)/2) spacing, halves rounded up. */
+tia_q16 modules_place(uint32_t module, uint32_t count, tia_q16 spacing);
+
+#endif

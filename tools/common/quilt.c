@@ -1,0 +1,62 @@
+#include "quilt.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include <tia/render.h>
+
+#include "parse.h"
+
+enum { COLUMNS_MAX = 256, VIEW_HEIGHT = 480, ASPECT_MAX = 100000 };
+
+/* "1.777" up to the dot of an extension, in thousandths; 0: it is none. */
+static uint32_t thousandths(const char *text)
+{
+    const char *rest;
+    uint32_t whole, part = 0, digit = 100;
+
+    if (!parse_number(text, &rest, 0, ASPECT_MAX / 1000, &whole))
+        return 0;
+    if (*rest == '.' && isdigit((unsigned char)rest[1]))
+        for (rest++; isdigit((unsigned char)*rest); rest++, digit /= 10)
+            part += (uint32_t)(*rest - '0') * digit;
+    return *rest == '.' || *rest == '\0' ? whole * 1000 + part : 0;
+}
+
+/* The last one in the file's name. */
+static const char *find_mark(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *mark = NULL;
+
+    for (const char *at = slash ? slash : path; (at = strstr(at, "_qs")) != NULL; at++)
+        mark = at;
+    return mark;
+}
+
+bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect)
+{
+    const char *mark = find_mark(path), *rest;
+    uint32_t columns, rows;
+
+    if (!mark || !parse_number(mark + 3, &rest, 1, COLUMNS_MAX, &columns) || *rest != 'x' ||
+        !parse_number(rest + 1, &rest, 1, COLUMNS_MAX, &rows) || *rest != 'a')
+        return false;
+    *quilt = (struct tia_quilt){(uint16_t)columns, (uint16_t)rows};
+    *aspect = thousandths(rest + 1);
+    return *aspect != 0;
+}
+
+void quilt_size(const struct tia_quilt *quilt, uint32_t aspect, uint16_t *width, uint16_t *height)
+{
+    uint32_t most = (uint32_t)TIA_SIZE_MAX / quilt->columns;
+    uint32_t high = (uint32_t)TIA_SIZE_MAX / quilt->rows;
+    high = high < VIEW_HEIGHT ? high : VIEW_HEIGHT;
+    uint32_t wide = (high * aspect + 500) / 1000;
+
+    if (wide > most) {
+        wide = most;
+        high = (wide * 1000 + aspect / 2) / aspect;
+    }
+    *width = (uint16_t)((wide ? wide : 1) * quilt->columns);
+    *height = (uint16_t)((high ? high : 1) * quilt->rows);
+}

@@ -1,0 +1,13 @@
+/* quilt.h - quilts by their names: NAME_qs8x6a0.75.png has 8 columns, 6 rows, and views of the aspect ratio 0.75. */
+#ifndef TOOLS_QUILT_H
+#define TOOLS_QUILT_H
+
+#include <tia/lightfield.h>
+
+/* Whether a file's name is that of a quilt; `aspect` in thousandths, rounded down. */
+bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect);
+
+/* The size of a quilt when none is given: views 480 pixels high, fewer where that is too many. */
+void quilt_size(const struct tia_quilt *quilt, uint32_t aspect, uint16_t *width, uint16_t *height);
+
+#endif

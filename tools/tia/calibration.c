@@ -1,0 +1,117 @@
+/* calibration.c - visual.json, which a Looking Glass holds: each value under its name, as a number or in an object's
+ * "value".
+ *
+ * HoloPlayCore's shader, as Looking Glass Factory has published it, wants lenses to the picture's width, and the phase
+ * that its height gains, as a part of them:
+ *
+ *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = +-screenH/(screenW slope),   - if flipImageX.
+ */
+#include <math.h>
+#include <stddef.h>
+
+#include <tia/render.h>
+
+#include "fail.h"
+#include "lenticular.h"
+
+#ifdef TIA_HAVE_JANSSON
+
+#include <jansson.h>
+
+struct values {
+    double pitch, slope, center, dpi, width, height, inv_view, flip_x, flip_subp, pattern;
+};
+
+static const struct {
+    const char *name;
+    size_t offset;
+    bool needed;
+} names[] = {{"pitch", offsetof(struct values, pitch), true},
+             {"slope", offsetof(struct values, slope), true},
+             {"center", offsetof(struct values, center), true},
+             {"DPI", offsetof(struct values, dpi), true},
+             {"screenW", offsetof(struct values, width), true},
+             {"screenH", offsetof(struct values, height), true},
+             {"invView", offsetof(struct values, inv_view), false},
+             {"flipImageX", offsetof(struct values, flip_x), false},
+             {"flipSubp", offsetof(struct values, flip_subp), false},
+             {"CellPatternMode", offsetof(struct values, pattern), false}};
+
+static int read_values(const char *path, const json_t *root, struct values *v)
+{
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const json_t *item = json_object_get(root, names[i].name);
+        const json_t *value = json_is_object(item) ? json_object_get(item, "value") : item;
+        if (!item && !names[i].needed)
+            continue;
+        if (!json_is_number(value))
+            return fail(EXIT_USAGE, "%.200s: %s: %s", path, names[i].name, item ? "is no number" : "is missing");
+        *(double *)(void *)((char *)v + names[i].offset) = json_number_value(value);
+    }
+    return EXIT_FINE;
+}
+
+static bool is_size(double n)
+{
+    return n >= 1 && n <= TIA_SIZE_MAX && n == floor(n);
+}
+
+/* One operation a line, so that no compiler fuses two: all machines get the same numbers. */
+static bool set_lens(struct tia_lenticular *lens, const struct values *v)
+{
+    double square = v->slope * v->slope;
+    double hypotenuse = sqrt(1 + square);
+    double cosine = fabs(v->slope) / hypotenuse;
+    double inches = v->width / v->dpi;
+    double pitch = v->pitch * inches;
+    pitch = pitch * cosine;
+    double rise = pitch / v->slope;
+
+    lens->inverted = v->inv_view != 0;
+    lens->subpixels = v->flip_subp != 0 ? TIA_SUBPIXELS_BGR : TIA_SUBPIXELS_RGB;
+    return lenticular_set(lens, pitch, v->flip_x != 0 ? -rise : rise, v->center);
+}
+
+static int take(struct light_options *light, const char *path, const json_t *root)
+{
+    struct values v = {0};
+    int status = json_is_object(root) ? read_values(path, root, &v) : fail(EXIT_USAGE, "%.200s: no object", path);
+
+    if (status != EXIT_FINE)
+        return status;
+    if (!is_size(v.width) || !is_size(v.height))
+        return fail(EXIT_USAGE, "%.200s: screenW, screenH: not whole numbers from 1 to %u", path, TIA_SIZE_MAX);
+    if (!(v.dpi > 0) || v.slope == 0)
+        return fail(EXIT_USAGE, "%.200s: %s", path, v.slope == 0 ? "slope: is 0" : "DPI: not above 0");
+    if (v.pattern != 0)
+        return fail(EXIT_USAGE, "%.200s: CellPatternMode: only 0, rows of red, green and blue, is known", path);
+    light->width = (uint16_t)v.width;
+    light->height = (uint16_t)v.height;
+    if (!set_lens(&light->field.lens, &v))
+        return fail(EXIT_USAGE, "%.200s: pitch, slope, center: beyond 1048576 lenses, or none", path);
+    return EXIT_FINE;
+}
+
+int calibration_read(struct light_options *light, const char *path)
+{
+    json_error_t error;
+    json_t *root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+
+    if (!root && error.line < 0)
+        return fail(EXIT_RUNNING, "%.200s", error.text);
+    if (!root)
+        return fail(EXIT_USAGE, "%.200s:%d:%d: %.200s", path, error.line, error.column, error.text);
+    int status = take(light, path, root);
+    json_decref(root);
+    return status;
+}
+
+#else
+
+int calibration_read(struct light_options *light, const char *path)
+{
+    (void)light;
+    return fail(EXIT_USAGE, "%.200s: this build reads no .json (make deps has jansson, or use --lenticular)", path);
+}
+
+#endif

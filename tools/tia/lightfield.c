@@ -1,0 +1,181 @@
+#include "lightfield.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/image/series.h"
+#include "common/modules.h"
+#include "common/parse.h"
+#include "common/quilt.h"
+#include "fail.h"
+#include "lenticular.h"
+#include "option_codes.h"
+
+enum { PICTURES_MAX = MODULES_MAX };
+
+/* ---- the command line alone ---- */
+
+static int set_module_range(struct options *options, const char *value)
+{
+    const char *rest;
+
+    options->light.module_range = options->frame_range = true;
+    if (!parse_number(value, &rest, 0, PICTURES_MAX - 1, &options->first_frame) || *rest != '-' ||
+        !parse_number(rest + 1, NULL, options->first_frame, PICTURES_MAX - 1, &options->last_frame))
+        return wrong("--module-range", value, "not a range (FIRST-LAST, counted from 0)");
+    return EXIT_FINE;
+}
+
+int light_parse(struct options *options, int option, char *value)
+{
+    struct light_options *light = &options->light;
+
+    switch (option) {
+    case OPT_VIEWS:
+        if (!parse_number(value, NULL, 1, PICTURES_MAX, &light->views))
+            return wrong("--views", value, "not a number from 1 to 65536");
+        return EXIT_FINE;
+    case OPT_LENTICULAR:
+        light->lenticular = true;
+        return lenticular_parse(&light->field.lens, value);
+    case OPT_CALIBRATION:
+        light->calibration = value;
+        return EXIT_FINE;
+    case OPT_MODULES:
+        light->modules = value;
+        return EXIT_FINE;
+    default:
+        return set_module_range(options, value);
+    }
+}
+
+/* The option that asks for a light field; NULL: none. */
+static const char *option_of(const struct light_options *light)
+{
+    return light->modules       ? "modules"
+           : light->views       ? "views"
+           : light->calibration ? "calibration"
+           : light->lenticular  ? "lenticular"
+                                : NULL;
+}
+
+static int check_pictures(const struct options *options)
+{
+    const char *option = options->light.modules ? "modules" : "views";
+
+    if (!options->output || !series_is_pattern(options->output))
+        return fail(EXIT_USAGE, "--%s: needs a picture each (-o NAME%%03d.png)", option);
+    if (options->frames || options->rate_given)
+        return fail(EXIT_USAGE, "--%s: not with --frames or --fps: its pictures are of one time", option);
+    if (options->tile_rows || options->samples_range || options->resume || options->format == IMAGE_PFM)
+        return fail(EXIT_USAGE, "--%s: draws whole pictures in RGB565", option);
+    return EXIT_FINE;
+}
+
+int light_check(struct options *options)
+{
+    struct light_options *light = &options->light;
+    struct tia_quilt quilt;
+    uint32_t aspect;
+    bool quilted = options->output && quilt_named(options->output, &quilt, &aspect);
+
+    if (light->module_range && !light->modules)
+        return fail(EXIT_USAGE, "--module-range: needs --modules");
+    if ((light->modules != NULL) + (light->views != 0) + (light->calibration != NULL) + light->lenticular + quilted > 1)
+        return fail(EXIT_USAGE, "--%s: not with %s", option_of(light), quilted ? "a quilt" : "another light field");
+    return light->modules || light->views ? check_pictures(options) : EXIT_FINE;
+}
+
+/* ---- the scene ---- */
+
+static int load_quilt(struct options *options, uint32_t aspect)
+{
+    const struct tia_window *w = &options->scene.camera.window;
+    uint64_t wide = (uint64_t)((int64_t)w->right - w->left) * 1000, high = (uint64_t)((int64_t)w->top - w->bottom);
+
+    options->light.field.kind = TIA_QUILT;
+    if (!options->width)
+        quilt_size(&options->light.field.quilt, aspect, &options->width, &options->height);
+    if (wide * 100 < high * aspect * 99 || wide * 100 > high * aspect * 101)
+        note("%.200s: the scene's screen has the aspect ratio %.3f", options->output,
+             (double)wide / (double)high / 1000);
+    return EXIT_FINE;
+}
+
+static int load_modules(struct options *options)
+{
+    struct light_options *light = &options->light;
+    struct modules modules;
+    const char *why = modules_parse(&modules, light->modules, &options->scene);
+
+    if (why)
+        return wrong("--modules", light->modules, why);
+    light->field.kind = TIA_PROJECTOR;
+    light->field.projector.distance = modules.distance;
+    light->spacing = modules.spacing;
+    light->pictures = modules.count;
+    return EXIT_FINE;
+}
+
+static int load_lens(struct options *options)
+{
+    struct light_options *light = &options->light;
+    int status = light->calibration ? calibration_read(light, light->calibration) : EXIT_FINE;
+
+    light->field.kind = TIA_LENTICULAR;
+    if (status == EXIT_FINE && light->calibration && options->output && !options->width) {
+        options->width = light->width;
+        options->height = light->height;
+    }
+    return status;
+}
+
+void light_attach(struct options *options)
+{
+    const struct tia_light_field *field = options->light.has_field ? &options->light.field : NULL;
+
+    options->scene.field = options->plain_scene.field = field;
+}
+
+int light_load(struct options *options)
+{
+    struct light_options *light = &options->light;
+    const char *option = option_of(light);
+    uint32_t aspect;
+    bool quilted = !option && options->output && quilt_named(options->output, &light->field.quilt, &aspect);
+
+    light->has_field = false;
+    light->pictures = light->views;
+    if (!option && !quilted)
+        return EXIT_FINE;
+    if (!options->scene.camera.line)
+        return fail(EXIT_USAGE, "%s%.200s: needs a scene with an observer line (camera lightfield)", option ? "--" : "",
+                    option ? option : options->output);
+    if (options->scene.shadows && !light->views)
+        return fail(EXIT_USAGE, "--shadows %s: not in pictures for many eyes (--shadows traced)",
+                    tia_shadows_name(options->scene.shadows));
+    if (options->denoise && !light->views)
+        return fail(EXIT_USAGE, "--denoise: not in pictures for many eyes");
+    light->has_field = !light->views;
+    int status = light->modules ? load_modules(options)
+                 : quilted      ? load_quilt(options, aspect)
+                 : light->views ? EXIT_FINE
+                                : load_lens(options);
+    light_attach(options);
+    return status;
+}
+
+void light_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
+                   uint32_t picture)
+{
+    const struct light_options *light = &options->light;
+    const struct tia_camera line = scene->camera;
+
+    if (light->views) {
+        tia_light_field_camera(&scene->camera, &line, tia_light_field_place(&line, picture, light->views));
+        return;
+    }
+    *field = light->field;
+    field->projector.place = modules_place(picture, light->pictures, light->spacing);
+    scene->field = field;
+}

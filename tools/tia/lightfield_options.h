@@ -1,0 +1,19 @@
+/* lightfield_options.h - what the command line says of light-field displays. */
+#ifndef TOOLS_TIA_LIGHTFIELD_OPTIONS_H
+#define TOOLS_TIA_LIGHTFIELD_OPTIONS_H
+
+#include <tia/lightfield.h>
+
+struct light_options {
+    const char *calibration, *modules; /* NULL: not given */
+    uint32_t views;                    /* 0: not given */
+    bool lenticular, module_range;
+
+    struct tia_light_field field;
+    bool has_field;
+    uint32_t pictures;      /* one of each view or module; 0: a single one */
+    tia_q16 spacing;        /* of modules */
+    uint16_t width, height; /* of the panel of a calibration */
+};
+
+#endif
