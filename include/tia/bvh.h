@@ -12,6 +12,8 @@
 extern "C" {
 #endif
 
+struct tia_workers; /* port.h */
+
 #define TIA_BVH_DEPTH_MAX 48 /* levels below the root */
 
 struct tia_bounds {
@@ -56,7 +58,6 @@ int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, s
 /* The same by several threads, workers as in <tia/port.h>; NULL: by one. They build trees of 16384 items and more,
  * which take one thread over 5 ms. The hierarchy has the same bits whatever their number is. `stop` is asked
  * by one thread at a time, whichever it is; once it says true, it must go on to say so until this returns. */
-struct tia_workers;
 int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                            const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
                            bool (*stop)(void *ctx), void *ctx);
