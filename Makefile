@@ -146,7 +146,7 @@ LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov)
+PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-radio)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)

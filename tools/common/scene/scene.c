@@ -101,6 +101,14 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
     return true;
 }
 
+static void name_material(void *ctx, uint32_t index, const char *name)
+{
+    const struct scene_wish *wish = ((const struct scene_file *)ctx)->wish;
+
+    if (wish->material)
+        wish->material(wish->ctx, index, name);
+}
+
 /* Tries again with as much memory as the reader asks for, which it knows after the first try. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
@@ -110,7 +118,9 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .library = part_library,
                                 .image = part_image,
                                 .opacity = part_opacity,
+                                .material = name_material,
                                 .ctx = file,
+                                .unscaled = file->wish->unscaled,
                                 .strict = strict,
                                 .warnings = file->warnings};
     size_t size = text->length > MEMORY_FIRST ? text->length : MEMORY_FIRST, need = 0;
@@ -137,8 +147,13 @@ static int build_boxes(struct scene_file *file)
 
 int scene_open(struct scene_file *file, const char *path, int format, bool strict)
 {
+    return scene_open_for(file, path, format, strict, &(struct scene_wish){.unscaled = false});
+}
+
+int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish)
+{
     struct whole text;
-    *file = (struct scene_file){.path = path};
+    *file = (struct scene_file){.path = path, .wish = wish};
     int status = read_text(file, &text);
     if (status)
         return status;

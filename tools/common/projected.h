@@ -1,6 +1,6 @@
 /* projected.h - where a scene's points are in its picture. */
-#ifndef TOOLS_TIA_PROJECTED_H
-#define TOOLS_TIA_PROJECTED_H
+#ifndef TOOLS_COMMON_PROJECTED_H
+#define TOOLS_COMMON_PROJECTED_H
 
 #include <tia/scene.h>
 

@@ -1,6 +1,6 @@
 /* palette.h - false colours. */
-#ifndef TOOLS_TIA_PALETTE_H
-#define TOOLS_TIA_PALETTE_H
+#ifndef TOOLS_COMMON_PALETTE_H
+#define TOOLS_COMMON_PALETTE_H
 
 #include <stdint.h>
 #include <tia/vec.h>
