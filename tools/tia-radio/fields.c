@@ -171,6 +171,18 @@ static void angles_of(int up, const double d[3], double s, double angles[2])
     angles[1] = atan2(v[up], hypot(v[0], left)) * 180 / PI;
 }
 
+/* The length in waves, without the whole ones: 10 km at 28 GHz are 10^6 waves, whose phase a product of doubles would
+ * have to 10^-9 only. So the length, the wave number and their product are sums of two doubles each. */
+static double part_of_wave(int64_t length, double frequency)
+{
+    double high = (double)(length >> 20 << 20), low = (double)(length & 0xfffff);
+    double waves = frequency / LIGHT_SPEED, less = fma(-waves, LIGHT_SPEED, frequency) / LIGHT_SPEED;
+    double product = high * waves, rest = fma(high, waves, -product) + high * less + low * waves;
+
+    product = ldexp(product, -TIA_RADIO_LENGTH_BITS);
+    return product - floor(product) + ldexp(rest, -TIA_RADIO_LENGTH_BITS);
+}
+
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field)
 {
     double first[3], last[3];
@@ -182,10 +194,8 @@ void field_of(const struct world *world, const struct tia_radio_path *path, stru
     angles_of(world->up, first, 1, field->departure);
     angles_of(world->up, last, -1, field->arrival);
     meet(world, path, field);
-    /* Of the whole waves only the rest matters: so the phase keeps its digits. */
-    double waves = field->length * world->frequency / LIGHT_SPEED;
-    double complex free_space =
-        LIGHT_SPEED / world->frequency / (4 * PI * field->length) * cexp(-2 * PI * I * (waves - floor(waves)));
+    double complex free_space = LIGHT_SPEED / world->frequency / (4 * PI * field->length) *
+                                cexp(-2 * PI * I * part_of_wave(path->length, world->frequency));
     for (int p = 0; p < POLARISATIONS; p++)
         field->gain[p] = free_space * carry(world, path, field, p);
 }
