@@ -60,9 +60,9 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
     int turn = i > 0 ? order_of(room, order, i) : -1;
     if (turn > 0)
         return false;
-    tia_radio_meet(&room->meets[i + 1], a, b, &n[FROM], &n[TO], &n[SCRATCH]);
-    uint32_t face = tia_radio_face_at(room, plane, &room->meets[i + 1], side);
-    if (face == TIA_NO_INDEX)
+    tia_radio_meet(&room->met, a, b, &n[FROM], &n[TO], &n[SCRATCH]);
+    uint32_t face = tia_radio_face_at(room, plane, &room->met, side);
+    if (face == TIA_NO_INDEX || !tia_radio_round(&room->met, &room->path.point[i], n))
         return false;
     room->path.face[i] = face;
     room->side[i] = side;
@@ -113,25 +113,23 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
 }
 
 /* What is not used is 0, so that equal paths have equal bytes. */
-static bool report(struct tia_radio_room *room, uint32_t order)
+static void report(struct tia_radio_room *room, uint32_t order)
 {
     struct tia_radio_path *path = &room->path, *told = &room->told;
 
     *told = (struct tia_radio_path){.order = order, .wall_count = path->wall_count};
     for (uint32_t i = 0; i < path->wall_count; i++)
         told->wall[i] = path->wall[i];
-    for (uint32_t i = 0; i < order; i++)
+    for (uint32_t i = 0; i < order; i++) {
         told->face[i] = path->face[i];
-    for (uint32_t i = 0; i < order; i++)
-        if (!tia_radio_round(&room->meets[i + 1], &told->point[i], room->number))
-            return false;
+        told->point[i] = path->point[i];
+    }
     for (uint32_t i = 0; i <= order; i++) {
         int64_t v[3];
         (void)vector_of(room, order, i, v);
         (void)wide_normalise(v, told->direction[i]);
     }
     told->length = length_of(room, order);
-    return true;
 }
 
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order)
@@ -140,11 +138,10 @@ bool tia_radio_find(struct tia_radio_room *room, uint32_t order)
     for (uint32_t i = 0; i < order; i++)
         if (!reflects(room, order, i))
             return false;
-    tia_radio_spot(&room->meets[0], room->link->from);
-    tia_radio_spot(&room->meets[order + 1], room->link->to);
     room->path.wall_count = 0;
     for (uint32_t i = 0; i <= order; i++)
         if (!tia_radio_pass(room, order, i))
             return false;
-    return report(room, order);
+    report(room, order);
+    return true;
 }

@@ -23,7 +23,7 @@ static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* Whether the segment goes through the plane of a face between its ends, exclusively; then room->wall is where. */
+/* Whether the segment goes through the plane of a face between its ends, exclusively; then room->met is where. */
 static bool crosses(const struct segment *s, const struct radio_plane *plane)
 {
     struct tia_radio_room *room = s->room;
@@ -37,7 +37,7 @@ static bool crosses(const struct segment *s, const struct radio_plane *plane)
         return false;
     if (s->end != NO_PLANE && order_of(room, FROM, TO, END_FROM, END_TO) >= 0)
         return false;
-    tia_radio_meet(&room->wall, s->a, s->b, &n[FROM], &n[TO], &n[SCRATCH]);
+    tia_radio_meet(&room->met, s->a, s->b, &n[FROM], &n[TO], &n[SCRATCH]);
     return true;
 }
 
@@ -78,7 +78,7 @@ static bool ask_face(const struct segment *s, uint32_t number)
         return true;
     if (face->solid && (s->room->number[FROM].sign > 0) == face->turned)
         return true;
-    return !tia_radio_on_face(radio, face, &s->room->wall, &s->room->number[SCRATCH]) || add_wall(s, number);
+    return !tia_radio_on_face(radio, face, &s->room->met, &s->room->number[SCRATCH]) || add_wall(s, number);
 }
 
 /* ---- which faces come near ---- */
@@ -107,19 +107,18 @@ static bool ask_tree(const struct segment *s)
     return true;
 }
 
-static bool begin(struct segment *s, uint32_t i)
+static void begin(struct segment *s, uint32_t order, uint32_t i)
 {
+    const struct tia_radio_link *link = s->room->link;
+    const struct tia_vec3 *from = i > 0 ? &s->room->path.point[i - 1] : &link->from;
+    const struct tia_vec3 *to = i < order ? &s->room->path.point[i] : &link->to;
     int64_t ends[2][3];
 
-    for (uint32_t e = 0; e < 2; e++) {
-        struct tia_vec3 end;
-        if (!tia_radio_round(&s->room->meets[i + e], &end, s->room->number))
-            return false;
-        for (int k = 0; k < 3; k++)
-            ends[e][k] = radio_axis(&end, k);
+    for (int k = 0; k < 3; k++) {
+        ends[0][k] = radio_axis(from, k);
+        ends[1][k] = radio_axis(to, k);
     }
     near_begin(&s->near, ends[0], ends[1]);
-    return true;
 }
 
 bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i)
@@ -128,8 +127,7 @@ bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i)
     struct number *n = room->number;
     struct segment s = {room, i, NO_PLANE, NO_PLANE, &room->sent[i], &room->got[order - i], {{0}, {0}, {0}, {0}}};
 
-    if (!begin(&s, i))
-        return false;
+    begin(&s, order, i);
     if (i > 0) {
         s.start = search_plane(room, order, i - 1);
         tia_radio_side(&n[START_FROM], &radio->planes[s.start], s.a, &n[SCRATCH]);

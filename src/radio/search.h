@@ -28,12 +28,15 @@ struct tia_radio_room {
     const struct tia_radio_link *link;
     uint32_t plane[TIA_RADIO_ORDER_MAX]; /* of the sequence, from the receiver's end */
     int side[TIA_RADIO_ORDER_MAX];       /* of reflection i's plane: the one that it comes from */
-    struct spot sent[TIA_RADIO_ORDER_MAX + 1], got[TIA_RADIO_ORDER_MAX + 1];
-    struct spot meets[TIA_RADIO_ORDER_MAX + 2]; /* the ends of segments: the transmitter, points, the receiver */
-    struct spot wall;
-    struct number number[SEARCH_NUMBERS];
-    struct tia_radio_path path, told; /* while it is looked for; when it is found */
-    struct search_ray rays[TIA_RADIO_ORDER_MAX + TIA_RADIO_WALLS_MAX + 2];
+    struct tia_radio_path path, told;    /* while it is looked for; when it is found */
+    union {                              /* an object below 32768 bytes also where a word has 16 bits */
+        struct {
+            struct spot sent[TIA_RADIO_ORDER_MAX + 1], got[TIA_RADIO_ORDER_MAX + 1];
+            struct spot met; /* where a line meets a plane */
+            struct number number[SEARCH_NUMBERS];
+        };
+        struct search_ray rays[TIA_RADIO_ORDER_MAX + TIA_RADIO_WALLS_MAX + 2];
+    };
 };
 
 /* Reflection i of a sequence of `order`. */
@@ -68,7 +71,7 @@ bool tia_radio_on_face(const struct tia_radio *radio, const struct radio_face *f
 uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane *plane, const struct spot *at,
                            int side);
 
-/* Finds the walls in the way of the segment after i reflections of `order`; meets[i] and meets[i + 1] are its ends.
+/* Finds the walls in the way of the segment after i reflections of `order`, whose points are in room->path.
  * False: more than the link allows. */
 bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i);
 
