@@ -155,6 +155,7 @@ TEST(paths_through_an_edge_of_two_walls)
     CHECK_EQ(world_images(&w, world_at(2, 1, 0), world_at(4, 2, 1), 2, 0), 1 + 2 + 1);
     CHECK_EQ(w.paths[3].order, 2);
     CHECK(w.paths[3].point[0].x == 0 && w.paths[3].point[0].y == 0 && w.paths[3].point[1].x == 0);
+    CHECK(w.paths[3].face[0] == 0 && w.paths[3].face[1] == 1);
     CHECK_EQ(world_images(&w, world_at(2, 1, 0), world_at(4, 2.5, 1), 2, 0), 1 + 2 + 1);
     CHECK_EQ(world_images(&w, world_at(2, 1, 0), world_at(4, 1.5, 1), 2, 0), 1 + 2 + 1);
     world_end(&w);
@@ -163,6 +164,34 @@ TEST(paths_through_an_edge_of_two_walls)
     world_box(&w, world_at(-4, -4, -4), world_at(0, 0, 4));
     CHECK(world_build(&w));
     CHECK_EQ(world_images(&w, world_at(2, 1, 0), world_at(4, 2, 1), 2, 0), 1);
+    world_end(&w);
+}
+
+/* Two small mirrors where the planes are met in the wrong order: (0, -2) at 3/4 of the way, then (-2, 0) at 1/4. */
+TEST(reflections_are_in_order)
+{
+    world_begin(&w);
+    world_triangle(&w, world_at(0, -1, -2), world_at(0, -1, 2), world_at(0, -4, 0));
+    world_triangle(&w, world_at(-1, 0, -2), world_at(-1, 0, 2), world_at(-4, 0, 0));
+    CHECK(world_build(&w));
+    CHECK_EQ(world_images(&w, world_at(3, 1, 0), world_at(1, 3, 0), 2, 0), 1);
+    CHECK_EQ(w.paths[0].order, 0);
+    world_end(&w);
+}
+
+TEST(points_are_rounded_to_nearest)
+{
+    world_begin(&w);
+    world_plane(&w, world_at(0, 0, 0), 0, 1, 0);
+    CHECK(world_build(&w));
+    for (int side = -1; side <= 1; side += 2) {
+        CHECK_EQ(world_images(&w, world_at(0, 1, 0), world_at(10 * side, 2, 5 * side), 1, 0), 2);
+        CHECK_EQ(w.paths[1].point[0].x, side * 218453); /* 10/3 is 218453.33 */
+        CHECK_EQ(w.paths[1].point[0].z, side * 109227); /* 5/3 is 109226.67 */
+    }
+    struct tia_vec3 to = {1, 65536, -1};
+    CHECK_EQ(world_images(&w, world_at(0, 1, 0), to, 1, 0), 2); /* the point is at 1/2, -1/2: ties go up */
+    CHECK(w.paths[1].point[0].x == 1 && w.paths[1].point[0].z == 0);
     world_end(&w);
 }
 
@@ -292,6 +321,8 @@ int main(void)
     RUN(parallel_plates);
     RUN(corner_reflector);
     RUN(paths_through_an_edge_of_two_walls);
+    RUN(reflections_are_in_order);
+    RUN(points_are_rounded_to_nearest);
     RUN(paths_through_a_diagonal);
     RUN(face_has_its_edge_and_nothing_beyond);
     RUN(boxes_are_one_wall_and_reflect_outside);
