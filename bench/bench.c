@@ -1,8 +1,8 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
  * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
- * ray-levels, paths, raster, tinygl, shadows or shadow-frames; of ray-levels, only scenes whose name contains a second
- * argument. */
+ * ray-levels, paths, radio, raster, tinygl, shadows or shadow-frames; of ray-levels, only scenes whose name contains a
+ * second argument. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +12,7 @@
 #include "milliseconds.h"
 #include "paths.h"
 #include "plain.h"
+#include "radio.h"
 #include "raster.h"
 #include "ray_levels.h"
 #include "rays.h"
@@ -105,11 +106,17 @@ static void measure_frames(void)
 static const struct part {
     const char *name;
     void (*run)(void);
-} parts[] = {{"thesis", measure_frames},       {"levels", bench_levels},
-             {"threads", bench_threads},       {"rays", bench_rays},
-             {"ray-levels", bench_ray_levels}, {"paths", bench_paths},
-             {"raster", bench_raster},         {"tinygl", bench_tinygl},
-             {"shadows", bench_shadows},       {"shadow-frames", bench_shadow_frames}};
+} parts[] = {{"thesis", measure_frames},
+             {"levels", bench_levels},
+             {"threads", bench_threads},
+             {"rays", bench_rays},
+             {"ray-levels", bench_ray_levels},
+             {"paths", bench_paths},
+             {"radio", bench_radio},
+             {"raster", bench_raster},
+             {"tinygl", bench_tinygl},
+             {"shadows", bench_shadows},
+             {"shadow-frames", bench_shadow_frames}};
 
 int main(int argc, char **argv)
 {
