@@ -330,6 +330,8 @@ endif
 # The pictures of README.md and docs/, which a test compares with what is drawn.
 .PHONY: gallery
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
+comma := ,
+draw_radio = $(call say,DRAW,$(1))$(BUILD)/tia-radio scenes/block.tia -f 3.5G --tx 2$(comma)8$(comma)1 $(2) -o $(1) >/dev/null$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/gallery/marbles.png,scenes/marbles.tia --time 5 -s 400x300)
@@ -362,6 +364,9 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/shadows/soft-traced.png,scenes/shadows/soft.tia --shadows traced -s 240x180)
 	$(call draw,docs/shadows/soft-7x7.png,scenes/shadows/soft.tia -k h --shadows map --map-size 512 --filter 7x7 --bias plane=1 -s 240x180)
 	$(call draw,docs/shadows/soft-pcss.png,scenes/shadows/soft.tia --shadows map --filter pcss --bias plane=1 -s 240x180)
+	$(call draw_radio,docs/radio/paths.png,--rx -14$(comma)1.5$(comma)-3 --rx 1$(comma)1.5$(comma)24 --reflections 4 -s 400x300)
+	$(call draw_radio,docs/radio/map.png,--map y=1.5 --area -30$(comma)-30$(comma)30$(comma)30 -s 160x160)
+	$(call draw_radio,docs/radio/best.png,--tx -20$(comma)14$(comma)-5 --map y=1.5 --area -30$(comma)-30$(comma)30$(comma)30 -s 160x160 --best-server)
 	$(BUILD)/tests/test_raster_mirror docs/shadows
 	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 

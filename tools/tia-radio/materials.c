@@ -8,9 +8,8 @@
 #define PI 3.14159265358979323846
 #define EPSILON0 8.8541878128e-12 /* farads a metre, CODATA 2018 */
 
-/* Recommendation ITU-R P.2040-3 (08/2023), Table 3. Checked against the copies of that table in Sionna RT
- * (sionna/rt/radio_materials/itu.py) and of P.2040-1 in MATLAB's buildingMaterialPermittivity, which agree where the
- * edition did not change them: wood and the three grounds. */
+/* Recommendation ITU-R P.2040-3 (08/2023), Table 3, by the copy of it in Sionna RT 1, sionna/rt/radio_materials/itu.py;
+ * docs/radio.md says what else it was compared with. */
 const struct itu_row itu_rows[] = {
     {"vacuum", 0.001, 100, 1, 0, 0, 0},
     {"concrete", 1, 100, 5.24, 0, 0.0462, 0.7822},
