@@ -12,6 +12,8 @@ static int compare_doubles(const void *left, const void *right)
     return (a > b) - (a < b);
 }
 
+enum { LENGTHS = 512 };
+
 /* ---- a shoebox: Allen and Berkley, "Image method for efficiently simulating small-room acoustics", 1979 ---- */
 
 /* The image in cell m of an axis of length l: 2 l ceil(m/2) + x or - x. */
@@ -36,11 +38,23 @@ static unsigned cell_lengths(const double room[3], const double from[3], const d
     return count;
 }
 
+static void check_lengths(double *want, unsigned count, double within)
+{
+    double got[LENGTHS];
+
+    for (unsigned i = 0; i < count && count <= LENGTHS; i++)
+        got[i] = world_length(&w.paths[i]);
+    qsort(want, count, sizeof *want, compare_doubles);
+    qsort(got, count, sizeof *got, compare_doubles);
+    for (unsigned i = 0; i < count; i++)
+        CHECK_MSG(fabs(got[i] - want[i]) < within, "length %u: %.15g, not %.15g", i, got[i], want[i]);
+}
+
 TEST(shoebox_room_has_the_paths_of_the_mirror_formula)
 {
     const double room[3] = {5, 3.5, 4.25}, from[3] = {1.25, 1.5, 3}, to[3] = {4.125, 1.0625, 0.75};
     const unsigned counts[] = {1, 6, 18, 38, 66, 102};
-    double want[512], got[512];
+    double want[LENGTHS];
 
     world_begin(&w);
     world_shoebox(&w, room[0], room[1], room[2]);
@@ -48,16 +62,11 @@ TEST(shoebox_room_has_the_paths_of_the_mirror_formula)
     unsigned count = world_images(&w, world_at(1.25, 1.5, 3), world_at(4.125, 1.0625, 0.75), 5, 0);
     unsigned of[6] = {0};
     CHECK_EQ(count, cell_lengths(room, from, to, 5, want));
-    for (unsigned i = 0; i < count && count <= 512; i++) {
+    for (unsigned i = 0; i < count; i++)
         of[w.paths[i].order]++;
-        got[i] = world_length(&w.paths[i]);
-    }
     for (unsigned order = 0; order <= 5; order++)
         CHECK_EQ(of[order], counts[order]);
-    qsort(want, count, sizeof *want, compare_doubles);
-    qsort(got, count, sizeof *got, compare_doubles);
-    for (unsigned i = 0; i < count; i++)
-        CHECK_MSG(fabs(got[i] - want[i]) < 1e-11, "length %u: %.15g, not %.15g", i, got[i], want[i]);
+    check_lengths(want, count, 1e-11);
     world_end(&w);
 }
 
@@ -67,7 +76,7 @@ TEST(turned_room_has_as_many_paths)
     static const double unit[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
     const double room[3] = {5, 3.5, 4.25}, from[3] = {1.25, 1.5, 3}, to[3] = {4.125, 1.0625, 0.75};
     struct tia_vec3 ends[2];
-    double want[512], got[512];
+    double want[LENGTHS];
 
     world_begin(&w);
     for (int k = 0; k < 3; k++)
@@ -86,12 +95,7 @@ TEST(turned_room_has_as_many_paths)
     CHECK(world_build(&w));
     unsigned count = world_images(&w, ends[0], ends[1], 4, 0);
     CHECK_EQ(count, cell_lengths(room, from, to, 4, want));
-    for (unsigned i = 0; i < count && count <= 512; i++)
-        got[i] = world_length(&w.paths[i]);
-    qsort(want, count, sizeof *want, compare_doubles);
-    qsort(got, count, sizeof *got, compare_doubles);
-    for (unsigned i = 0; i < count; i++)
-        CHECK_MSG(fabs(got[i] - want[i]) < 3e-4, "length %u: %.15g, not %.15g", i, got[i], want[i]);
+    check_lengths(want, count, 3e-4);
     world_end(&w);
 }
 

@@ -80,7 +80,7 @@ struct tia_reader {
     void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or told of each material that has a name */
     void *ctx;
 
-    bool unscaled; /* lengths keep the file's unit: scale_bits is 0 */
+    bool unscaled;                     /* lengths keep the file's unit: scale_bits is 0 */
     bool strict;                       /* what deserves a warning is an error */
     struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
     struct tia_read_error error;       /* after TIA_ERR_RANGE */

@@ -6,6 +6,13 @@
 
 enum { CHUNK = 1024 }; /* rays of a job */
 
+const char *method_name(enum method method)
+{
+    static const char *const names[METHODS] = {"image", "sbr", "hybrid"};
+
+    return names[method];
+}
+
 static bool add_path(void *ctx, const struct tia_radio_path *path)
 {
     struct path_list *list = ctx;

@@ -8,6 +8,8 @@
 
 enum method { METHOD_IMAGE, METHOD_SBR, METHOD_HYBRID, METHODS };
 
+const char *method_name(enum method method);
+
 /* Sequences of planes that the image method would have to try: more take minutes. */
 #define SEQUENCES_MOST UINT64_C(200000000)
 

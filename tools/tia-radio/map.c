@@ -11,6 +11,7 @@
 
 #include "common/palette.h"
 #include "common/text.h"
+#include "fail.h"
 #include "picture.h"
 #include "ports.h"
 

@@ -1,4 +1,4 @@
-/* options.h - the command line of tia-radio. */
+/* options.h - what tia-radio is asked for. */
 #ifndef TOOLS_RADIO_OPTIONS_H
 #define TOOLS_RADIO_OPTIONS_H
 
@@ -6,7 +6,6 @@
 #include "links.h"
 
 enum { PLACES_MOST = 16, NAMES_MOST = 64 };
-enum { FINE, FAILED, REFUSED };
 
 /* A material of the scene, or all of them when name is NULL, and what it is for waves. */
 struct naming {
@@ -36,13 +35,5 @@ struct options {
     uint16_t first_row, last_row; /* of the map */
     enum image_format format;
 };
-
-/* 0, or REFUSED after printing why; -1 after --help or --version. */
-int options_parse(struct options *options, int argc, char **argv);
-
-/* Prints one line, "tia-radio: ...", and returns `status`. */
-__attribute__((format(printf, 2, 3))) int refuse(int status, const char *format, ...);
-
-const char *method_name(enum method method);
 
 #endif

@@ -9,6 +9,7 @@
 #include "common/lines.h"
 #include "common/palette.h"
 #include "common/projected.h"
+#include "fail.h"
 #include "ports.h"
 
 enum { ROWS = 16 }; /* of a job */

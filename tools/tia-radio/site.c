@@ -1,5 +1,7 @@
 #include "site.h"
 
+#include "fail.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "arguments.h"
 #include "common/signals.h"
+#include "fail.h"
 #include "map.h"
 #include "picture.h"
 #include "report.h"
@@ -95,7 +97,7 @@ int main(int argc, char **argv)
 {
     static struct run run;
     const struct options *o = &run.options;
-    int result = options_parse(&run.options, argc, argv);
+    int result = arguments_parse(&run.options, argc, argv);
 
     if (result != FINE)
         return result < 0 ? FINE : result;

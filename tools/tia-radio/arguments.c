@@ -1,4 +1,4 @@
-#include "options.h"
+#include "arguments.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -8,6 +8,7 @@
 #include <tia/tia.h>
 
 #include "common/image/image.h"
+#include "fail.h"
 #include "materials.h"
 #include "values.h"
 
@@ -88,13 +89,6 @@ static const struct option longs[] = {{"tx", required_argument, NULL, TX},
                                       {"help", no_argument, NULL, 'h'},
                                       {"version", no_argument, NULL, 'V'},
                                       {0}};
-
-const char *method_name(enum method method)
-{
-    static const char *const names[METHODS] = {"image", "sbr", "hybrid"};
-
-    return names[method];
-}
 
 static int list_materials(void)
 {
@@ -236,7 +230,7 @@ static int check(struct options *o, int argc, char **argv)
     return result != FINE ? result : check_output(o);
 }
 
-int options_parse(struct options *o, int argc, char **argv)
+int arguments_parse(struct options *o, int argc, char **argv)
 {
     *o = (struct options){.order = 2,
                           .density = 64,
