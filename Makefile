@@ -132,7 +132,7 @@ CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/levels/levels.mk
 # Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
-LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow sampling tone denoise read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
+LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow radio sampling tone denoise read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
              $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/axes.c scene/lightfield.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c lightfield.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
 without_coherence = $(filter-out src/render/span/coherence%,$(1)) src/render/span/no_coherence.c
@@ -154,7 +154,7 @@ LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe)
+PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
@@ -344,6 +344,7 @@ docs: gallery
 
 comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
+draw_radio = $(call say,DRAW,$(1))$(BUILD)/tia-radio scenes/block.tia -f 3.5G --tx 2$(comma)8$(comma)1 $(2) -o $(1) >/dev/null$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
 	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/gallery/marbles.png,scenes/marbles.tia --time 5 -s 400x300)
@@ -382,6 +383,9 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/shadows/soft-traced.png,scenes/shadows/soft.tia --shadows traced -s 240x180)
 	$(call draw,docs/shadows/soft-7x7.png,scenes/shadows/soft.tia -k h --shadows map --map-size 512 --filter 7x7 --bias plane=1 -s 240x180)
 	$(call draw,docs/shadows/soft-pcss.png,scenes/shadows/soft.tia --shadows map --filter pcss --bias plane=1 -s 240x180)
+	$(call draw_radio,docs/radio/paths.png,--rx -14$(comma)1.5$(comma)-3 --rx 1$(comma)1.5$(comma)24 --reflections 4 -s 400x300)
+	$(call draw_radio,docs/radio/map.png,--map y=1.5 --area -30$(comma)-30$(comma)30$(comma)30 -s 160x160)
+	$(call draw_radio,docs/radio/best.png,--tx -20$(comma)14$(comma)-5 --map y=1.5 --area -30$(comma)-30$(comma)30$(comma)30 -s 160x160 --best-server)
 	$(BUILD)/tests/test_raster_mirror docs/shadows
 	$(BUILD)/tia-compare --shadows --technique zpass-plain -s 400x300 --heatmap docs/shadows/porch-wrong.png scenes/porch.tia
 

@@ -1,8 +1,8 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
  * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
- * ray-levels, paths, raster, tinygl, shadows, shadow-frames or light-fields; of ray-levels, only scenes whose name
- * contains a second argument. */
+ * ray-levels, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; of ray-levels, only scenes whose
+ * name contains a second argument. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +13,7 @@
 #include "milliseconds.h"
 #include "paths.h"
 #include "plain.h"
+#include "radio.h"
 #include "raster.h"
 #include "ray_levels.h"
 #include "rays.h"
@@ -112,6 +113,7 @@ static const struct part {
              {"rays", bench_rays},
              {"ray-levels", bench_ray_levels},
              {"paths", bench_paths},
+             {"radio", bench_radio},
              {"raster", bench_raster},
              {"tinygl", bench_tinygl},
              {"shadows", bench_shadows},

@@ -11,7 +11,7 @@ enum { WIDTH = 72, HEIGHT = 54 };
 /* Each scene of the gallery, and one of everything: the Makefile compiles them. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
     compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell,
-    compiled_marbles, compiled_window, compiled_caustic;
+    compiled_marbles, compiled_window, compiled_caustic, compiled_block;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -132,6 +132,11 @@ TEST(window)
     compare("scenes/window.tia", &compiled_window);
 }
 
+TEST(block)
+{
+    compare("scenes/block.tia", &compiled_block);
+}
+
 TEST(caustic)
 {
     compare("scenes/caustic.tia", &compiled_caustic);
@@ -166,6 +171,7 @@ int main(void)
     RUN(orrery);
     RUN(porch);
     RUN(window);
+    RUN(block);
     RUN(caustic);
     RUN(cornell);
     RUN(marbles);

@@ -279,10 +279,49 @@ TEST(a_thousandth_is_the_same_picture)
     CHECK_EQ(count, 0);
 }
 
+/* For programs that want lengths in the file's unit, and materials by name. */
+static char names[3][TIA_NAME_MAX + 1];
+
+static void keep_name(void *ctx, uint32_t index, const char *name)
+{
+    (void)ctx;
+    if (index < 3)
+        memcpy(names[index], name, strlen(name) + 1);
+}
+
+static void read_named(struct reading *r, enum tia_format format, const char *text)
+{
+    *r = (struct reading){
+        .reader = {.format = format, .text = text, .length = strlen(text), .material = keep_name, .unscaled = true}};
+    memset(names, 0, sizeof names);
+    read_begin(r);
+    CHECK_EQ(r->status, TIA_OK);
+    CHECK_EQ(r->scene.scale_bits, 0);
+}
+
+TEST(units_of_the_file_and_names)
+{
+    struct reading r;
+
+    read_named(&r, TIA_FORMAT_TIA,
+               "material brick colour 1\nmaterial itu_glass colour 0.5\n"
+               "sphere centre 0 0 -5 radius 1.25 material itu_glass\nmaterial last colour 1\n");
+    CHECK_EQ(r.scene.spheres[0].radius, TIA_Q16(1.25));
+    CHECK(!strcmp(names[0], "brick") && !strcmp(names[1], "itu_glass") && !strcmp(names[2], "last"));
+    read_end(&r);
+    read_named(&r, TIA_FORMAT_NFF,
+               "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 9 9\n"
+               "f 1 1 1 1 0 0 0 0\ns 0 0 0 1.25\n");
+    CHECK_EQ(r.scene.spheres[0].radius, TIA_Q16(1.25));
+    CHECK(names[0][0] == '\0');
+    read_end(&r);
+}
+
 int main(void)
 {
     RUN(every_length_is_finer);
     RUN(as_fine_as_there_is_room);
     RUN(a_thousandth_is_the_same_picture);
+    RUN(units_of_the_file_and_names);
     return check_status();
 }

@@ -77,8 +77,10 @@ struct tia_reader {
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
                    const char **why);
+    void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or told of each material that has a name */
     void *ctx;
 
+    bool unscaled;                     /* lengths keep the file's unit: scale_bits is 0 */
     bool strict;                       /* what deserves a warning is an error */
     struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
     struct tia_read_error error;       /* after TIA_ERR_RANGE */

@@ -14,6 +14,7 @@
  *   render.h  from a scene to pixels
  *   levels.h  vector units
  *   raster.h  polygons: depth, stencil and colour buffers
+ *   radio.h   paths of radio waves
  *   port.h    display, input and clock, as a board or an OS provides them
  *   gaze.h    where the eye looks
  *   orbit.h   moving a camera
@@ -30,6 +31,7 @@
 #include <tia/levels.h>
 #include <tia/motion.h>
 #include <tia/orbit.h>
+#include <tia/radio.h>
 #include <tia/raster.h>
 #include <tia/read.h>
 #include <tia/text.h>

@@ -8,6 +8,7 @@
 #include "corpus/corpus.h"
 #include "frames_light.h"
 #include "frames_play.h"
+#include "frames_radio.h"
 #include "shadow_frames.h"
 
 #define FRAMES_RANDOM 20
@@ -137,6 +138,7 @@ static inline void frames_all(const struct tia_core *core, frames_report *report
     frames_shadows(&c);
     frames_light(&c);
     frames_play(&c);
+    frames_radio(&c);
 }
 
 #endif

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 
-COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe")
+COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe", "tia-radio")
 SCENES = ("tia", "nff", "obj")
 PARTS = ("tiapart",)
 OPTION = re.compile(r"^ +(?:-(?P<short>\w), )?--(?P<long>[\w-]+)(?: (?P<value>\S*[^\s,]))?(?:, -\w, --[\w-]+)?(?:  +(?P<what>.*))?$")

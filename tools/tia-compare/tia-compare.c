@@ -101,9 +101,10 @@ static int run_rays_random(struct run *run, unsigned i)
 static int run_file(struct run *run, const char *path)
 {
     struct scene_file file;
+    const struct scene_wish wish = {.threads = run->options.threads};
     const char *slash = strrchr(path, '/');
 
-    if (scene_open_by(&file, path, scene_format_of(path), false, run->options.threads)) {
+    if (scene_open_for(&file, path, scene_format_of(path), false, &wish)) {
         (void)fprintf(stderr, "tia-compare: %s\n", file.why);
         return 2;
     }

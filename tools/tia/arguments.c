@@ -236,8 +236,8 @@ void arguments_set_view(struct options *options)
 int arguments_load(struct options *options)
 {
     if (options->scene_path) {
-        int status = scene_open_by(&options->file, options->scene_path, options->scene_format, options->strict,
-                                   options->threads);
+        const struct scene_wish wish = {.threads = options->threads};
+        int status = scene_open_for(&options->file, options->scene_path, options->scene_format, options->strict, &wish);
         if (status)
             return fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why);
         warn(&options->file);

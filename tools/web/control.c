@@ -57,7 +57,7 @@ static int input_poll(void *ctx, struct tia_event *event)
 static void show_rays(void)
 {
     static struct web_line out[512];
-    const struct views_line *lines;
+    const struct line *lines;
     unsigned count, x = (unsigned)((uint64_t)session.pointer_x * session.screen.width >> 16),
                     y = (unsigned)((uint64_t)session.pointer_y * session.screen.height >> 16);
 

@@ -292,7 +292,7 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     if (!tia_arena_fits(arena))
         return TIA_OK;
     n.lengths.filling = true;
-    n.lengths.scale_bits = tia_lengths_room(&n.lengths);
+    n.lengths.scale_bits = reader->unscaled ? 0 : tia_lengths_room(&n.lengths);
     scene->scale_bits = n.lengths.scale_bits;
     status = read_all(&n, reader, &reader->error);
     *fine = n.fine;

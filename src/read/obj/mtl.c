@@ -82,8 +82,13 @@ static int read_newmtl(struct mtl *m)
     close_material(m);
     open_material(m);
     name.index = m->obj->materials.count;
-    if (m->obj->pass != OBJ_FILL)
+    if (m->obj->pass != OBJ_FILL) {
         tia_array_add(&m->obj->names, &name);
+    } else if (m->obj->reader->material) {
+        char copy[TIA_NAME_MAX + 1];
+        tia_word_copy(copy, &name.word);
+        m->obj->reader->material(m->obj->reader->ctx, name.index, copy);
+    }
     return TIA_OK;
 }
 

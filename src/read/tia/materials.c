@@ -45,12 +45,31 @@ static int find_texture(struct tia_job *job, const struct tia_word *name, uint32
     return status;
 }
 
+/* Whoever wants to know a material's name is told of it in the last pass. */
+static int define(struct tia_job *job)
+{
+    const struct tia_reader *reader = job->reader;
+    uint32_t index = tia_job_count(job, TIA_OF_MATERIALS);
+    char copy[TIA_NAME_MAX + 1];
+    struct tia_word name;
+    int status = tia_text_name(&job->text, &name, "a name");
+
+    if (status)
+        return status;
+    tia_job_name(job, TIA_NAMED_MATERIAL, &name, index);
+    if (job->pass == TIA_FILLING && reader->material) {
+        tia_word_copy(copy, &name);
+        reader->material(reader->ctx, index, copy);
+    }
+    return TIA_OK;
+}
+
 int tia_line_material(struct tia_job *job)
 {
     struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}};
     struct tia_material *material = &line.material;
     uint32_t given = 0;
-    int status = tia_job_define(job, TIA_NAMED_MATERIAL, tia_job_count(job, TIA_OF_MATERIALS));
+    int status = define(job);
 
     status = status
                  ? status

@@ -116,7 +116,7 @@ static void begin_pass(struct tia_job *job, enum tia_pass pass)
     if (pass == TIA_COUNTING)
         tia_reach_begin(&job->reach);
     job->reach.lengths.filling = pass == TIA_FILLING;
-    job->reach.lengths.scale_bits = pass == TIA_FILLING ? tia_reach_bits(&job->reach) : 0;
+    job->reach.lengths.scale_bits = pass == TIA_FILLING && !reader->unscaled ? tia_reach_bits(&job->reach) : 0;
     *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}, .scale_bits = job->reach.lengths.scale_bits};
     job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
     job->text.constants = &job->constants;

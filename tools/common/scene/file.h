@@ -10,6 +10,14 @@
 
 struct scene_part; /* a file that the scene refers to */
 
+/* What a scene is read for, if not for a picture. */
+struct scene_wish {
+    bool unscaled;    /* see tia/read.h */
+    unsigned threads; /* that build the hierarchy of a large scene; 0 is 1 */
+    void (*material)(void *ctx, uint32_t index, const char *name);
+    void *ctx;
+};
+
 struct scene_file {
     struct tia_scene scene;
     uint32_t crc;        /* of the text and all files that it refers to; equal for equal scenes */
@@ -17,6 +25,7 @@ struct scene_file {
     struct tia_read_warning warnings[TIA_WARNINGS];
 
     /* Private. */
+    const struct scene_wish *wish;
     const char *path;
     void *memory, *boxes;
     struct scene_part *parts;

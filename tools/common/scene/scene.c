@@ -102,6 +102,14 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
     return true;
 }
 
+static void name_material(void *ctx, uint32_t index, const char *name)
+{
+    const struct scene_wish *wish = ((const struct scene_file *)ctx)->wish;
+
+    if (wish->material)
+        wish->material(wish->ctx, index, name);
+}
+
 /* Tries again with as much memory as the reader asks for, which it knows after the first try. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
@@ -111,7 +119,9 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .library = part_library,
                                 .image = part_image,
                                 .opacity = part_opacity,
+                                .material = name_material,
                                 .ctx = file,
+                                .unscaled = file->wish->unscaled,
                                 .strict = strict,
                                 .warnings = file->warnings};
     size_t size = text->length > MEMORY_FIRST ? text->length : MEMORY_FIRST, need = 0;
@@ -146,13 +156,13 @@ static int build_boxes(struct scene_file *file, unsigned threads)
 
 int scene_open(struct scene_file *file, const char *path, int format, bool strict)
 {
-    return scene_open_by(file, path, format, strict, 1);
+    return scene_open_for(file, path, format, strict, &(struct scene_wish){.unscaled = false});
 }
 
-int scene_open_by(struct scene_file *file, const char *path, int format, bool strict, unsigned threads)
+int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish)
 {
     struct whole text;
-    *file = (struct scene_file){.path = path};
+    *file = (struct scene_file){.path = path, .wish = wish};
     int status = read_text(file, &text);
     if (status)
         return status;
@@ -160,7 +170,7 @@ int scene_open_by(struct scene_file *file, const char *path, int format, bool st
     status = read_scene(file, &text, format, strict);
     free(text.bytes);
     if (!status)
-        status = build_boxes(file, threads);
+        status = build_boxes(file, wish->threads);
     if (status)
         scene_close(file);
     return status;

@@ -16,8 +16,8 @@ int scene_format_of(const char *path);
  * warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
-/* The same; so many threads build the hierarchy of a large scene. */
-int scene_open_by(struct scene_file *file, const char *path, int format, bool strict, unsigned threads);
+/* The same for other purposes; the wish must outlive the call. */
+int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish);
 
 /* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at counts them; set it to 0 before the
  * first. False: there are no more. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "palette.h"
+#include "common/palette.h"
 
 void seen_ray(void *ctx, const struct tia_traced *traced)
 {

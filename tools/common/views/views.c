@@ -17,7 +17,7 @@ static struct {
     struct legend legend;
     const struct tia_scene *scene;
     unsigned width, height;
-    struct views_line lines[2 * RAYS_DRAWN];
+    struct line lines[2 * RAYS_DRAWN];
     unsigned line_count;
 } now;
 
@@ -32,7 +32,7 @@ const char *view_name(unsigned view)
 
 static void add_line(struct tia_vec3 from, struct tia_vec3 to, tia_rgb565 colour)
 {
-    struct views_line *line = &now.lines[now.line_count];
+    struct line *line = &now.lines[now.line_count];
 
     line->colour = colour;
     if (projected_segment(&now.scene->camera, now.width, now.height, from, to, line->ends))
@@ -77,40 +77,6 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
         status = core->light(view, hits, pixel, &surface, &options);
     free(memory);
     return status;
-}
-
-static void put(struct tia_tile tile, const struct tia_surface *surface, double x, double y, tia_rgb565 colour)
-{
-    if (x < tile.x || y < tile.y || x >= tile.x + tile.width || y >= tile.y + tile.height)
-        return;
-    char *row = (char *)surface->pixels + (ptrdiff_t)((int)y - tile.y) * surface->pitch;
-    *(tia_rgb565 *)(void *)(row + (ptrdiff_t)((int)x - tile.x) * surface->step) = colour;
-}
-
-/* Cuts the parameters of a line to those within low..high, with half a pixel to spare; false: there are none. */
-static bool cut(double from, double to, double low, double high, double *first, double *last)
-{
-    double way = to - from;
-
-    if (fabs(way) < 1e-9)
-        return from >= low - 1 && from <= high + 1;
-    double a = (low - 1 - from) / way, b = (high + 1 - from) / way;
-    *first = fmax(*first, fmin(a, b));
-    *last = fmin(*last, fmax(a, b));
-    return *first <= *last;
-}
-
-/* A step is a pixel, counted from the line's beginning: so all tiles show the same one. */
-static void draw_line(const struct views_line *line, struct tia_tile tile, const struct tia_surface *surface)
-{
-    double x = line->ends[0][0], y = line->ends[0][1], wide = line->ends[1][0] - x, high = line->ends[1][1] - y;
-    double steps = fmax(fmax(fabs(wide), fabs(high)), 1), first = 0, last = 1;
-
-    if (!cut(x, x + wide, tile.x, (double)tile.x + tile.width, &first, &last) ||
-        !cut(y, y + high, tile.y, (double)tile.y + tile.height, &first, &last))
-        return;
-    for (double i = floor(first * steps); i <= last * steps; i++)
-        put(tile, surface, floor(x + i / steps * wide + 0.5), floor(y + i / steps * high + 0.5), line->colour);
 }
 
 /* ---- the core ---- */
@@ -184,7 +150,7 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
                                                : draw_false(view, hits, tile, surface, options);
 
     for (unsigned i = 0; !status && now.views.draws_rays && i < now.line_count; i++)
-        draw_line(&now.lines[i], tile, surface);
+        line_draw(&now.lines[i], tile, surface);
     if (!status)
         legend_draw(&now.legend, tile, surface);
     return status;
@@ -210,7 +176,7 @@ const struct tia_core *views_core(const struct views *views)
     return &now.core;
 }
 
-int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct views_line **lines, unsigned *count)
+int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct line **lines, unsigned *count)
 {
     int status = collect_rays(view, x, y);
 

@@ -5,6 +5,7 @@
 
 #include <tia/render.h>
 
+#include "lines.h"
 #include "view.h"
 
 struct views {
@@ -19,14 +20,8 @@ const char *view_name(unsigned view);
 /* The core that shows this. */
 const struct tia_core *views_core(const struct views *views);
 
-/* A line on the picture: its ends, x and y in pixels. */
-struct views_line {
-    double ends[2][2];
-    tia_rgb565 colour;
-};
-
 /* The rays of a pixel of a view of that core, for who draws them himself: *lines are valid until the next call. */
-int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct views_line **lines, unsigned *count);
+int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct line **lines, unsigned *count);
 
 /* Spans have no rays: makes rays draw the scene, where spans would, with the same picture up to rounding. */
 void views_need_rays(struct tia_scene *scene);

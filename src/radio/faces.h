@@ -1,0 +1,75 @@
+/* faces.h - a scene's flat faces, and the planes that they lie in. */
+#ifndef TIA_RADIO_FACES_H
+#define TIA_RADIO_FACES_H
+
+#include <tia/bvh.h>
+#include <tia/radio.h>
+
+#include "math/wide.h"
+
+/* A wide number in memory that is aligned for 64 bits. */
+struct radio_wide {
+    int64_t high;
+    uint64_t low;
+};
+
+static inline wide radio_get(struct radio_wide a)
+{
+    return wide_of_halves(a.high, a.low);
+}
+
+/* n.p = d. n has no common divisor, and the first of its components that is not 0 is positive: so a plane has one such
+ * form. */
+struct radio_plane {
+    int64_t n[3];
+    struct radio_wide d, square; /* square: n.n */
+    uint32_t first, count;       /* of tia_radio.members */
+    struct tia_bounds bounds;    /* of its faces */
+    bool endless;                /* one of them is a whole plane */
+    bool sides[2];               /* which of its sides reflect: where n.p > d; where n.p < d */
+    uint8_t across[2];           /* the axes to look at it along the third, in which n is largest */
+};
+
+enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
+
+struct radio_face {
+    enum radio_kind kind;
+    uint32_t object, material, plane;
+    uint32_t corner[4]; /* of tia_radio.corners; of a disc the first is its centre, of a whole plane a point */
+    uint8_t count;
+    bool solid;
+    bool turned; /* its own normal is -n */
+    tia_q16 radius, thickness;
+};
+
+struct tia_radio {
+    const struct tia_scene *scene;
+    struct radio_plane *planes;
+    struct radio_face *faces;
+    uint32_t *members; /* faces, plane by plane, rising */
+    struct tia_vec3 *corners;
+    struct tia_bounds *boxes; /* of faces */
+    struct tia_bvh_tree tree; /* of those that have one */
+    uint32_t *endless;
+    uint32_t plane_count, face_count, corner_count, endless_count, left_out;
+};
+
+static inline int64_t radio_axis(const struct tia_vec3 *v, int k)
+{
+    return k == 0 ? v->x : k == 1 ? v->y : v->z;
+}
+
+/* Puts the plane through three corners, or with a normal, into *plane. False: the corners are collinear.
+ * *too_wide: it has no such form with |n| below 2^62. */
+bool tia_radio_plane_by_corners(struct radio_plane *plane, const struct tia_vec3 corner[3], bool *turned,
+                                bool *too_wide);
+void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point, struct tia_dir3 normal, bool *turned);
+
+/* Finds equal planes among `planes`, one for each face, and leaves each once; fills in what depends on its faces.
+ * `room` is for 4 numbers a face. */
+void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room);
+
+/* What planes lie beyond an object's points: planes and discs themselves. */
+bool tia_radio_takes(const struct tia_scene *scene, uint32_t object);
+
+#endif

@@ -1,0 +1,51 @@
+/* near.h - whether a segment comes near a box: a quick test that never says no wrongly. */
+#ifndef TIA_RADIO_NEAR_H
+#define TIA_RADIO_NEAR_H
+
+#include "faces.h"
+
+struct near {
+    int64_t low[3], high[3];    /* around both ends, with room for what turned boxes are off: 4 units */
+    int64_t middle[3], half[3]; /* the ends' sum and difference, in units of 2^10 */
+};
+
+/* Ends below 2^35. */
+static inline void near_begin(struct near *s, const int64_t a[3], const int64_t b[3])
+{
+    for (int k = 0; k < 3; k++) {
+        s->low[k] = (a[k] < b[k] ? a[k] : b[k]) - 4;
+        s->high[k] = (a[k] < b[k] ? b[k] : a[k]) + 4;
+        s->middle[k] = (a[k] + b[k]) >> 10;
+        s->half[k] = (b[k] - a[k]) >> 10;
+    }
+}
+
+static inline int64_t near_size(int64_t a)
+{
+    return a < 0 ? -a : a;
+}
+
+/* Separating axes: those of the box, and their cross products with the segment. In units of 2^10 the numbers stay below
+ * 2^28, products below 2^58; all lengths are rounded up. */
+static inline bool near_box(const struct near *s, const struct tia_bounds *box)
+{
+    int64_t c[3], e[3];
+
+    for (int k = 0; k < 3; k++) {
+        int64_t low = radio_axis(&box->min, k), high = radio_axis(&box->max, k);
+        if (high < s->low[k] || low > s->high[k])
+            return false;
+        c[k] = ((low + high) >> 10) - s->middle[k]; /* twice the distance of the middles */
+        e[k] = ((high - low) >> 10) + 6;
+    }
+    for (int k = 0; k < 3; k++) {
+        int u = (k + 1) % 3, v = (k + 2) % 3;
+        int64_t apart = near_size(c[u] * s->half[v] - c[v] * s->half[u]);
+        int64_t reach = e[u] * (near_size(s->half[v]) + 2) + e[v] * (near_size(s->half[u]) + 2);
+        if (apart > reach + 2 * (near_size(c[u]) + near_size(c[v])))
+            return false;
+    }
+    return true;
+}
+
+#endif

@@ -1,0 +1,51 @@
+/* number.h - integers of as many digits as a path needs.
+ *
+ * An image after k reflections has k factors n.n in its denominator, n the planes' normals. How large the numbers get:
+ *
+ *     corners and points of the scene                below 2^31 in size
+ *     a normal's component                           below 2^62; n.n below 2^126, n.v below 2^95
+ *     images, as points                              |p'| <= 2 |v| + |p| for v in the plane: after 8 reflections and
+ *                                                    from 3 axes below 2^31 sqrt(3) 17 < 2^36
+ *     the denominators of both images of a segment   together at most one factor for each reflection: below 2^1024
+ *     a side, n.p - d w                              w times |n| < 2^64 times a distance < 2^37: w 2^101
+ *     a product of two sides, at either end          2^(1024 + 202)
+ *     a meeting point                                2^(1024 + 101) times 2^36; an edge's cross product: 2^34 times
+ * that the square of a distance on a disc             2^(2 (1024 + 101 + 38) + 2) < 2^2330
+ *
+ * So 40 words are enough. Planes across an axis have the normal 1: there all stays below 2^128.
+ */
+#ifndef TIA_RADIO_NUMBER_H
+#define TIA_RADIO_NUMBER_H
+
+#include "math/wide.h"
+
+#define NUMBER_WORDS 40
+
+struct number {
+    int sign;       /* -1, 0, 1 */
+    unsigned count; /* of words, none of them leading zeros */
+    uint64_t word[NUMBER_WORDS];
+};
+
+void tia_number_set(struct number *out, int64_t a);
+void tia_number_copy(struct number *out, const struct number *a);
+
+/* `out` is another number than the factors. */
+void tia_number_multiply(struct number *out, const struct number *a, const struct number *b);
+void tia_number_times(struct number *out, const struct number *a, int64_t b);
+void tia_number_times_wide(struct number *out, const struct number *a, wide b);
+
+/* out + s a, s = 1 or -1. */
+void tia_number_add(struct number *out, const struct number *a, int s);
+
+/* The order of |a| and |b|: -1, 0, 1. */
+int tia_number_compare_sizes(const struct number *a, const struct number *b);
+
+/* Of |a|: how many bits, and 64 of them from bit `shift` up; a negative shift moves them up. */
+int tia_number_bits(const struct number *a);
+uint64_t tia_number_part(const struct number *a, int shift);
+
+/* a / b to nearest, ties up; b > 0. Clamped to +-2^40. */
+int64_t tia_number_quotient(const struct number *a, const struct number *b, struct number room[2]);
+
+#endif

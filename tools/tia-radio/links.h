@@ -1,0 +1,53 @@
+/* links.h - all paths of a link, by any of the methods, in one order. */
+#ifndef TOOLS_RADIO_LINKS_H
+#define TOOLS_RADIO_LINKS_H
+
+#include <tia/radio.h>
+
+#include "common/thread_pool.h"
+
+enum method { METHOD_IMAGE, METHOD_SBR, METHOD_HYBRID, METHODS };
+
+const char *method_name(enum method method);
+
+/* Sequences of planes that the image method would have to try: more take minutes. */
+#define SEQUENCES_MOST UINT64_C(200000000)
+
+struct path_list {
+    struct tia_radio_path *paths;
+    unsigned count, room;
+    bool exhausted; /* no memory for more */
+};
+
+struct search {
+    const struct tia_radio *radio;
+    struct threads *pool;
+    enum method method;
+    uint32_t order, walls, density;
+};
+
+/* By length, then reflections, then faces. Images and hybrid give the same. False: no memory. The list's paths are
+ * to be freed. */
+bool links_find(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
+
+/* ---- many receivers ---- */
+
+/* Sequences of planes that rays from a transmitter meet, each once. */
+struct sequences {
+    struct sequence {
+        uint32_t order, plane[TIA_RADIO_ORDER_MAX];
+    } * array;
+    size_t count, room;
+    bool exhausted;
+};
+
+/* False: no memory. Free array. */
+bool sequences_shoot(const struct search *search, struct tia_vec3 from, struct sequences *sequences);
+
+/* The link's paths by the given sequences, or with NULL by all: on one thread, in any order. */
+bool links_try(const struct search *search, struct tia_radio_room *room, const struct sequences *sequences,
+               struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
+
+void links_sort(struct path_list *list);
+
+#endif

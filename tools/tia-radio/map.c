@@ -1,0 +1,281 @@
+#include "map.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <tia/bvh.h>
+#include <tia/text.h>
+
+#include "common/views/palette.h"
+#include "common/text.h"
+#include "fail.h"
+#include "picture.h"
+#include "ports.h"
+
+#define INSIDE 0x8410  /* grey: in a wall */
+#define NOTHING 0x0000 /* no path */
+
+struct map {
+    const struct options *options;
+    const struct site *site;
+    const struct search *search;
+    struct sequences sequences[PLACES_MOST]; /* of hybrid, of each transmitter */
+    int across[2];                           /* the axes to the right and up */
+    bool down;                               /* the second grows downwards */
+    double area[4];
+    unsigned first_row, rows;
+    double *gain; /* dB of row, pixel, transmitter; NAN inside a wall, -INFINITY without a path */
+    atomic_bool exhausted;
+};
+
+/* ---- where ---- */
+
+/* Seen along the axis from its positive side, but from above the north, -z, is up. */
+static void choose_axes(struct map *map)
+{
+    int axis = map->options->map_axis;
+
+    map->across[0] = axis == 0 ? 2 : 0;
+    map->across[1] = axis == 1 ? 2 : 1;
+    map->down = axis == 1;
+}
+
+static double coordinate(const struct tia_vec3 *v, int k)
+{
+    return (k == 0 ? v->x : k == 1 ? v->y : v->z) / 65536.0;
+}
+
+static int choose_area(struct map *map)
+{
+    const struct tia_scene *scene = &map->site->file.scene;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+
+    memcpy(map->area, map->options->area, sizeof map->area);
+    if (map->options->has_area)
+        return FINE;
+    for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
+        struct tia_bounds b = tia_object_bounds(scene, i);
+        for (int k = 0; k < 2 && b.min.x <= b.max.x; k++) {
+            low[k] = fmin(low[k], coordinate(&b.min, map->across[k]));
+            high[k] = fmax(high[k], coordinate(&b.max, map->across[k]));
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        map->area[k] = low[k];
+        map->area[k + 2] = high[k];
+    }
+    return low[0] < high[0] && low[1] < high[1]
+               ? FINE
+               : refuse(REFUSED, "--area: is missing: only endless planes are in the scene");
+}
+
+static bool place_of(const struct map *map, unsigned x, unsigned y, struct tia_vec3 *place)
+{
+    const struct options *o = map->options;
+    double part[2] = {(x + 0.5) / o->width, map->down ? (y + 0.5) / o->height : 1 - (y + 0.5) / o->height}, at[3];
+
+    at[o->map_axis] = o->map_at / 65536.0;
+    for (int k = 0; k < 2; k++)
+        at[map->across[k]] = map->area[k] + part[k] * (map->area[k + 2] - map->area[k]);
+    *place = (struct tia_vec3){(tia_q16)llround(at[0] * 65536), (tia_q16)llround(at[1] * 65536),
+                               (tia_q16)llround(at[2] * 65536)};
+    return tia_radio_inside(map->site->radio, *place) == TIA_RADIO_NO_OBJECT;
+}
+
+/* ---- how much ---- */
+
+static bool is_same_place(struct tia_vec3 a, struct tia_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* The coherent sum, over the paths in one order, so that it has the same bits by any method and thread. */
+static double gain_at(struct map *map, struct tia_radio_room *room, struct path_list *list, unsigned tx,
+                      struct tia_vec3 place)
+{
+    const struct options *o = map->options;
+    double complex sum = 0;
+
+    list->count = 0;
+    if (is_same_place(o->tx[tx], place))
+        return NAN;
+    if (!links_try(map->search, room, o->method == METHOD_HYBRID ? &map->sequences[tx] : NULL, o->tx[tx], place, list))
+        atomic_store(&map->exhausted, true);
+    links_sort(list);
+    for (unsigned i = 0; i < list->count; i++) {
+        struct field field;
+        field_of(&map->site->world, &list->paths[i], &field);
+        sum += field.gain[o->horizontal ? HORIZONTAL : VERTICAL];
+    }
+    return list->count > 0 ? 20 * log10(cabs(sum)) : -INFINITY;
+}
+
+static void fill_row(void *arg, unsigned row)
+{
+    struct map *map = arg;
+    const struct options *o = map->options;
+    struct tia_radio_room *room = malloc(tia_radio_room_size());
+    struct path_list list = {.paths = NULL};
+    double *gain = map->gain + (size_t)row * o->width * o->tx_count;
+
+    for (unsigned x = 0; x < o->width && room && !atomic_load(&map->exhausted); x++) {
+        struct tia_vec3 place;
+        bool outside = place_of(map, x, map->first_row + row, &place);
+        for (unsigned tx = 0; tx < o->tx_count; tx++)
+            *gain++ = outside ? gain_at(map, room, &list, tx, place) : NAN;
+    }
+    if (!room)
+        atomic_store(&map->exhausted, true);
+    free(list.paths);
+    free(room);
+}
+
+static unsigned best_of(const double *gain, unsigned count)
+{
+    unsigned best = 0;
+
+    for (unsigned i = 1; i < count; i++)
+        best = gain[i] > gain[best] || isnan(gain[best]) ? i : best;
+    return best;
+}
+
+/* ---- the picture ---- */
+
+static tia_rgb565 colour_of(const struct options *o, const double *gain)
+{
+    unsigned best = best_of(gain, o->tx_count);
+
+    if (isnan(gain[best]))
+        return INSIDE;
+    if (isinf(gain[best]))
+        return NOTHING;
+    return o->best_server ? palette_number(best)
+                          : palette_heat(0.08 + 0.92 * (gain[best] - o->low) / (o->high - o->low));
+}
+
+static void draw_label(const struct options *o, unsigned line, unsigned lines, tia_rgb565 paper, const char *text,
+                       struct tia_tile tile, const struct tia_surface *surface)
+{
+    unsigned scale = o->height / 320 > 1 ? o->height / 320u : 1, step = (TIA_TEXT_HEIGHT + 1) * scale;
+    unsigned brightness = 2u * (paper >> 11) + 2u * (paper >> 5 & 63) + (paper & 31u);
+    struct tia_text label = {
+        text, 0, (uint16_t)(o->height - (lines - line) * step), (uint16_t)scale, brightness > 100 ? 0 : 0xffff, paper};
+
+    if (lines * step <= o->height)
+        tia_text_draw(&label, tile, surface);
+}
+
+static void draw_legend(const struct options *o, struct tia_tile tile, const struct tia_surface *surface)
+{
+    unsigned lines = o->best_server ? o->tx_count : 6;
+
+    for (unsigned i = 0; i < lines; i++) {
+        double part = i / 5.0, db = o->high + part * (o->low - o->high);
+        char text[40];
+        if (o->best_server)
+            (void)snprintf(text, sizeof text, " tx %u ", i + 1);
+        else
+            (void)snprintf(text, sizeof text, " %6.1f dB ", db);
+        draw_label(o, i, lines, o->best_server ? palette_number(i) : palette_heat(0.08 + 0.92 * (1 - part)), text, tile,
+                   surface);
+    }
+}
+
+static int write_picture(const struct map *map)
+{
+    const struct options *o = map->options;
+    size_t count = (size_t)o->width * map->rows;
+    tia_rgb565 *pixels = malloc(count * sizeof *pixels);
+    struct tia_tile tile = {0, (uint16_t)map->first_row, o->width, (uint16_t)map->rows};
+    struct tia_surface surface = {pixels, sizeof *pixels, (ptrdiff_t)(o->width * sizeof *pixels)};
+
+    if (!pixels)
+        return refuse(FAILED, "memory: exhausted");
+    for (size_t i = 0; i < count; i++)
+        pixels[i] = colour_of(o, map->gain + i * o->tx_count);
+    draw_legend(o, tile, &surface);
+    int result = picture_write(o, pixels, map->first_row, map->rows, map->site->file.crc);
+    free(pixels);
+    return result;
+}
+
+/* ---- the numbers ---- */
+
+static void write_pixel(const struct map *map, struct text *text, unsigned x, unsigned y)
+{
+    const struct options *o = map->options;
+    const double *gain = map->gain + ((size_t)y * o->width + x) * o->tx_count;
+    struct tia_vec3 place;
+
+    (void)place_of(map, x, map->first_row + y, &place);
+    text_print(text, "%.6f,%.6f,%.6f", coordinate(&place, 0), coordinate(&place, 1), coordinate(&place, 2));
+    for (unsigned i = 0; i < o->tx_count; i++)
+        if (isfinite(gain[i]))
+            text_print(text, ",%.6f", gain[i]);
+        else
+            text_print(text, ",%s", isnan(gain[i]) ? "wall" : "none");
+    unsigned best = best_of(gain, o->tx_count);
+    text_print(text, ",%u\n", isfinite(gain[best]) ? best + 1 : 0);
+}
+
+static int write_csv(const struct map *map)
+{
+    const struct options *o = map->options;
+    static struct text text; /* too large for the stack */
+    char why[PORT_WHY];
+
+    if (text_open(&text, o->csv, why))
+        return refuse(FAILED, "%s", why);
+    if (map->first_row == 0) {
+        text_print(&text, "x,y,z");
+        for (unsigned i = 0; i < o->tx_count; i++)
+            text_print(&text, ",tx%u_dB", i + 1);
+        text_print(&text, ",best\n");
+    }
+    for (unsigned y = 0; y < map->rows; y++)
+        for (unsigned x = 0; x < o->width; x++)
+            write_pixel(map, &text, x, y);
+    return text_close(&text) ? refuse(FAILED, "%s", why) : FINE;
+}
+
+/* ---- all ---- */
+
+static bool compute(struct map *map)
+{
+    const struct options *o = map->options;
+    bool fine = true;
+
+    map->gain = malloc((size_t)o->width * map->rows * o->tx_count * sizeof *map->gain);
+    for (unsigned tx = 0; tx < o->tx_count && fine && o->method == METHOD_HYBRID; tx++)
+        fine = sequences_shoot(map->search, o->tx[tx], &map->sequences[tx]);
+    if (!map->gain || !fine)
+        return false;
+    threads_workers.run(map->search->pool, fill_row, map, map->rows);
+    return !atomic_load(&map->exhausted);
+}
+
+int map_draw(const struct options *o, const struct site *site, const struct search *search)
+{
+    static struct map map;
+
+    map = (struct map){.options = o, .site = site, .search = search, .rows = o->height};
+    if (o->has_rows) {
+        map.first_row = o->first_row;
+        map.rows = o->last_row - o->first_row + 1u;
+    }
+    choose_axes(&map);
+    int result = choose_area(&map);
+    if (result == FINE && !compute(&map))
+        result = refuse(FAILED, "memory: exhausted");
+    if (result == FINE && o->output)
+        result = write_picture(&map);
+    if (result == FINE && o->csv)
+        result = write_csv(&map);
+    for (unsigned i = 0; i < PLACES_MOST; i++)
+        free(map.sequences[i].array);
+    free(map.gain);
+    return result;
+}

@@ -1,0 +1,34 @@
+/* materials.h - what walls are made of, for waves: ITU-R P.2040-3. */
+#ifndef TOOLS_RADIO_MATERIALS_H
+#define TOOLS_RADIO_MATERIALS_H
+
+#include <complex.h>
+#include <stdbool.h>
+
+#define THICKNESS_DEFAULT 0.1 /* metres, of what is no box and has none of its own */
+
+/* A material at the frequency of interest. */
+struct medium {
+    double permittivity, conductivity; /* relative; siemens a metre */
+    double thickness;                  /* metres; 0: not given */
+    double complex eta;                /* the complex relative permittivity */
+};
+
+/* epsilon' - j sigma / (2 pi f epsilon0), for time as exp(j omega t). */
+double complex medium_eta(double permittivity, double conductivity, double frequency);
+
+/* Row `row` of the table: false after the last. A material may have several rows, of other frequencies. */
+struct itu_row {
+    const char *name;
+    double low, high;  /* GHz */
+    double a, b, c, d; /* a f^b, c f^d with f in GHz */
+};
+extern const struct itu_row itu_rows[];
+
+/* Whether there is such a material. Blanks, '-' and '_' are the same, and an "itu" in front counts for nothing. */
+bool itu_has(const char *name);
+
+/* Of the named material; false: the frequency, in hertz, is out of its range, which *low and *high then are, in GHz. */
+bool itu_medium(const char *name, double frequency, struct medium *medium, double *low, double *high);
+
+#endif

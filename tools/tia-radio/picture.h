@@ -1,0 +1,15 @@
+/* picture.h - the scene with paths drawn into it. */
+#ifndef TOOLS_RADIO_PICTURE_H
+#define TOOLS_RADIO_PICTURE_H
+
+#include "site.h"
+
+/* Paths of any links; ends[i] are the transmitter and receiver of path i. FINE, or the exit status after saying why. */
+int picture_draw(const struct options *options, const struct site *site, struct threads *pool,
+                 const struct path_list *paths, struct tia_vec3 (*ends)[2]);
+
+/* Writes a whole picture, or the rows of a part of one; `crc` is for parts. */
+int picture_write(const struct options *options, const tia_rgb565 *pixels, unsigned first_row, unsigned rows,
+                  uint32_t crc);
+
+#endif

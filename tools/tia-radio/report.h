@@ -1,0 +1,25 @@
+/* report.h - a link's paths as text. */
+#ifndef TOOLS_RADIO_REPORT_H
+#define TOOLS_RADIO_REPORT_H
+
+#include "fields.h"
+#include "options.h"
+
+struct link_report {
+    const struct options *options;
+    const struct world *world;
+    struct tia_vec3 tx, rx;
+    const struct tia_radio_path *paths;
+    const struct field *fields;
+    unsigned count;
+};
+
+/* Failures of standard output are for the caller to find. */
+void report_table(const struct link_report *report);
+
+/* An element of an array; `first`: it is the first one. */
+void report_json(const struct link_report *report, bool first);
+void report_json_begin(const struct options *options, const struct world *world);
+void report_json_end(void);
+
+#endif

@@ -1,0 +1,26 @@
+/* site.h - a scene for waves: its faces, and what its materials are. */
+#ifndef TOOLS_RADIO_SITE_H
+#define TOOLS_RADIO_SITE_H
+
+#include "common/scene/scene.h"
+#include "fields.h"
+#include "options.h"
+
+struct site {
+    struct scene_file file;
+    char (*names)[TIA_NAME_MAX + 1]; /* of materials, "" where there is none */
+    uint32_t name_count;
+    struct medium *media;
+    void *memory;
+    struct tia_radio *radio;
+    struct world world;
+};
+
+/* FINE, or the exit status after printing why. */
+int site_open(struct site *site, const struct options *options);
+void site_close(struct site *site);
+
+/* Whether the place is no wall; prints why if it is. */
+int site_check_place(const struct site *site, const char *option, struct tia_vec3 place);
+
+#endif
