@@ -63,7 +63,7 @@ size_t tia_radio_size(const struct tia_scene *scene)
     if (faces > FACES_MOST || corners > UINT32_MAX)
         return SIZE_MAX;
     uint64_t size = ALIGN(sizeof(struct tia_radio)) + 8 + ALIGN(faces * sizeof(struct radio_plane)) +
-                    ALIGN(faces * sizeof(struct radio_face)) + ALIGN(faces * sizeof(struct tia_bounds)) +
+                    ALIGN(faces * sizeof(struct radio_face)) + 2 * ALIGN(faces * sizeof(struct tia_bounds)) +
                     ALIGN(TREE_NODES(faces) * sizeof(struct tia_bvh_node)) + ALIGN(faces * 6 * sizeof(uint32_t)) +
                     ALIGN(corners * sizeof(struct tia_vec3));
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
@@ -221,7 +221,8 @@ static int add_object(struct filling *f)
 
 /* ---- all of them ---- */
 
-static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items)
+/* `boxes` has room for those of the items, which are put into another order with them. */
+static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items, struct tia_bounds *boxes)
 {
     struct asker asker = {.stop = NULL};
     uint32_t count = 0;
@@ -229,9 +230,13 @@ static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint
     for (uint32_t f = 0; f < radio->face_count; f++)
         if (radio->faces[f].kind == RADIO_WHOLE)
             radio->endless[radio->endless_count++] = f;
-        else
+        else {
+            boxes[count] = radio->boxes[f];
             items[count++] = f;
-    radio->tree = tia_bvh_build_tree(nodes, items, count, ITEM_COST, radio->boxes, &asker);
+        }
+    const struct bvh_items all = {items, boxes, ITEM_COST};
+    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &asker);
+    radio->tree = (struct tia_bvh_tree){nodes, items, used, count};
 }
 
 static void *take(unsigned char **at, uint64_t size)
@@ -259,6 +264,7 @@ int tia_radio_init(struct tia_radio **out, void *memory, size_t size, const stru
     radio->planes = take(&at, faces * sizeof *radio->planes);
     radio->faces = take(&at, faces * sizeof *radio->faces);
     radio->boxes = take(&at, faces * sizeof *radio->boxes);
+    struct tia_bounds *boxes = take(&at, faces * sizeof *boxes);
     struct tia_bvh_node *nodes = take(&at, TREE_NODES(faces) * sizeof *nodes);
     radio->corners = take(&at, corners * sizeof *radio->corners);
     radio->members = take(&at, faces * 6 * sizeof *radio->members);
@@ -269,7 +275,7 @@ int tia_radio_init(struct tia_radio **out, void *memory, size_t size, const stru
         return status;
     uint32_t *room = radio->endless + faces;
     tia_radio_join_planes(radio, room);
-    build_tree(radio, nodes, room);
+    build_tree(radio, nodes, room, boxes);
     *out = radio;
     return TIA_OK;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <tia/text.h>
 
-#include "common/palette.h"
+#include "common/views/palette.h"
 #include "seen.h"
 
 /* Entries stand below each other, text in the colour that it names. */

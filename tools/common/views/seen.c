@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "common/palette.h"
+#include "common/views/palette.h"
 
 void seen_ray(void *ctx, const struct tia_traced *traced)
 {
