@@ -168,6 +168,10 @@ TEST(what_is_refused)
     refused(&bad, "light field", "shadows");
     field.quilt.rows = 0;
     refused(&good, "light field", "quilt");
+    field.quilt = (struct tia_quilt){TIA_QUILT_MAX, TIA_QUILT_MAX};
+    CHECK_EQ(tia_scene_check(&good, NULL), TIA_OK);
+    field.quilt.columns++;
+    refused(&good, "light field", "quilt");
     field = (struct tia_light_field){.kind = TIA_LENTICULAR, .lens = {.pitch = TIA_PITCH_MAX}};
     refused(&good, "light field", "lens.pitch");
     field = (struct tia_light_field){.kind = TIA_PROJECTOR};

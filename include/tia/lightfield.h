@@ -36,12 +36,13 @@
 extern "C" {
 #endif
 
+#define TIA_QUILT_MAX 256
 #define TIA_PITCH_MAX (INT64_C(1) << 60)
 
 enum tia_light_field_kind { TIA_QUILT, TIA_LENTICULAR, TIA_PROJECTOR };
 
 struct tia_quilt {
-    uint16_t columns, rows; /* of views, each at least 1 */
+    uint16_t columns, rows; /* of views, each 1..TIA_QUILT_MAX */
 };
 
 enum tia_subpixels { TIA_SUBPIXELS_RGB, TIA_SUBPIXELS_BGR, TIA_SUBPIXELS_NONE };

@@ -87,8 +87,8 @@ void tia_light_grid_init(struct light_grid *grid, const struct tia_scene *scene,
     grid->height = height;
     set_phases(grid, &field->lens);
     grid->channels = field->kind == TIA_LENTICULAR && field->lens.subpixels != TIA_SUBPIXELS_NONE ? 3 : 1;
-    grid->ordinary_width = quilt ? width / field->quilt.columns : width * grid->channels;
-    grid->ordinary_height = quilt ? height / field->quilt.rows : height;
+    grid->ordinary_width = quilt ? width / (int)field->quilt.columns : width * grid->channels;
+    grid->ordinary_height = quilt ? height / (int)field->quilt.rows : height;
 }
 
 static bool quilted(const struct light_grid *grid, int x, int y, struct light_pixel *pixel)
@@ -97,7 +97,7 @@ static bool quilted(const struct light_grid *grid, int x, int y, struct light_pi
     int width = grid->ordinary_width, height = grid->ordinary_height;
     int from_below = grid->height - 1 - y;
 
-    if (!width || !height || x / width >= quilt->columns || from_below / height >= quilt->rows)
+    if (!width || !height || x / width >= (int)quilt->columns || from_below / height >= (int)quilt->rows)
         return false;
     pixel->x = x % width;
     pixel->y = height - 1 - from_below % height;
@@ -137,9 +137,10 @@ static bool projected(const struct light_grid *grid, int x, int y, struct light_
 {
     const struct tia_projector *projector = &grid->field->projector;
     const struct tia_window *w = &grid->camera->window;
-    int64_t across = (int64_t)w->right - w->left, middle = ((int64_t)w->left + w->right) * (1 << 15);
-    int64_t q = (int64_t)w->left * (1 << 16) + (across * (2 * x + 1) * (1 << 15) + grid->width / 2) / grid->width;
-    int64_t s = q + scaled(q - middle - (int64_t)projector->place * (1 << 16), w->near, projector->distance);
+    int64_t across = (int64_t)w->right - w->left, middle = ((int64_t)w->left + w->right) * (INT32_C(1) << 15);
+    int64_t q = (int64_t)w->left * (INT32_C(1) << 16) +
+                (across * (2 * (int64_t)x + 1) * (INT32_C(1) << 15) + grid->width / 2) / grid->width;
+    int64_t s = q + scaled(q - middle - (int64_t)projector->place * (INT32_C(1) << 16), w->near, projector->distance);
 
     s = tia_round_shift(s, 16);
     pixel->x = x;

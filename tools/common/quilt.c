@@ -7,7 +7,7 @@
 
 #include "parse.h"
 
-enum { COLUMNS_MAX = 256, VIEW_HEIGHT = 480, ASPECT_MAX = 100000 };
+enum { VIEW_HEIGHT = 480, ASPECT_MAX = 100000 };
 
 /* "1.777" up to the dot of an extension, in thousandths; 0: it is none. */
 static uint32_t thousandths(const char *text)
@@ -38,8 +38,8 @@ bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect)
     const char *mark = find_mark(path), *rest;
     uint32_t columns, rows;
 
-    if (!mark || !parse_number(mark + 3, &rest, 1, COLUMNS_MAX, &columns) || *rest != 'x' ||
-        !parse_number(rest + 1, &rest, 1, COLUMNS_MAX, &rows) || *rest != 'a')
+    if (!mark || !parse_number(mark + 3, &rest, 1, TIA_QUILT_MAX, &columns) || *rest != 'x' ||
+        !parse_number(rest + 1, &rest, 1, TIA_QUILT_MAX, &rows) || *rest != 'a')
         return false;
     *quilt = (struct tia_quilt){(uint16_t)columns, (uint16_t)rows};
     *aspect = thousandths(rest + 1);

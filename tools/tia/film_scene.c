@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "common/modules.h"
 #include "fail.h"
 #include "film.h"
-#include "lightfield.h"
 #include "ports.h"
 
 /* Makes *memory at least `size` bytes; its contents may be lost. */
@@ -99,6 +99,22 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
     return status;
 }
 
+/* Makes a scene that of a view or module: its camera or, in *field, its projector. */
+static void set_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
+                        uint32_t picture)
+{
+    const struct light_options *light = &options->light;
+    const struct tia_camera line = scene->camera;
+
+    if (light->views) {
+        tia_light_field_camera(&scene->camera, &line, tia_light_field_place(&line, picture, light->views));
+        return;
+    }
+    *field = light->field;
+    field->projector.place = modules_place(picture, light->pictures, light->spacing);
+    scene->field = field;
+}
+
 int film_scene_update(struct film_scene *film, uint32_t frame)
 {
     const struct options *options = film->options;
@@ -109,7 +125,7 @@ int film_scene_update(struct film_scene *film, uint32_t frame)
         status = move_bvh(film);
     if (!status && options->light.pictures) {
         film->pictured = *film->scene;
-        light_picture(&film->pictured, &film->field, options, frame);
+        set_picture(&film->pictured, &film->field, options, frame);
         film->scene = &film->pictured;
     }
     if (!status) {

@@ -164,18 +164,3 @@ int light_load(struct options *options)
     light_attach(options);
     return status;
 }
-
-void light_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
-                   uint32_t picture)
-{
-    const struct light_options *light = &options->light;
-    const struct tia_camera line = scene->camera;
-
-    if (light->views) {
-        tia_light_field_camera(&scene->camera, &line, tia_light_field_place(&line, picture, light->views));
-        return;
-    }
-    *field = light->field;
-    field->projector.place = modules_place(picture, light->pictures, light->spacing);
-    scene->field = field;
-}

@@ -16,8 +16,4 @@ int light_load(struct options *options);
 /* The scene's field is that of these options, which have been copied. */
 void light_attach(struct options *options);
 
-/* Makes a scene that of picture `picture` of options->light.pictures: its camera or, in *field, its projector. */
-void light_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
-                   uint32_t picture);
-
 #endif

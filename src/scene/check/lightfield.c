@@ -33,7 +33,8 @@ static int check_field(const struct check *check, const struct tia_light_field *
     REQUIRE(field->kind == TIA_QUILT || field->kind == TIA_LENTICULAR || field->kind == TIA_PROJECTOR, "kind",
             "must be a kind of light field");
     if (field->kind == TIA_QUILT)
-        REQUIRE(field->quilt.columns && field->quilt.rows, "quilt", "must have columns and rows");
+        REQUIRE(field->quilt.columns - 1u < TIA_QUILT_MAX && field->quilt.rows - 1u < TIA_QUILT_MAX, "quilt",
+                "must have 1 to 256 columns and rows");
     if (field->kind == TIA_LENTICULAR)
         return check_lens(check, &field->lens);
     if (field->kind == TIA_PROJECTOR)
