@@ -10,8 +10,8 @@
  *     tia_view_set_level(view, level, malloc(size), size);
  *
  * A level draws what scene.h says scenes of spheres without mirrors are, but for a view whose eye is in a sphere, and
- * what general rays, ambient occlusion and paths draw in a scene with a hierarchy. Whatever else stays with plain C. No pixel, object or hash
- * differs. It needs the rounding mode in which C programs start.
+ * what general rays, ambient occlusion and paths draw in a scene with a hierarchy. Whatever else stays with plain C. No
+ * pixel, object or hash differs. It needs the rounding mode in which C programs start.
  */
 #ifndef TIA_LEVELS_H
 #define TIA_LEVELS_H

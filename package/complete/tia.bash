@@ -105,6 +105,28 @@ _tia() {
         -n|--frames) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         esac
         words='--eye --output --views --modules --size --two --anaglyph --to --frames --help --version' ends='tia nff obj' ;;
+    tia-radio)
+        case $prev in
+        --tx) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --rx) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        -f|--frequency) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --reflections) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --transmissions) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --method) mapfile -t COMPREPLY < <(compgen -W 'image sbr hybrid' -- "$cur"); return ;;
+        --density) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --material) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --up) mapfile -t COMPREPLY < <(compgen -W 'y z' -- "$cur"); return ;;
+        --polarization) mapfile -t COMPREPLY < <(compgen -W 'vertical horizontal' -- "$cur"); return ;;
+        -o|--output) compopt -o default; COMPREPLY=(); return ;;
+        -s|--size) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --map) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --area) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --csv) compopt -o default; COMPREPLY=(); return ;;
+        --range) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --tile-rows) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        -j|--threads) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        esac
+        words='--tx --rx --frequency --reflections --transmissions --method --density --material --materials --up --polarization --json --output --size --map --area --csv --range --best-server --tile-rows --threads --help --version' ends='tia nff obj' ;;
     esac
     if [[ $cur == -* ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur"); return; fi
     # Folders, and files of the right kind.
@@ -113,4 +135,4 @@ _tia() {
     COMPREPLY=($(compgen -d -- "$cur"))
     for end in ${ends// /$IFS}; do COMPREPLY+=($(compgen -f -X "!*.$end" -- "$cur")); done
 }
-complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe
+complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe tia-radio

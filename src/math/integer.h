@@ -21,8 +21,8 @@
 /* Implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
-/* Tables lie in flash also where constants are copied to RAM, if the compiler has a word for it: avr-gcc, in GNU C. They
- * are only indexed: their addresses are no others'. */
+/* Tables lie in flash also where constants are copied to RAM, if the compiler has a word for it: avr-gcc, in GNU C.
+ * They are only indexed: their addresses are no others'. */
 #ifdef __FLASH
 #define TIA_FLASH __flash
 #else

@@ -9,8 +9,8 @@
 #include <tia/bvh.h>
 #include <tia/text.h>
 
-#include "common/views/palette.h"
 #include "common/text.h"
+#include "common/views/palette.h"
 #include "fail.h"
 #include "picture.h"
 #include "ports.h"

@@ -129,8 +129,8 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
-/* of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and loaded as a
- * whole, it would wait for all the stores. */
+/* of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and loaded as
+ * a whole, it would wait for all the stores. */
 #if LANES == 1
 #define EACH_LANE(of) of(0)
 #elif LANES == 2
