@@ -4,12 +4,12 @@
 
 #include <stdint.h>
 
-/* Bytes on a machine with 64-bit pointers, with 32-bit ones, and with those and enumerations of a byte, as
- * arm-none-eabi has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */
+/* Bytes on a machine with 64-bit pointers, with 32-bit ones, and with those and enumerations of a byte, as arm-none-eabi
+ * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */
 #ifndef TIA_BYTES
 enum tia_bytes_small { TIA_BYTES_SMALL };
 typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: ask tia_view_size there */
-#define TIA_BYTES(wide, narrow, small)                                                                                 \
+#define TIA_BYTES(wide, narrow, small) \
     (sizeof(void *) == 8 ? (wide) : sizeof(enum tia_bytes_small) > 1 ? (narrow) : (small))
 #define TIA_WORDS(bytes) (((bytes) + 7) / 8) /* of an array of uint64_t, whose alignment is the right one */
 #endif
@@ -22,6 +22,6 @@ typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other ma
 
 /* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */
 #define THESIS_FLASH_LIBRARY 24000u
-#define THESIS_FLASH_SCENE 920u
+#define THESIS_FLASH_SCENE 936u
 
 #endif

@@ -276,6 +276,7 @@ static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm ac
     q.p = &shadow->p;
     q.active = mand(active, fine);
     q.any = true;
+    q.solid = false;
     q.blocker = *blocker;
     q.groups = NULL;
     q.group = 0;
