@@ -3,7 +3,7 @@
 
 #include "common/thread_pool.h"
 
-const struct tia_workers threads_workers = {NULL};
+const struct tia_workers threads_workers = {NULL, NULL, NULL};
 
 struct threads *threads_create(unsigned count)
 {
