@@ -36,11 +36,13 @@ LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
 }
 
+/* The integers multiply by the weight last: before that products of 2^17 and more are cut. */
 LANE_OP void add_weighted(struct flight *f, unsigned lanes, const struct paths *p, const vd rgb[3], struct ve weight,
                           vm fine)
 {
     vd most = most3(rgb), part[3];
 
+    fine = mand(fine, vlt((most + UNIT) * (most3(p->r.weight) + p->r.ew), vset(65536)));
     lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
     for (int c = 0; c < 3; c++)
         part[c] = rgb[c] * weight.v;

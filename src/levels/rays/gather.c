@@ -108,12 +108,26 @@ static bool number_of(struct num_density d, double *x)
     return true;
 }
 
+/* Whether places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, what their
+ * directions round by turns the normal, and long ones leave the plane by more than the 2^-26 that shadow rays end
+ * before it: those would meet it, see find_hidden. */
+static bool is_flat(const struct ray_light *l)
+{
+    num_length off = 0;
+
+    for (int i = 0; l->kind == TIA_RECTANGLE_LIGHT && i < 2; i++) {
+        num_length side = num_point_dot(l->side[i], l->direction);
+        off += side < 0 ? -side : side;
+    }
+    return off < NUM_LENGTH_ONE >> 30;
+}
+
 static void set_shine(struct sure_shine *to, const struct emitter *e)
 {
     for (int c = 0; c < 3; c++)
         to->radiance[c] = sure_length(e->radiance[c]);
     to->area = 1;
-    to->known = e->kind != EMITTER_PLANE || number_of(e->area, &to->area);
+    to->known = e->kind != EMITTER_PLANE || (is_flat(e->light) && number_of(e->area, &to->area));
 }
 
 static bool is_emitter(const struct tia_scene *scene, uint32_t sphere)

@@ -24,12 +24,19 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
     p->r.ew = p->r.ew * inverse + vsel(lanes, UNIT + most3(p->r.weight) * SURE_2(51), vset(0));
 }
 
+/* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
+ * cut once stays too small, however little the path adds in the end. */
+LANE_OP unsigned uncut(struct flight *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
+{
+    return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
+}
+
 /* The rays of these lanes, one bounce on. A path without throughput ends; where the integers' has none and ours has a
  * little, ours goes on and adds no more than the bound says. */
 LANE_OP void go_on(struct flight *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media media[LANES])
 {
-    lanes &= mbits(vlt(vset(0), most3(next->r.weight)));
+    lanes = uncut(f, lanes, next, p->r.slot) & mbits(vlt(vset(0), most3(next->r.weight)));
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];
         next->r.depth[k] = p->r.depth[k] + 1;
@@ -71,11 +78,12 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
     const double bias = f->gather->scene->bias;
     unsigned passes = 0;
 
+    lanes = uncut(f, lanes, next, p->r.slot);
     next->r.p.o = v3_along(h->point, h->viewer, vset(-bias));
     next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * SURE_2(51);
     next->r.p.d = p->r.p.d;
     next->r.p.ed = p->r.p.ed;
-    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, SURE_2(6));
+    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, SURE_2(2)); /* see struct origin */
     next->specular = lanes;
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];

@@ -87,8 +87,9 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     vd cosine = v3_dot(a.to, h->normal), above = v3_dot(a.to, h->geometric);
     vd ec = a.eto + h->en + SURE_2(49), ea = a.eto + h->eg + SURE_2(49);
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
-    vm open = mor(a.unsure, mand(a.some, mnot(lit))), none = mor(dark, mand(mnot(a.unsure), mnot(a.some)));
-    unsigned unsure = rough & mbits(mand(open, mnot(none)));
+    /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
+    vm none = mand(mnot(a.unsure), mor(dark, mnot(a.some))), open = mor(a.unsure, mnot(mor(none, lit)));
+    unsigned unsure = rough & mbits(open);
     doubt(f, unsure, p->r.slot);
     lanes &= ~unsure;
     rough &= ~unsure & ~mbits(none);

@@ -97,7 +97,7 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
     vd along = v3_dot(l->mirrored, to), ealong = l->emirrored + eto + SURE_2(49), n = h->exponent;
     vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = n * ealong + vset(SURE_POWER);
     vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
-    vd e = most * (broad * ep * cosine + height * ecosine) + 3 * UNIT * (1 + most);
+    vd e = most * (broad * ep * (cosine + ecosine) + height * ecosine) + 3 * UNIT * (1 + most);
 
     for (int c = 0; c < 3; c++)
         r->rgb[c] = r->rgb[c] + vsel(m, h->specular[c] * height * cosine, vset(0));
