@@ -10,7 +10,7 @@ complete -c tia -l depth -x -d 'bends and reflections of a ray, 1 to 16; default
 complete -c tia -l integrator -x -a 'whitted ao ao= path' -d 'whitted, ao, ao=DISTANCE or path; default the scene\'s'
 complete -c tia -l spp -x -d 'of ao and path: samples a pixel, 1 to 16777216'
 complete -c tia -l samples-range -x -d 'only these samples, counted from 0, into a part (.tiapart)'
-complete -c tia -l resume -r -F -d 'keep finished rows in FILE, and go on with those that it has'
+complete -c tia -l resume -r -F -d 'keep finished rows and frames in FILE, and go on with them'
 complete -c tia -l time-limit -x -d 'of ao and path: end after S seconds'
 complete -c tia -l error -x -d 'of ao and path: end at this estimated error, 0.02 for 2 percent'
 complete -c tia -l denoise -d 'of ao and path: take the noise out of a .png, .ppm or .pfm'

@@ -59,39 +59,6 @@ static int open_part(struct parts *parts, const struct part *part, uint64_t *len
     return -1;
 }
 
-static int check_header(struct parts *parts, struct part *part, int fd, uint64_t length)
-{
-    char text[IMAGE_PART_HEADER];
-    size_t count = length < sizeof text ? (size_t)length : sizeof text;
-    if (read_at(parts, part, fd, text, count, 0) != 0)
-        return -1;
-    part->header = image_part_parse(&part->film, text, count);
-    if (part->header == 0) {
-        part->header = image_y4m_parse(&part->film, text, count);
-        part->is_y4m = part->header != 0;
-    }
-    if (part->header == 0)
-        return failed(parts, "%.300s: not a part (.tiapart, or .y4m by tia)", part->path);
-    if (length != part->header + frame_bytes(part) * part->film.frames) {
-        return failed(parts, "%.300s: %llu bytes, not the %llu of its header", part->path, (unsigned long long)length,
-                      (unsigned long long)(part->header + frame_bytes(part) * part->film.frames));
-    }
-    return 0;
-}
-
-static int read_part(struct parts *parts, struct part *part)
-{
-    uint64_t length = 0;
-    int fd = open_part(parts, part, &length);
-    if (fd < 0)
-        return -1;
-    int result = check_header(parts, part, fd, length);
-    (void)close(fd);
-    return result;
-}
-
-/* ---- all parts together ---- */
-
 static int check_same(struct parts *parts, const struct part *part)
 {
     const struct part *first = &parts->array[0];
@@ -111,6 +78,66 @@ static int check_same(struct parts *parts, const struct part *part)
     }
     return 0;
 }
+
+/* Reads the first line of the part at an offset of the file. Returns where the part ends, 0 on failure. */
+static uint64_t read_header(struct parts *parts, struct part *part, int fd, uint64_t at, uint64_t length)
+{
+    char text[IMAGE_PART_HEADER];
+    size_t count = length - at < sizeof text ? (size_t)(length - at) : sizeof text;
+    if (read_at(parts, part, fd, text, count, at) != 0)
+        return 0;
+    size_t header = image_part_parse(&part->film, text, count);
+    if (header == 0 && at == 0) {
+        header = image_y4m_parse(&part->film, text, count);
+        part->is_y4m = header != 0;
+    }
+    part->frames = at + header;
+    uint64_t end = part->frames + frame_bytes(part) * part->film.frames;
+    if (header == 0) {
+        (void)failed(parts, "%.300s: not a part (.tiapart, or .y4m by tia)", part->path);
+    } else if (length < end || (part->is_y4m && length > end)) {
+        (void)failed(parts, "%.300s: %llu bytes, not the %llu of its header", part->path, (unsigned long long)length,
+                     (unsigned long long)end);
+    } else {
+        return end;
+    }
+    return 0;
+}
+
+static struct part *add_part(struct parts *parts, const char *path)
+{
+    if (parts->count == parts->capacity) {
+        unsigned capacity = 2 * parts->capacity + 1;
+        struct part *array = realloc(parts->array, capacity * sizeof *array);
+        if (!array) {
+            (void)failed(parts, "memory: exhausted");
+            return NULL;
+        }
+        parts->array = array;
+        parts->capacity = capacity;
+    }
+    parts->array[parts->count] = (struct part){.path = path};
+    return &parts->array[parts->count++];
+}
+
+/* A file may be one part after the other: such is what tia --resume keeps. */
+static int read_file(struct parts *parts, const char *path)
+{
+    const struct part file = {.path = path};
+    uint64_t length = 0, at = 0;
+    int fd = open_part(parts, &file, &length), result = fd < 0 ? -1 : 0;
+    do {
+        struct part *part = result == 0 ? add_part(parts, path) : NULL;
+        at = part ? read_header(parts, part, fd, at, length) : 0;
+        if (at == 0 || check_same(parts, part) != 0)
+            result = -1;
+    } while (result == 0 && at < length);
+    if (fd >= 0)
+        (void)close(fd);
+    return result;
+}
+
+/* ---- all parts together ---- */
 
 static bool overlap(const struct image_film *a, const struct image_film *b)
 {
@@ -163,15 +190,10 @@ static int check_overlaps(struct parts *parts)
 
 int parts_open(struct parts *parts, char *const *paths, unsigned count)
 {
-    *parts = (struct parts){.array = calloc(count, sizeof *parts->array), .count = count};
-    if (!parts->array)
-        return failed(parts, "memory: exhausted");
-    for (unsigned i = 0; i < count; i++) {
-        struct part *part = &parts->array[i];
-        part->path = paths[i];
-        if (read_part(parts, part) != 0 || check_same(parts, part) != 0)
+    *parts = (struct parts){0};
+    for (unsigned i = 0; i < count; i++)
+        if (read_file(parts, paths[i]) != 0)
             return -1;
-    }
     return check_overlaps(parts) != 0 ? -1 : check_gaps(parts);
 }
 
@@ -261,7 +283,7 @@ static int check_sum(struct parts *parts, const struct part *part, uint32_t fram
 static int read_frame(struct parts *parts, const struct part *part, int fd, uint32_t frame, tia_rgb565 *rows)
 {
     unsigned char sum[IMAGE_Y4M_FRAME];
-    uint64_t bytes = frame_bytes(part), at = part->header + bytes * (frame - part->film.first_frame);
+    uint64_t bytes = frame_bytes(part), at = part->frames + bytes * (frame - part->film.first_frame);
     int result = part->is_y4m ? read_planes(parts, part, fd, at, rows) : read_pixels(parts, part, fd, at, rows);
     if (result == 0) {
         result = part->is_y4m ? read_at(parts, part, fd, sum, IMAGE_Y4M_FRAME, at)

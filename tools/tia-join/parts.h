@@ -9,18 +9,19 @@
 struct part {
     const char *path;
     struct image_film film;
-    size_t header; /* bytes before the first frame */
+    uint64_t frames; /* where the first frame is in the file */
     bool is_y4m;
 };
 
 struct parts {
     struct part *array;
-    unsigned count;
+    unsigned count, capacity;
     uint64_t *colours;   /* for .y4m: every pixel value below its Y, U and V, sorted; NULL: not built yet */
     char why[PARTS_WHY]; /* one line, after a failure */
 };
 
-/* Reads the parts' headers and checks that they make one film, without gaps or overlaps. 0, or -1 if not. */
+/* Reads the parts' headers, of a .tiapart all that follow each other, and checks that they make one film, without gaps
+ * or overlaps. 0, or -1 if not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
 void parts_close(struct parts *parts);
 

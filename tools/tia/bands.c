@@ -40,7 +40,7 @@ static int read_known(struct bands *b)
     unsigned rows = b->resume.rows;
 
     b->known = rows <= b->y ? 0 : rows - b->y < b->rows ? rows - b->y : b->rows;
-    return b->known ? resume_read(&b->resume, b->y, b->known, b->sums, b->e->why) : TIA_OK;
+    return b->known ? resume_read(&b->resume, b->y, b->known, b->sums) : TIA_OK;
 }
 
 static int draw(struct bands *b)
@@ -58,7 +58,7 @@ static int draw(struct bands *b)
             break;
         threads_workers.run(e->pool, draw_row, b, b->rows);
         status = atomic_load(&e->status);
-        status = status ? status : resume_append(&b->resume, b->y, b->rows, b->sums, e->why);
+        status = status ? status : resume_append(&b->resume, b->y, b->rows, b->sums);
         status = status ? status : estimation_write(e, b->rows);
     }
     return status;

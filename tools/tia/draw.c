@@ -18,6 +18,7 @@ struct drawing {
     struct image_film film;
     struct film_scene film_scene;
     struct picture picture;
+    struct finished finished;
     struct series series;
     uint64_t start_us; /* when the frame was begun */
     bool no_output;    /* writing a line of --checksum failed */
@@ -47,13 +48,16 @@ static int end_frame(struct drawing *drawing, uint32_t frame)
 
 static int draw_frame(struct drawing *drawing, uint32_t frame)
 {
-    int status = film_scene_update(&drawing->film_scene, frame);
+    const struct image_film *film = &drawing->film;
+    bool known = finished_has(&drawing->finished, frame, film->first_row, film->rows);
+    int status = known ? TIA_OK : film_scene_update(&drawing->film_scene, frame);
     if (!status)
         status = series_begin(&drawing->series, frame);
     if (status)
         return status;
     drawing->picture.view = drawing->film_scene.view;
     drawing->picture.image = drawing->series.image;
+    drawing->picture.frame = frame;
     status = picture_draw(&drawing->picture);
     return !status ? end_frame(drawing, frame) : status;
 }
@@ -76,18 +80,23 @@ static int draw_all(struct drawing *drawing)
     int status = picture_begin(&drawing->picture, drawing->options, &drawing->film);
     if (!status)
         status = film_scene_begin(&drawing->film_scene, drawing->options, drawing->why);
+    if (!status && drawing->options->resume) {
+        drawing->picture.finished = &drawing->finished;
+        status = finished_open(&drawing->finished, drawing->options->resume, &drawing->film, drawing->why);
+    }
     return !status ? draw_film(drawing) : status;
 }
 
 /* The same figures as for a display. */
 static int print_stats(const struct drawing *drawing)
 {
+    const struct tia_view *view = drawing->film_scene.view;
     stats.display = "file";
     stats.format = image_format_name(drawing->options->format);
     stats.width = drawing->picture.rotation.width;
     stats.height = drawing->picture.rotation.height;
     stats.scale_bits = drawing->options->scene.scale_bits;
-    stats.level = drawing->options->core->level_name(drawing->film_scene.view);
+    stats.level = view ? drawing->options->core->level_name(view) : "plain"; /* all was there already */
     stats.threads = threads_count(drawing->picture.pool);
     return stats_print(&stats) == 0 ? EXIT_FINE : EXIT_RUNNING;
 }
@@ -115,6 +124,7 @@ int draw(const struct options *options)
     progress_erase(&drawing.picture.progress);
     int result = report(&drawing, status);
     picture_end(&drawing.picture);
+    finished_close(&drawing.finished);
     film_scene_end(&drawing.film_scene);
     return result;
 }

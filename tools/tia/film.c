@@ -60,11 +60,14 @@ static uint32_t identify(const struct options *options)
     if (how->integrator != TIA_WHITTED)
         length += snprintf(text + length, sizeof text - (size_t)length, " %u %d", (unsigned)how->integrator,
                            (int)how->distance);
-    if (how->integrator != TIA_WHITTED && !options->samples_range && !options->resume)
+    if (how->integrator != TIA_WHITTED && !options->samples_range && !(options->resume && options->depth_bits))
         length += snprintf(text + length, sizeof text - (size_t)length, " %u %u %d", (unsigned)how->spp,
                            (unsigned)how->tone, (int)how->exposure);
     if (options->scene.field)
         length += identify_field(text + length, sizeof text - (size_t)length, &options->light);
+    if (options->views.view || options->views.draws_rays)
+        length += snprintf(text + length, sizeof text - (size_t)length, " %u %d %u %u", (unsigned)options->views.view,
+                           options->views.draws_rays, (unsigned)options->views.x, (unsigned)options->views.y);
     return checksum_bytes(checksum_bytes(options->file.crc, text, (size_t)length), keys, strlen(keys));
 }
 

@@ -67,8 +67,10 @@ int gaze_parse(struct options *options, int option, char *value)
 static int check_file(const struct options *options)
 {
     bool film = image_format_films(options->format) || options->format == IMAGE_PFM ||
-                series_is_pattern(options->output) || options->depth_bits || options->resume;
+                series_is_pattern(options->output) || options->depth_bits;
 
+    if (options->resume)
+        return fail(EXIT_USAGE, "--resume: not with --gaze, which draws at once");
     return film ? fail(EXIT_USAGE, "--gaze: a file is one picture (.png, .ppm, .bmp or .565), drawn at once")
                 : EXIT_FINE;
 }

@@ -19,7 +19,7 @@ const char *const options_help[] = {
     "      --integrator NAME        whitted, ao, ao=DISTANCE or path; default the scene's\n"
     "      --spp N                  of ao and path: samples a pixel, 1 to 16777216\n"
     "      --samples-range A-B      only these samples, counted from 0, into a part (.tiapart)\n"
-    "      --resume FILE            keep finished rows in FILE, and go on with those that it has\n"
+    "      --resume FILE            keep finished rows and frames in FILE, and go on with them\n"
     "      --time-limit S           of ao and path: end after S seconds\n"
     "      --error E                of ao and path: end at this estimated error, 0.02 for 2 percent\n"
     "      --denoise                of ao and path: take the noise out of a .png, .ppm or .pfm\n"

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "common/image/series.h"
 #include "common/parse.h"
 #include "fail.h"
 #include "option_codes.h"
@@ -114,24 +115,27 @@ static int load_distance(const char *text, struct tia_scene *scene)
     return EXIT_FINE;
 }
 
-/* --samples-range and --resume. */
+static bool is_sampled(const struct options *options)
+{
+    return options->scene.integration.integrator != TIA_WHITTED;
+}
+
 static int check_parts(const struct options *options)
 {
-    bool sampled = options->scene.integration.integrator != TIA_WHITTED;
-    const char *option = options->samples_range ? "samples-range" : "resume";
-
-    if (!options->samples_range && !options->resume)
+    if (options->resume && !options->output)
+        return fail(EXIT_USAGE, "--resume: is for files (-o FILE)");
+    if (!options->samples_range)
         return EXIT_FINE;
-    if (!sampled || !options->output)
-        return fail(EXIT_USAGE, "--%s: is for files of --integrator ao and path", option);
-    if (options->samples_range && (options->format != IMAGE_PART || options->spp))
+    if (!is_sampled(options) || !options->output)
+        return fail(EXIT_USAGE, "--samples-range: is for files of --integrator ao and path");
+    if (options->format != IMAGE_PART || options->spp)
         return fail(EXIT_USAGE, "--samples-range: needs a part file (-o FILE.tiapart), and no --spp");
-    if (options->samples_range && options->last_sample >= TIA_SPP_MAX)
+    if (options->last_sample >= TIA_SPP_MAX)
         return fail(EXIT_USAGE, "--samples-range: a pixel has at most %u samples", (unsigned)TIA_SPP_MAX);
     if (options->frame_range || options->tile_rows || options->frames > 1 || options->checksum || options->dither ||
         options->rotate)
-        return fail(EXIT_USAGE, "--%s: takes no --frames, --frame-range, --tile-rows, --checksum, --dither or --rotate",
-                    option);
+        return fail(EXIT_USAGE, "--samples-range: takes no --frames, --frame-range, --tile-rows, --checksum, --dither "
+                                "or --rotate");
     return EXIT_FINE;
 }
 
@@ -153,7 +157,7 @@ static int check_rounds(struct options *options)
 
     if (!option)
         return EXIT_FINE;
-    if (options->scene.integration.integrator == TIA_WHITTED || !options->output || !options->depth_bits)
+    if (!is_sampled(options) || !options->output || !options->depth_bits)
         return fail(EXIT_USAGE, "--%s: is for .png, .ppm and .pfm files of --integrator ao and path", option);
     if (options->resume || (options->format == IMAGE_PART && (options->denoise || options->guide)))
         return fail(EXIT_USAGE, "--%s: not with %s", option, options->resume ? "--resume" : "parts of samples");
@@ -171,13 +175,14 @@ static int check_rounds(struct options *options)
 /* Pictures of samples have 8 bits a channel where the file can; but what only RGB565 has wins. */
 static int choose_depth(struct options *options)
 {
-    bool sampled = options->scene.integration.integrator != TIA_WHITTED;
-    bool plain = options->checksum || options->dither || options->rotate || options->light.pictures;
+    bool sampled = is_sampled(options);
+    bool series = options->output && series_is_pattern(options->output);
+    bool plain = options->checksum || options->dither || options->rotate || options->light.pictures || series;
 
     if (options->colour_given && options->depth_bits && !sampled)
         return fail(EXIT_USAGE, "--colour: whitted draws in 565 (--integrator ao or path)");
     if (options->colour_given && options->depth_bits && plain)
-        return fail(EXIT_USAGE, "--colour: --checksum, --dither, --rotate, --views and --modules take 565");
+        return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {
         if (!sampled || plain || options->colour_given)
             return fail(EXIT_USAGE,
@@ -195,8 +200,6 @@ static int choose_depth(struct options *options)
         options->depth_bits = 8;
     if (options->output && !image_format_has(options->format, options->depth_bits))
         return fail(EXIT_USAGE, "--colour: .%s files have 565 (use .png or .ppm)", image_format_name(options->format));
-    if (options->resume && !options->depth_bits)
-        return fail(EXIT_USAGE, "--resume: is for .png, .ppm and .pfm files, not in 565");
     return EXIT_FINE;
 }
 

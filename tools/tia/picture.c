@@ -9,6 +9,9 @@
  * take some tens of bytes per pixel. A job is a few full rows, since the core works by rows. */
 enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
+/* With --resume a signal loses a band: a small part of the picture, unless it is drawn soon. */
+enum { KEPT_PIXELS = 1 << 14, KEPT_BANDS = 64, KEPT_JOBS = 16 };
+
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
 {
     struct rotation back = rotation_inverse(&picture->rotation);
@@ -61,24 +64,40 @@ static void work(void *arg, unsigned index)
 
 /* ---- the picture ---- */
 
+/* What is to be drawn of a band; *jobs: in how many parts. */
+static int prepare_band(struct picture *picture, const struct picture_band *band, unsigned *jobs)
+{
+    picture->tile = tile_of(picture, band);
+    *jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
+    return picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view,
+                                    picture->tile);
+}
+
+static int read_band(struct picture *picture, const struct picture_band *band)
+{
+    progress_add(&picture->progress, (uint64_t)band->rows * picture->width);
+    return finished_read(picture->finished, picture->frame, band->y, band->rows, band->pixels);
+}
+
 static int draw_band(struct picture *picture)
 {
     struct picture_band *band = &picture->band[0];
+    struct finished *finished = picture->finished;
+    bool draws = band->rows > 0,
+         known = draws && finished && finished_has(finished, picture->frame, band->y, band->rows);
     unsigned jobs = 0;
-    if (band->rows > 0) {
-        picture->tile = tile_of(picture, band);
-        jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
-        int status = picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view,
-                                              picture->tile);
-        if (status)
-            return status;
-    }
+    int status = known ? read_band(picture, band) : draws ? prepare_band(picture, band, &jobs) : TIA_OK;
+    if (status)
+        return status;
     threads_workers.run(picture->pool, work, picture, jobs + 1);
+    status = atomic_load(&picture->status);
+    if (!status && draws && !known && finished)
+        status = finished_append(finished, picture->frame, band->y, band->rows, band->pixels);
 
     struct picture_band written = picture->band[1];
     picture->band[1] = picture->band[0];
     picture->band[0] = written;
-    return atomic_load(&picture->status);
+    return status;
 }
 
 /* Draws all bands in the order that the file needs. Each round also writes the band before; the last round only
@@ -105,6 +124,14 @@ int picture_draw(struct picture *picture)
 
 /* ---- memory ---- */
 
+static unsigned band_pixels(const struct options *options, const struct image_film *film)
+{
+    unsigned part = film->width * film->rows / KEPT_BANDS;
+    if (!options->resume || part > BAND_PIXELS)
+        return BAND_PIXELS;
+    return part < KEPT_PIXELS ? (unsigned)KEPT_PIXELS : part;
+}
+
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
 {
     const struct tia_core *core = options->core;
@@ -115,11 +142,13 @@ int picture_begin(struct picture *picture, const struct options *options, const 
                                 .first_row = film->first_row,
                                 .rows = film->rows,
                                 .checksum = options->checksum};
-    picture->band_rows = BAND_PIXELS / film->width < film->rows ? BAND_PIXELS / film->width : film->rows;
+    unsigned pixels = band_pixels(options, film), part = pixels / KEPT_JOBS;
+    unsigned job_pixels = options->resume && part < JOB_PIXELS ? part : (unsigned)JOB_PIXELS;
+    picture->band_rows = pixels / film->width < film->rows ? pixels / film->width : film->rows;
 
     struct picture_band whole = {0, picture->band_rows, NULL};
     struct tia_tile tile = tile_of(picture, &whole);
-    picture->job_rows = tile.width < JOB_PIXELS ? (unsigned)JOB_PIXELS / tile.width : 1;
+    picture->job_rows = tile.width < job_pixels ? job_pixels / tile.width : 1;
     picture->hits_bytes = core->hits_size(&options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
     for (unsigned i = 0; i < 2; i++)

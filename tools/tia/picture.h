@@ -7,6 +7,7 @@
 
 #include "common/image/image.h"
 #include "common/thread_pool.h"
+#include "finished.h"
 #include "options.h"
 #include "progress.h"
 #include "rotate.h"
@@ -20,6 +21,8 @@ struct picture {
     /* Set by the caller before each picture. */
     struct tia_view *view;
     struct image *image;
+    struct finished *finished; /* NULL: nothing is kept */
+    uint32_t frame;            /* for it */
 
     /* Private. */
     const struct tia_core *core;
