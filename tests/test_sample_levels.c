@@ -3,14 +3,15 @@
  * integers' radiance before it is rounded.
  *
  *     test_sample_levels            as many scenes as seconds allow
- *     test_sample_levels N          N random scenes: make check runs 200 (tests/slow/levels) */
+ *     test_sample_levels N          N random scenes: make check runs 200 (tests/slow/levels)
+ *     test_sample_levels N I        extreme ones from number I on */
 #include <math.h>
 #include <stdlib.h>
 #include <tia/levels.h>
 
 #include "common/scene/scene.h"
 #include "corpus/corpus_rays.h"
-#include "corpus/dice.h"
+#include "extreme_scenes.h"
 #include "level_frames.h"
 #include "levels/rays/one.h"
 #include "levels/rays/walk_paths.h"
@@ -210,154 +211,15 @@ TEST(bounds_hold)
     CHECK(compared > 100 && most_used > 0);
 }
 
-/* ---- extremes ---- */
-
-static const tia_q16 sizes[] = {64, 75, 640, TIA_Q16(0.1), TIA_Q16(1), TIA_Q16(90), TIA_Q16(3000), TIA_Q16(11000)};
-
-static tia_q16 random_size(uint64_t *state)
-{
-    return sizes[dice_next(state) % (sizeof sizes / sizeof *sizes)];
-}
-
-/* A place as far away as something of that size may be; on an axis, or on what is there already. */
-static struct tia_vec3 random_place(uint64_t *state, const struct tia_scene *s, tia_q16 size)
-{
-    tia_q16 away = dice_one_in(state, 2) ? size + TIA_Q16(4) : dice_between(state, 0, TIA_Q16(200));
-    struct tia_vec3 p = {0, away, 0};
-
-    if (dice_one_in(state, 3) && s->sphere_count)
-        return s->spheres[dice_next(state) % s->sphere_count].centre;
-    if (dice_one_in(state, 2))
-        p = (struct tia_vec3){dice_between(state, -away, away), size / 2, away};
-    return p;
-}
-
-static void make_extreme_light(uint64_t *state, struct corpus_rays *c, struct tia_light *l)
-{
-    static const enum tia_light_kind kinds[] = {TIA_SPHERE_LIGHT, TIA_SPHERE_LIGHT, TIA_DISC_LIGHT, TIA_RECTANGLE_LIGHT,
-                                                TIA_POINT_LIGHT};
-    tia_q16 size = random_size(state);
-
-    l->kind = kinds[dice_next(state) % 5];
-    l->radius = size;
-    l->centre = random_place(state, &c->scene, size);
-    l->emission_bits = (uint8_t)(dice_one_in(state, 2) ? 0 : dice_between(state, 1, TIA_EMISSION_BITS_MAX));
-    l->direction = parts_random_direction(state);
-    l->side[0] = (struct tia_vec3){size, dice_between(state, -size, size), 0};
-    l->side[1] = dice_one_in(state, 4) ? l->side[0] : (struct tia_vec3){0, size, dice_between(state, -size, size)};
-    l->side[1].z++;
-}
-
-/* Materials that send on more than they receive, highlights as narrow or wide as can be, indices next to 1. */
-static void make_extreme_material(uint64_t *state, struct tia_material *m)
-{
-    const struct tia_rgb white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
-
-    if (dice_one_in(state, 2))
-        m->colour = white;
-    if (dice_one_in(state, 2))
-        m->specular = white;
-    if (dice_one_in(state, 2))
-        m->mirror = white;
-    if (dice_one_in(state, 4))
-        m->refraction = white;
-    m->exponent = dice_one_in(state, 2) ? TIA_EXPONENT_MAX : TIA_Q16_ONE;
-    m->index = dice_one_in(state, 2) ? TIA_Q16_ONE + 1 : TIA_Q16(4);
-}
-
-/* Cylinders and cones 1000 times as large around their bases. */
-static void make_huge(struct tia_shape *s)
-{
-    struct tia_vec3 along;
-
-    if (s->transform || (s->kind != TIA_CYLINDER && s->kind != TIA_CONE))
-        return;
-    struct tia_vec3 *base = s->kind == TIA_CONE ? &s->cone.base : &s->cylinder.base;
-    struct tia_vec3 *top = s->kind == TIA_CONE ? &s->cone.top : &s->cylinder.top;
-    along = parts_moved(*top, *base, -1);
-    *base = parts_moved(*base, (struct tia_vec3){0, 0, TIA_Q16(-2500)}, 1);
-    *top = (struct tia_vec3){base->x + 1000 * along.x, base->y + 1000 * along.y, base->z + 1000 * along.z};
-    if (s->kind == TIA_CYLINDER) {
-        s->cylinder.radius *= 1000;
-        return;
-    }
-    s->cone.base_radius *= 1000;
-    s->cone.top_radius *= 1000;
-}
-
-static void move(struct tia_vec3 *p, struct tia_vec3 by)
-{
-    *p = parts_moved(*p, by, 1);
-}
-
-static void move_shape(struct tia_shape *s, struct tia_vec3 by)
-{
-    struct tia_vec3 *const points[][3] = {
-        [TIA_SPHERE] = {&s->sphere.centre},
-        [TIA_PLANE] = {&s->plane.point},
-        [TIA_DISC] = {&s->disc.centre},
-        [TIA_CYLINDER] = {&s->cylinder.base, &s->cylinder.top},
-        [TIA_CONE] = {&s->cone.base, &s->cone.top},
-        [TIA_BOX] = {&s->box.min, &s->box.max},
-        [TIA_TRIANGLE] = {&s->triangle.corner[0], &s->triangle.corner[1], &s->triangle.corner[2]}};
-
-    if (s->transform || s->kind >= sizeof points / sizeof *points)
-        return;
-    for (int i = 0; i < 3 && points[s->kind][i]; i++)
-        move(points[s->kind][i], by);
-}
-
-static void move_all(struct corpus_rays *c, struct tia_vec3 by)
-{
-    struct tia_scene *s = &c->scene;
-
-    move(&s->camera.eye, by);
-    move(&s->camera.reference, by);
-    for (uint32_t i = 0; i < s->sphere_count; i++)
-        move(&c->spheres[i].centre, by);
-    for (uint32_t i = 0; i < s->shape_count; i++)
-        move_shape(&c->shapes[i], by);
-    for (uint32_t i = 0; i < s->transform_count; i++)
-        move(&c->transforms[i].position, by);
-    for (uint32_t i = 0; i < s->light_count; i++)
-        move(&c->lights[i].centre, by);
-}
-
-static void make_extreme(struct corpus_rays *c, unsigned i)
-{
-    uint64_t state = i * UINT64_C(7919);
-    struct tia_scene *s = &c->scene;
-
-    if (i % 5 == 0)
-        make_samples(c, 1);
-    s->integration = (struct tia_integration){
-        .integrator = i % 8 ? TIA_PATHS : TIA_OCCLUSION, .seed = i, .bounces = 12, .distance = random_size(&state)};
-    for (uint32_t k = 0; k < s->light_count; k++)
-        make_extreme_light(&state, c, &c->lights[k]);
-    for (uint32_t k = 0; i % 2 && k < s->material_count; k++)
-        make_extreme_material(&state, &c->materials[k]);
-    for (uint32_t k = 0; k < s->sphere_count; k++)
-        if (dice_one_in(&state, 2))
-            c->spheres[k].radius = random_size(&state);
-    for (uint32_t k = 0; i % 6 == 5 && k < s->shape_count; k++)
-        make_huge(&c->shapes[k]);
-    if (i % 3 == 0)
-        s->background = (struct tia_rgb){3, 1, 1000};
-    if (i % 4 == 1)
-        s->scale_bits = (uint32_t)dice_between(&state, 1, 8);
-    if (i % 4 == 2)
-        move_all(c, (struct tia_vec3){TIA_Q16(14000.3), TIA_Q16(9000.7), TIA_Q16(-12000.1)});
-}
-
 static unsigned first_extreme;
 
 TEST(extreme_scenes_are_the_same)
 {
     static struct corpus_rays c;
-    unsigned drawn = 0;
+    unsigned drawn = 0, all = check_count(random_scenes);
 
     samples = unsure = 0;
-    for (unsigned i = 0; i < check_count(random_scenes); i++) {
+    for (unsigned i = 0; i < all; i++) {
         corpus_random_rays(&c, 29, first_extreme + i);
         make_extreme(&c, first_extreme + i);
         if (tia_scene_check(&c.scene, NULL) != TIA_OK)
@@ -366,7 +228,7 @@ TEST(extreme_scenes_are_the_same)
         drawn++;
     }
     printf("# %u scenes; %lu of %lu samples were left to the integers\n", drawn, unsure, samples);
-    CHECK(drawn * 2 > random_scenes && unsure * 4 < samples * 3);
+    CHECK(drawn * 2 > all && unsure * 4 < samples * 3);
 }
 
 /* Scenes of files, and the most of their samples, in hundredths, that may be unsure. */
