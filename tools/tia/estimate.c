@@ -110,8 +110,12 @@ static void prepare(struct estimation *e)
 
 static int report(const struct estimation *e, int status)
 {
-    if (!status || status == TIA_STOPPED) /* a signal will say it */
+    if (!status)
         return signals_end(EXIT_FINE);
+    if (status == TIA_STOPPED) { /* a signal says it by itself */
+        (void)signals_end(EXIT_RUNNING);
+        return fail(EXIT_RUNNING, "--time-limit: not one sample of each pixel was drawn by then");
+    }
     return signals_end(
         fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status)));
 }
