@@ -23,7 +23,7 @@ _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
 /* Tables lie in flash also where constants are copied to RAM, if the compiler has a word for it: avr-gcc, in GNU C.
  * They are only indexed: their addresses are no others'. */
-#ifdef __FLASH
+#if defined __FLASH && !defined __STRICT_ANSI__
 #define TIA_FLASH __flash
 #else
 #define TIA_FLASH
