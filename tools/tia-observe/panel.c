@@ -39,18 +39,18 @@ static double apart(const struct row *row, double i)
     return fabs(phase - round(phase));
 }
 
-/* Within half a lens the phases go once around, so the nearest is beside the place where they would meet the eye's,
- * or, since they are compared modulo 1, at the other end. */
+/* From the first to the last the phases go around once at most, so the nearest is beside the place where they meet the
+ * eye's. Of such places, a lens apart, it is the one nearest to the middle: if that is outside, so is the next, and
+ * farther from the other end. `first` comes before all that are as near. */
 static double nearest_of(const struct row *row, double first, double last)
 {
     double middle = (first + last) / 2;
     double miss = row->first + middle * row->step - row->target;
     double meets = floor(middle - (miss - round(miss)) / row->step);
-    const double candidates[] = {first, meets - 1, meets, meets + 1, meets + 2, last};
     double best = first;
 
-    for (unsigned i = 0; i < sizeof candidates / sizeof *candidates; i++) {
-        double at = fmin(fmax(candidates[i], first), last);
+    for (int i = 0; i < 2; i++) {
+        double at = fmin(fmax(meets + i, first), last);
         if (apart(row, at) < apart(row, best) - SLACK)
             best = at;
     }
