@@ -358,6 +358,7 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/lightfield/module%d.png,scenes/lightfield.tia --modules 9 --module-range 4-4 -s 400x225)
 	$(call draw,$(BUILD)/eyes%02d.png,scenes/lightfield.tia --views 14 -s 400x225)
 	$(call say,DRAW,docs/lightfield/eyes.png)$(BUILD)/tia-observe -e 0$(comma)0.15$(comma)2.4 --two 0.13 --anaglyph -o docs/lightfield/eyes.png --views 14 scenes/lightfield.tia $(BUILD)/eyes%02d.png
+	$(call say,DRAW,docs/lightfield/lenses.png)$(BUILD)/tia-observe -e 0.31$(comma)0.15$(comma)2.4 --lenticular pitch=41$(comma)slope=-6.1$(comma)center=0.2 -o docs/lightfield/lenses.png scenes/lightfield.tia docs/lightfield/panel.png
 	$(call draw,docs/light/noisy.png,scenes/cornell.tia -s 128x128 --spp 16)
 	$(call draw,docs/light/denoised.png,scenes/cornell.tia -s 128x128 --spp 16 --denoise)
 	$(foreach n,normal albedo,$(call draw,docs/light/$(n).png,scenes/cornell.tia -s 128x128 --spp 16 --guide $(n)))

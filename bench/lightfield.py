@@ -58,6 +58,17 @@ def numbers_of_pictures():
         print(f"| {count} | {row[0]:.2f} | {row[1]:.2f} |")
 
 
+def panels():
+    """The same for panels of several sizes and numbers of lenses."""
+    print("\n| panel | lenses | pixels to a lens | error |\n|--:|--:|--:|--:|")
+    eye = (0.31, LINE["above"], LINE["distance"])
+    for times, lenses in ((1, 41), (4, 41), (4, 81), (4, 161)):
+        size, option = f"{WIDTH * times}x{HEIGHT * times}", ("--lenticular", f"pitch={lenses},slope=-6.1,center=0.2")
+        run("tia", SCENE, "-o", "panel.ppm", *option, "-s", size, "--samples", "1")
+        off = error(eye, "panel.ppm", *option, "-s", f"{WIDTH}x{HEIGHT}")
+        print(f"| {size} | {lenses} | {WIDTH * times / lenses:.1f} | {off:.2f} |", flush=True)
+
+
 def row_of(pixels):
     lit = [y for y, row in enumerate(pixels) if any(p != (0, 0, 0) for p in row)]
     return (min(lit) + max(lit) + 1) / 2
@@ -92,4 +103,5 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         numbers_of_pictures()
+        panels()
         heights()

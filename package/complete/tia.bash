@@ -99,12 +99,14 @@ _tia() {
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
         --views) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --modules) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --lenticular) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
+        --calibration) compopt -o default; COMPREPLY=(); return ;;
         -s|--size) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --two) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --to) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         -n|--frames) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         esac
-        words='--eye --output --views --modules --size --two --anaglyph --to --frames --help --version' ends='tia nff obj' ;;
+        words='--eye --output --views --modules --lenticular --calibration --size --two --anaglyph --to --frames --help --version' ends='tia nff obj' ;;
     tia-radio)
         case $prev in
         --tx) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;

@@ -29,16 +29,24 @@ static int nearest(double number, unsigned count)
     return rounded >= 0 && rounded < count ? (int)rounded : -1;
 }
 
+double display_part(const struct display *display, const struct eye *eye, double point)
+{
+    const struct display *d = display;
+    double q = (point - 0.5) * d->width;
+
+    return (q + (eye->x - q) / eye->z * d->distance - d->from) / (d->to - d->from);
+}
+
 int display_picture(const struct display *display, const struct eye *eye, unsigned column, unsigned columns)
 {
     const struct display *d = display;
-    double q = ((2.0 * column + 1) / (2.0 * columns) - 0.5) * d->width;
-    double slope = (eye->x - q) / eye->z;
+    double point = (2.0 * column + 1) / (2.0 * columns);
 
     if (d->projects) {
-        double p = q - slope * d->behind;
+        double q = (point - 0.5) * d->width;
+        double p = q - (eye->x - q) / eye->z * d->behind;
         return nearest(p / d->spacing + (d->count - 1) / 2.0, d->count);
     }
-    double part = (q + slope * d->distance - d->from) / (d->to - d->from);
+    double part = display_part(d, eye, point);
     return part < -SLACK || part > 1 + SLACK ? -1 : nearest(part * (d->count - 1), d->count);
 }

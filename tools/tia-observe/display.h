@@ -24,6 +24,10 @@ struct display {
 void display_init(struct display *display, const struct tia_scene *scene, unsigned views,
                   const struct modules *modules);
 
+/* Where the ray from the eye through a point of the screen, a part of its width from the left, crosses the observer
+ * line's plane: 0 at the line's left end, 1 at its right end, also beyond them. */
+double display_part(const struct display *display, const struct eye *eye, double point);
+
 /* The picture that an eye sees of column `column` of `columns`; -1: none, it is black. Of views that is the one whose
  * eye is nearest to where the ray from the eye through the column's middle crosses the observer line's plane, of
  * modules the one nearest to where it comes from behind the screen; halfway between two the right one. The eye's height

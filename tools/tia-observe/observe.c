@@ -7,25 +7,47 @@ static struct eye between(const struct eye *a, const struct eye *b, double part)
     return (struct eye){a->x + (b->x - a->x) * part, a->y + (b->y - a->y) * part, a->z + (b->z - a->z) * part};
 }
 
-/* A row of what an eye sees; of which picture a column is, column[] says for all rows. */
-static void see_row(const struct observation *o, const int *column, unsigned y, tia_rgb565 *row)
-{
-    const struct pictures *p = &o->pictures;
-    unsigned from = (unsigned)((2 * (uint64_t)y + 1) * p->height / (2 * (uint64_t)o->height));
+/* An eye in a frame. */
+struct sight {
+    struct eye at;
+    int *column; /* of which view or module each column is, in all rows */
+};
 
-    for (unsigned x = 0; x < o->width; x++) {
-        unsigned at = (unsigned)((2 * (uint64_t)x + 1) * p->width / (2 * (uint64_t)o->width));
-        row[x] = column[x] < 0 ? 0 : pictures_pixel(p, (unsigned)column[x], at, from);
+/* A pixel of a panel's lenses: each channel is of a subpixel of its own. */
+static tia_rgb565 see_lenses(const struct observation *o, const struct eye *eye, unsigned x, unsigned from)
+{
+    static const tia_rgb565 masks[] = {0xf800, 0x07e0, 0x001f};
+    double point = (2.0 * x + 1) / (2.0 * o->width), part = display_part(&o->display, eye, point);
+    unsigned seen = 0;
+
+    for (unsigned channel = 0; channel < 3; channel++) {
+        int column = panel_column(&o->panel, from, channel, point, part);
+        seen |= column < 0 ? 0 : pictures_pixel(&o->pictures, 0, (unsigned)column, from) & masks[channel];
     }
+    return (tia_rgb565)seen;
 }
 
-static void place_eye(const struct observation *o, const struct eye *eye, double aside, int *column)
+static tia_rgb565 see_pictures(const struct observation *o, int picture, unsigned x, unsigned from)
 {
-    struct eye at = *eye;
+    unsigned at = (unsigned)((2 * (uint64_t)x + 1) * o->pictures.width / (2 * (uint64_t)o->width));
 
-    at.x += aside;
+    return picture < 0 ? 0 : pictures_pixel(&o->pictures, (unsigned)picture, at, from);
+}
+
+static void see_row(const struct observation *o, const struct sight *sight, unsigned y, tia_rgb565 *row)
+{
+    unsigned from = (unsigned)((2 * (uint64_t)y + 1) * o->pictures.height / (2 * (uint64_t)o->height));
+
     for (unsigned x = 0; x < o->width; x++)
-        column[x] = display_picture(&o->display, &at, x, o->width);
+        row[x] = o->lenses ? see_lenses(o, &sight->at, x, from) : see_pictures(o, sight->column[x], x, from);
+}
+
+static void place_eye(const struct observation *o, const struct eye *eye, double aside, struct sight *sight)
+{
+    sight->at = *eye;
+    sight->at.x += aside;
+    for (unsigned x = 0; x < o->width && !o->lenses; x++)
+        sight->column[x] = display_picture(&o->display, &sight->at, x, o->width);
 }
 
 /* The left eye's red in the right one's picture. */
@@ -38,17 +60,18 @@ static void mix(const tia_rgb565 *left, tia_rgb565 *right, unsigned count)
 static int draw_frame(const struct observation *o, const struct eye *eye, struct series *series, int *column,
                       tia_rgb565 *row)
 {
+    struct sight left = {.column = column}, right = {.column = column + o->width};
     bool two = o->apart > 0;
     int status = TIA_OK;
 
-    place_eye(o, eye, two ? -o->apart / 2 : 0, column);
+    place_eye(o, eye, two ? -o->apart / 2 : 0, &left);
     if (two)
-        place_eye(o, eye, o->apart / 2, column + o->width);
+        place_eye(o, eye, o->apart / 2, &right);
     for (unsigned i = 0; i < o->height && !status; i++) {
         unsigned y = image_bottom_up(series->image) ? o->height - 1 - i : i;
-        see_row(o, column, y, row);
+        see_row(o, &left, y, row);
         if (two)
-            see_row(o, column + o->width, y, row + o->width);
+            see_row(o, &right, y, row + o->width);
         if (two && o->anaglyph)
             mix(row, row + o->width, o->width);
         status = image_band(series->image, two && o->anaglyph ? row + o->width : row, 1);

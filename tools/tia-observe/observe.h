@@ -4,11 +4,14 @@
 
 #include "common/image/series.h"
 #include "display.h"
+#include "panel.h"
 #include "pictures.h"
 
 struct observation {
     struct display display;
     struct pictures pictures;
+    bool lenses; /* the only picture is the panel's */
+    struct panel panel;
     struct eye eye, to;     /* where the eye is, or the middle between two; where it is in the film's last frame */
     double apart;           /* two eyes; 0: one */
     bool anaglyph;          /* both in one picture: red is what the left one sees; else side by side */

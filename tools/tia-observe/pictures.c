@@ -52,7 +52,9 @@ int pictures_load(struct pictures *pictures, const char *path, unsigned count)
 
     *pictures = (struct pictures){.count = count, .file_count = count ? count : 1};
     if (!count && !quilt_named(path, &quilt, &aspect))
-        return refuse(pictures, TIA_ERR_RANGE, path, "no quilt's name (NAME_qs8x6a0.75.png)");
+        return refuse(pictures, TIA_ERR_RANGE, path,
+                      "no quilt's name (NAME_qs8x6a0.75.png); "
+                      "a panel's needs --lenticular or --calibration");
     if (count && !series_is_pattern(path))
         return refuse(pictures, TIA_ERR_RANGE, path, "no pattern for a picture each (NAME%03d.png)");
     pictures->files = calloc(pictures->file_count, sizeof *pictures->files);
@@ -67,6 +69,18 @@ int pictures_load(struct pictures *pictures, const char *path, unsigned count)
     pictures->width = pictures->files[0].width / (count ? 1u : quilt.columns);
     pictures->height = pictures->files[0].height / (count ? 1u : quilt.rows);
     return pictures->width && pictures->height ? TIA_OK : refuse(pictures, TIA_ERR_RANGE, path, "has too few pixels");
+}
+
+int pictures_load_one(struct pictures *pictures, const char *path)
+{
+    *pictures = (struct pictures){.count = 1, .file_count = 1, .files = calloc(1, sizeof *pictures->files)};
+    int status = pictures->files ? load_file(pictures, path, pictures->files)
+                                 : refuse(pictures, TIA_ERR_MEMORY, "memory", "exhausted");
+    if (status)
+        return status;
+    pictures->width = pictures->files->width;
+    pictures->height = pictures->files->height;
+    return TIA_OK;
 }
 
 void pictures_free(struct pictures *pictures)

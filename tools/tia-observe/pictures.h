@@ -1,4 +1,4 @@
-/* pictures.h - the pictures of a light field, from files: a quilt, or one of each view or module. */
+/* pictures.h - the pictures of a light field, from files: a quilt, one of each view or module, or a panel's. */
 #ifndef TOOLS_TIA_OBSERVE_PICTURES_H
 #define TOOLS_TIA_OBSERVE_PICTURES_H
 
@@ -17,6 +17,9 @@ struct pictures {
 /* Loads `path`, a quilt's name or one with a pattern, for `count` pictures; of a quilt 0. TIA_OK; TIA_ERR_DEVICE,
  * TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is safe afterwards. */
 int pictures_load(struct pictures *pictures, const char *path, unsigned count);
+
+/* The same for a single picture, a panel's. */
+int pictures_load_one(struct pictures *pictures, const char *path);
 void pictures_free(struct pictures *pictures);
 
 /* Pixel (x, y) of picture `picture`. */

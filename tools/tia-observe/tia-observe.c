@@ -8,7 +8,9 @@
 
 #include <tia/tia.h>
 
+#include "common/lenticular.h"
 #include "common/parse.h"
+#include "common/quilt.h"
 #include "common/scene/scene.h"
 #include "common/signals.h"
 #include "observe.h"
@@ -17,28 +19,32 @@
 static const char usage[] =
     "Usage: tia-observe [options] --eye X,Y,Z -o FILE SCENE PICTURES\n"
     "Shows what an eye sees of the display of SCENE's camera lightfield, from PICTURES that tia drew:\n"
-    "a quilt (NAME_qs8x6a0.75.png), or a name with %03d of --views or --modules. The screen fills the\n"
-    "picture. The eye is X right of the screen's middle, Y above it and Z before it.\n"
+    "a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or what a panel with\n"
+    "lenses shows, with --lenticular or --calibration as tia was told. The screen fills the picture.\n"
+    "The eye is X right of the screen's middle, Y above it and Z before it.\n"
     "\n"
-    "  -e, --eye X,Y,Z      where the eye is, in the scene's unit\n"
-    "  -o, --output FILE    a picture (.png .ppm .bmp .565) or, of a moving eye, a film (.y4m, or a\n"
-    "                       picture a frame with %04d in its name)\n"
-    "      --views N        the pictures are of N views\n"
-    "      --modules M      of M projectors; M,distance=L,spacing=L as tia was told\n"
-    "  -s, --size WxH       of what an eye sees; default a view's\n"
-    "      --two D          two eyes, D apart, side by side\n"
-    "      --anaglyph       both in one picture, for red and cyan glasses\n"
-    "      --to X,Y,Z       the eye moves there\n"
-    "  -n, --frames N       in so many frames, default 25\n"
+    "  -e, --eye X,Y,Z         where the eye is, in the scene's unit\n"
+    "  -o, --output FILE       a picture (.png .ppm .bmp .565) or, of a moving eye, a film (.y4m, or a\n"
+    "                          picture a frame with %04d in its name)\n"
+    "      --views N           the pictures are of N views\n"
+    "      --modules M         of M projectors; M,distance=L,spacing=L as tia was told\n"
+    "      --lenticular KEYS   a panel's: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,\n"
+    "                          flip,invert\n"
+    "      --calibration FILE  a panel's, by visual.json\n"
+    "  -s, --size WxH          of what an eye sees; default that of a view or of the panel\n"
+    "      --two D             two eyes, D apart, side by side\n"
+    "      --anaglyph          both in one picture, for red and cyan glasses\n"
+    "      --to X,Y,Z          the eye moves there\n"
+    "  -n, --frames N          in so many frames, default 25\n"
     "  -h, --help, -V, --version\n"
     "\n"
     "Exit status: 0 fine, 1 a file cannot be read or written, 2 wrong usage, scene or pictures.\n";
 
-enum { FINE, FAILED, REFUSED, TWO = 256, ANAGLYPH, TO, VIEWS, MODULES };
+enum { FINE, FAILED, REFUSED, TWO = 256, ANAGLYPH, TO, VIEWS, MODULES, LENTICULAR, CALIBRATION };
 enum { FRAMES = 25, FRAMES_MAX = 1000000 };
 
 struct request {
-    const char *output, *scene, *pictures, *modules;
+    const char *output, *scene, *pictures, *modules, *lenticular, *calibration;
     uint32_t views, frames;
     uint16_t width, height;
     bool has_eye, moves;
@@ -118,6 +124,12 @@ static int parse_option(struct request *r, int option, char **argv)
     case MODULES:
         r->modules = optarg;
         return FINE;
+    case LENTICULAR:
+        r->lenticular = optarg;
+        return FINE;
+    case CALIBRATION:
+        r->calibration = optarg;
+        return FINE;
     case 's':
         return parse_size(optarg, NULL, TIA_SIZE_MAX, &r->width, &r->height)
                    ? FINE
@@ -141,8 +153,14 @@ static int check(const struct request *r, int arguments)
         return refuse(REFUSED, "--output", "is missing (tia-observe -h)");
     if (!r->has_eye)
         return refuse(REFUSED, "--eye", "is missing (tia-observe -h)");
-    if (r->views && r->modules)
-        return refuse(REFUSED, "--views", "not with --modules");
+    if ((r->views != 0) + (r->modules != NULL) + (r->lenticular != NULL) + (r->calibration != NULL) > 1)
+        return refuse(REFUSED,
+                      r->views     ? "--views"
+                      : r->modules ? "--modules"
+                                   : "--lenticular",
+                      r->calibration  ? "not with --calibration"
+                      : r->lenticular ? "not with --lenticular"
+                                      : "not with --modules");
     if (r->observation.anaglyph && !(r->observation.apart > 0))
         return refuse(REFUSED, "--anaglyph", "needs two eyes (--two 0.065)");
     if (r->frames && !r->moves)
@@ -152,10 +170,8 @@ static int check(const struct request *r, int arguments)
 
 /* ---- the run ---- */
 
-static int load(struct request *r)
+static int load_scene(struct request *r)
 {
-    struct observation *o = &r->observation;
-    struct modules modules;
     int format = scene_format_of(r->scene);
 
     if (format == SCENE_UNKNOWN)
@@ -165,13 +181,59 @@ static int load(struct request *r)
         return refuse(status == TIA_ERR_RANGE ? REFUSED : FAILED, r->file.why, "");
     if (!r->file.scene.camera.line)
         return refuse(REFUSED, r->scene, "has no observer line (camera lightfield)");
+    return FINE;
+}
+
+static int load_pictures(struct request *r)
+{
+    struct observation *o = &r->observation;
+    struct modules modules;
     const char *wrong = r->modules ? modules_parse(&modules, r->modules, &r->file.scene) : NULL;
     if (wrong)
         return refuse(REFUSED, "--modules", wrong);
-    status = pictures_load(&o->pictures, r->pictures, r->modules ? modules.count : r->views);
+    int status = pictures_load(&o->pictures, r->pictures, r->modules ? modules.count : r->views);
     if (status)
         return refuse(status == TIA_ERR_RANGE ? REFUSED : FAILED, o->pictures.why, "");
     display_init(&o->display, &r->file.scene, o->pictures.count, r->modules ? &modules : NULL);
+    return FINE;
+}
+
+static int load_panel(struct request *r)
+{
+    struct observation *o = &r->observation;
+    struct pictures *p = &o->pictures;
+    struct lenticular panel;
+    struct tia_quilt quilt;
+    uint32_t aspect;
+    char why[80];
+    int status = r->calibration ? calibration_read(&panel, r->calibration) : lenticular_parse(&panel, r->lenticular);
+
+    if (status)
+        return refuse(status == TIA_ERR_RANGE ? REFUSED : FAILED, panel.why, "");
+    if (quilt_named(r->pictures, &quilt, &aspect))
+        return refuse(REFUSED, r->calibration ? "--calibration" : "--lenticular", "not with a quilt");
+    status = pictures_load_one(p, r->pictures);
+    if (status)
+        return refuse(status == TIA_ERR_RANGE ? REFUSED : FAILED, p->why, "");
+    (void)snprintf(why, sizeof why, "is %ux%u, the calibration's panel %ux%u", p->width, p->height, panel.width,
+                   panel.height);
+    if (r->calibration && (p->width != panel.width || p->height != panel.height))
+        return refuse(REFUSED, r->pictures, why);
+    display_init(&o->display, &r->file.scene, 1, NULL);
+    panel_init(&o->panel, &panel.lens, p->width, p->height);
+    o->lenses = true;
+    return FINE;
+}
+
+static int load(struct request *r)
+{
+    struct observation *o = &r->observation;
+    int status = load_scene(r);
+
+    if (status == FINE)
+        status = r->lenticular || r->calibration ? load_panel(r) : load_pictures(r);
+    if (status != FINE)
+        return status;
     o->width = r->width ? r->width : o->pictures.width;
     o->height = r->height ? r->height : o->pictures.height;
     return FINE;
@@ -210,13 +272,20 @@ static int run(struct request *r)
 
 int main(int argc, char **argv)
 {
-    static const struct option longs[] = {
-        {"eye", required_argument, NULL, 'e'},     {"output", required_argument, NULL, 'o'},
-        {"views", required_argument, NULL, VIEWS}, {"modules", required_argument, NULL, MODULES},
-        {"size", required_argument, NULL, 's'},    {"two", required_argument, NULL, TWO},
-        {"anaglyph", no_argument, NULL, ANAGLYPH}, {"to", required_argument, NULL, TO},
-        {"frames", required_argument, NULL, 'n'},  {"help", no_argument, NULL, 'h'},
-        {"version", no_argument, NULL, 'V'},       {NULL, 0, NULL, 0}};
+    static const struct option longs[] = {{"eye", required_argument, NULL, 'e'},
+                                          {"output", required_argument, NULL, 'o'},
+                                          {"views", required_argument, NULL, VIEWS},
+                                          {"modules", required_argument, NULL, MODULES},
+                                          {"lenticular", required_argument, NULL, LENTICULAR},
+                                          {"calibration", required_argument, NULL, CALIBRATION},
+                                          {"size", required_argument, NULL, 's'},
+                                          {"two", required_argument, NULL, TWO},
+                                          {"anaglyph", no_argument, NULL, ANAGLYPH},
+                                          {"to", required_argument, NULL, TO},
+                                          {"frames", required_argument, NULL, 'n'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {"version", no_argument, NULL, 'V'},
+                                          {NULL, 0, NULL, 0}};
     struct request r = {.output = NULL};
 
     signals_prepare();

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "common/image/series.h"
+#include "common/lenticular.h"
 #include "common/modules.h"
 #include "common/parse.h"
 #include "common/quilt.h"
 #include "fail.h"
-#include "lenticular.h"
 #include "option_codes.h"
 
 enum { PICTURES_MAX = MODULES_MAX };
@@ -26,6 +26,31 @@ static int set_module_range(struct options *options, const char *value)
     return EXIT_FINE;
 }
 
+/* EXIT_FINE, or the status of a failure after its message. */
+static int take_lens(struct light_options *light, const struct lenticular *panel, int status)
+{
+    if (status)
+        return fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", panel->why);
+    light->field.lens = panel->lens;
+    light->width = panel->width;
+    light->height = panel->height;
+    return EXIT_FINE;
+}
+
+static int parse_lens(struct light_options *light, const char *value)
+{
+    struct lenticular panel;
+
+    return take_lens(light, &panel, lenticular_parse(&panel, value));
+}
+
+static int read_lens(struct light_options *light)
+{
+    struct lenticular panel;
+
+    return take_lens(light, &panel, calibration_read(&panel, light->calibration));
+}
+
 int light_parse(struct options *options, int option, char *value)
 {
     struct light_options *light = &options->light;
@@ -37,7 +62,7 @@ int light_parse(struct options *options, int option, char *value)
         return EXIT_FINE;
     case OPT_LENTICULAR:
         light->lenticular = true;
-        return lenticular_parse(&light->field.lens, value);
+        return parse_lens(light, value);
     case OPT_CALIBRATION:
         light->calibration = value;
         return EXIT_FINE;
@@ -120,7 +145,7 @@ static int load_modules(struct options *options)
 static int load_lens(struct options *options)
 {
     struct light_options *light = &options->light;
-    int status = light->calibration ? calibration_read(light, light->calibration) : EXIT_FINE;
+    int status = light->calibration ? read_lens(light) : EXIT_FINE;
 
     light->field.kind = TIA_LENTICULAR;
     if (status == EXIT_FINE && light->calibration && options->output && !options->width) {

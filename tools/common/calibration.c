@@ -7,12 +7,22 @@
  *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = +-screenH/(screenW slope),   - if flipImageX.
  */
 #include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include <tia/render.h>
 
-#include "fail.h"
 #include "lenticular.h"
+
+__attribute__((format(printf, 3, 4))) static int fail(struct lenticular *panel, int status, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    (void)vsnprintf(panel->why, sizeof panel->why, format, values);
+    va_end(values);
+    return status;
+}
 
 #ifdef TIA_HAVE_JANSSON
 
@@ -37,7 +47,7 @@ static const struct {
              {"flipSubp", offsetof(struct values, flip_subp), false},
              {"CellPatternMode", offsetof(struct values, pattern), false}};
 
-static int read_values(const char *path, const json_t *root, struct values *v)
+static int read_values(struct lenticular *panel, const char *path, const json_t *root, struct values *v)
 {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const json_t *item = json_object_get(root, names[i].name);
@@ -45,10 +55,11 @@ static int read_values(const char *path, const json_t *root, struct values *v)
         if (!item && !names[i].needed)
             continue;
         if (!json_is_number(value))
-            return fail(EXIT_USAGE, "%.200s: %s: %s", path, names[i].name, item ? "is no number" : "is missing");
+            return fail(panel, TIA_ERR_RANGE, "%.200s: %s: %s", path, names[i].name,
+                        item ? "is no number" : "is missing");
         *(double *)(void *)((char *)v + names[i].offset) = json_number_value(value);
     }
-    return EXIT_FINE;
+    return TIA_OK;
 }
 
 static bool is_size(double n)
@@ -72,46 +83,51 @@ static bool set_lens(struct tia_lenticular *lens, const struct values *v)
     return lenticular_set(lens, pitch, v->flip_x != 0 ? -rise : rise, v->center);
 }
 
-static int take(struct light_options *light, const char *path, const json_t *root)
+static int take(struct lenticular *panel, const char *path, const json_t *root)
 {
     struct values v = {0};
-    int status = json_is_object(root) ? read_values(path, root, &v) : fail(EXIT_USAGE, "%.200s: no object", path);
+    int status = json_is_object(root) ? read_values(panel, path, root, &v)
+                                      : fail(panel, TIA_ERR_RANGE, "%.200s: no object", path);
 
-    if (status != EXIT_FINE)
+    if (status)
         return status;
     if (!is_size(v.width) || !is_size(v.height))
-        return fail(EXIT_USAGE, "%.200s: screenW, screenH: not whole numbers from 1 to %u", path, TIA_SIZE_MAX);
+        return fail(panel, TIA_ERR_RANGE, "%.200s: screenW, screenH: not whole numbers from 1 to %u", path,
+                    TIA_SIZE_MAX);
     if (!(v.dpi > 0) || v.slope == 0)
-        return fail(EXIT_USAGE, "%.200s: %s", path, v.slope == 0 ? "slope: is 0" : "DPI: not above 0");
+        return fail(panel, TIA_ERR_RANGE, "%.200s: %s", path, v.slope == 0 ? "slope: is 0" : "DPI: not above 0");
     if (v.pattern != 0)
-        return fail(EXIT_USAGE, "%.200s: CellPatternMode: only 0, rows of red, green and blue, is known", path);
-    light->width = (uint16_t)v.width;
-    light->height = (uint16_t)v.height;
-    if (!set_lens(&light->field.lens, &v))
-        return fail(EXIT_USAGE, "%.200s: pitch, slope, center: beyond 1048576 lenses, or none", path);
-    return EXIT_FINE;
+        return fail(panel, TIA_ERR_RANGE, "%.200s: CellPatternMode: only 0, rows of red, green and blue, is known",
+                    path);
+    panel->width = (uint16_t)v.width;
+    panel->height = (uint16_t)v.height;
+    if (!set_lens(&panel->lens, &v))
+        return fail(panel, TIA_ERR_RANGE, "%.200s: pitch, slope, center: beyond 1048576 lenses, or none", path);
+    return TIA_OK;
 }
 
-int calibration_read(struct light_options *light, const char *path)
+int calibration_read(struct lenticular *panel, const char *path)
 {
     json_error_t error;
+
+    *panel = (struct lenticular){.width = 0};
     json_t *root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
 
     if (!root && error.line < 0)
-        return fail(EXIT_RUNNING, "%.200s", error.text);
+        return fail(panel, TIA_ERR_DEVICE, "%.200s", error.text);
     if (!root)
-        return fail(EXIT_USAGE, "%.200s:%d:%d: %.200s", path, error.line, error.column, error.text);
-    int status = take(light, path, root);
+        return fail(panel, TIA_ERR_RANGE, "%.200s:%d:%d: %.200s", path, error.line, error.column, error.text);
+    int status = take(panel, path, root);
     json_decref(root);
     return status;
 }
 
 #else
 
-int calibration_read(struct light_options *light, const char *path)
+int calibration_read(struct lenticular *panel, const char *path)
 {
-    (void)light;
-    return fail(EXIT_USAGE, "%.200s: this build reads no .json (make deps has jansson, or use --lenticular)", path);
+    return fail(panel, TIA_ERR_RANGE, "%.200s: this build reads no .json (make deps has jansson, or use --lenticular)",
+                path);
 }
 
 #endif

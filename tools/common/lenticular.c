@@ -1,12 +1,12 @@
 #include "lenticular.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "fail.h"
+#include <tia/render.h>
 
-#define OPTION "--lenticular"
 #define ONE_40 1099511627776.0
 
 /* To the nearest 2^-40. The products are exact but for their size, so every machine rounds alike. */
@@ -74,20 +74,37 @@ static bool set_field(struct tia_lenticular *lens, struct numbers *n, const char
     return false;
 }
 
-int lenticular_parse(struct tia_lenticular *lens, const char *text)
+static int wrong(struct lenticular *panel, const char *value, const char *rule)
+{
+    (void)snprintf(panel->why, sizeof panel->why, "--lenticular '%.200s': %s", value, rule);
+    return TIA_ERR_RANGE;
+}
+
+static int set_fields(struct lenticular *panel, struct numbers *n, const char *text)
+{
+    char *copy = strdup(text), *rest = copy, *field;
+    int status = copy ? TIA_OK : TIA_ERR_MEMORY;
+
+    if (!copy)
+        (void)snprintf(panel->why, sizeof panel->why, "memory: exhausted");
+    while (!status && (field = strsep(&rest, ",")) != NULL)
+        if (!set_field(&panel->lens, n, field))
+            status = wrong(panel, field, "not pitch=P, slope=S, center=C, subpixels=rgb|bgr|none, flip or invert");
+    free(copy);
+    return status;
+}
+
+int lenticular_parse(struct lenticular *panel, const char *text)
 {
     struct numbers n = {0, 0, 0, false, false};
-    char *copy = strdup(text), *rest = copy, *field;
-    int status = copy ? EXIT_FINE : fail(EXIT_RUNNING, "memory: exhausted");
 
-    *lens = (struct tia_lenticular){.pitch = 0};
-    while (status == EXIT_FINE && (field = strsep(&rest, ",")) != NULL)
-        if (!set_field(lens, &n, field))
-            status = wrong(OPTION, field, "not pitch=P, slope=S, center=C, subpixels=rgb|bgr|none, flip or invert");
-    free(copy);
-    if (status == EXIT_FINE && !n.has_pitch)
-        status = wrong(OPTION, text, "has no pitch (pitch=50.2: lenses to the picture's width)");
-    if (status == EXIT_FINE && !lenticular_set(lens, n.pitch, n.has_slope ? n.pitch / n.slope : 0, n.centre))
-        status = wrong(OPTION, text, "pitch, pitch/slope and center must be below 1048576, and pitch not 0");
-    return status;
+    *panel = (struct lenticular){.width = 0};
+    int status = set_fields(panel, &n, text);
+    if (status)
+        return status;
+    if (!n.has_pitch)
+        return wrong(panel, text, "has no pitch (pitch=50.2: lenses to the picture's width)");
+    return lenticular_set(&panel->lens, n.pitch, n.has_slope ? n.pitch / n.slope : 0, n.centre)
+               ? TIA_OK
+               : wrong(panel, text, "pitch, pitch/slope and center must be below 1048576, and pitch not 0");
 }

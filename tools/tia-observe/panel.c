@@ -1,0 +1,78 @@
+#include "panel.h"
+
+#include <math.h>
+
+/* As display.c has it: what is equally near is so on every machine. */
+#define SLACK 0x1p-24
+
+void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height)
+{
+    *panel = (struct panel){.pitch = ldexp((double)lens->pitch, -40),
+                            .rise = ldexp((double)lens->rise, -40),
+                            .centre = ldexp((double)lens->centre, -40),
+                            .subpixels = lens->subpixels,
+                            .flipped = lens->flipped,
+                            .inverted = lens->inverted,
+                            .width = width,
+                            .height = height};
+}
+
+/* Which of a pixel's three subpixels a channel is, from the left as it is seen. */
+static unsigned third_of(const struct panel *panel, unsigned channel)
+{
+    unsigned stored = panel->subpixels == TIA_SUBPIXELS_BGR ? 2 - channel : channel;
+
+    return panel->flipped ? 2 - stored : stored;
+}
+
+/* The subpixels of one colour in a row. All places are in pixels from the left, as it is seen. */
+struct row {
+    double first, step; /* phases: of the leftmost one, and from one to the next */
+    double target;      /* the eye's */
+};
+
+/* How far the phase of subpixel i is from the eye's, modulo 1. */
+static double apart(const struct row *row, double i)
+{
+    double phase = row->first + i * row->step - row->target;
+
+    return fabs(phase - round(phase));
+}
+
+/* From the first to the last the phases go around once at most, so the nearest is beside the place where they meet the
+ * eye's. Of such places, a lens apart, it is the one nearest to the middle: if that is outside, so is the next, and
+ * farther from the other end. `first` comes before all that are as near. */
+static double nearest_of(const struct row *row, double first, double last)
+{
+    double middle = (first + last) / 2;
+    double miss = row->first + middle * row->step - row->target;
+    double meets = floor(middle - (miss - round(miss)) / row->step);
+    double best = first;
+
+    for (int i = 0; i < 2; i++) {
+        double at = fmin(fmax(meets + i, first), last);
+        if (apart(row, at) < apart(row, best) - SLACK)
+            best = at;
+    }
+    return best;
+}
+
+int panel_column(const struct panel *panel, unsigned row, unsigned channel, double point, double phase)
+{
+    const struct panel *p = panel;
+    bool whole = p->subpixels == TIA_SUBPIXELS_NONE;
+    double third = whole ? 0 : third_of(p, channel) / 3.0;
+    double middle = whole ? 0.5 : third + 1 / 6.0;
+    double from_below = p->height - 1 - row + 0.5;
+    double half = p->width / fabs(p->pitch) / 2;
+    double first = fmax(ceil(point * p->width - half - middle - SLACK), 0);
+    double last = fmin(floor(point * p->width + half - middle + SLACK), p->width - 1.0);
+    struct row r = {.first = ((0.5 + third) * p->pitch + from_below * p->rise) / p->width - p->centre,
+                    .step = p->pitch / p->width,
+                    .target = p->inverted ? 1 - phase : phase};
+
+    if (first > last)
+        return -1;
+    unsigned column = (unsigned)nearest_of(&r, first, last);
+    return (int)(p->flipped ? p->width - 1 - column : column);
+}
