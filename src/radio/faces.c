@@ -174,7 +174,7 @@ static void add_round(struct filling *f, enum radio_kind kind, struct tia_vec3 p
                       tia_q16 radius)
 {
     struct tia_radio *radio = f->radio;
-    struct radio_face face = {.kind = kind, .count = 1, .corner = {radio->corner_count}, .radius = radius};
+    struct radio_face face = {.kind = kind, .corner = {radio->corner_count}, .count = 1, .radius = radius};
 
     radio->corners[radio->corner_count++] = point;
     tia_radio_plane_by_normal(&radio->planes[radio->face_count], point, normal, &face.turned);

@@ -10,10 +10,10 @@ enum { SCRATCH, FROM = 3, TO, BEFORE_FROM, BEFORE_TO, LEFT, RIGHT };
 static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     const struct radio_plane *plane = &room->radio->planes[search_plane(room, order, i - 1)];
-    struct number *n = room->number;
+    struct number *n = room->exact.number;
 
-    tia_radio_side(&n[BEFORE_FROM], plane, &room->sent[i], &n[SCRATCH]);
-    tia_radio_side(&n[BEFORE_TO], plane, &room->got[order - i], &n[SCRATCH]);
+    tia_radio_side(&n[BEFORE_FROM], plane, &room->exact.sent[i], &n[SCRATCH]);
+    tia_radio_side(&n[BEFORE_TO], plane, &room->exact.got[order - i], &n[SCRATCH]);
     tia_number_multiply(&n[LEFT], &n[BEFORE_FROM], &n[TO]);
     tia_number_multiply(&n[RIGHT], &n[FROM], &n[BEFORE_TO]);
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
@@ -49,8 +49,8 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     uint32_t number = search_plane(room, order, i);
     const struct radio_plane *plane = &room->radio->planes[number];
-    const struct spot *a = &room->sent[i], *b = &room->got[order - i];
-    struct number *n = room->number;
+    const struct spot *a = &room->exact.sent[i], *b = &room->exact.got[order - i];
+    struct number *n = room->exact.number;
 
     tia_radio_side(&n[FROM], plane, a, &n[SCRATCH]);
     tia_radio_side(&n[TO], plane, b, &n[SCRATCH]);
@@ -60,15 +60,15 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
     int turn = i > 0 ? order_of(room, order, i) : -1;
     if (turn > 0)
         return false;
-    tia_radio_meet(&room->met, a, b, &n[FROM], &n[TO], &n[SCRATCH]);
-    uint32_t face = tia_radio_face_at(room, plane, &room->met, side);
-    if (face == TIA_NO_INDEX || !tia_radio_round(&room->met, &room->path.point[i], n))
+    tia_radio_meet(&room->exact.met, a, b, &n[FROM], &n[TO], &n[SCRATCH]);
+    uint32_t face = tia_radio_face_at(room, plane, &room->exact.met, side);
+    if (face == TIA_NO_INDEX || !tia_radio_round(&room->exact.met, &room->path.point[i], n))
         return false;
     room->path.face[i] = face;
     room->side[i] = side;
     if (turn == 0 && !looks_back(room, order, i, side))
         return false;
-    tia_radio_mirror(&room->sent[i + 1], plane, a, &n[FROM], n);
+    tia_radio_mirror(&room->exact.sent[i + 1], plane, a, &n[FROM], n);
     return true;
 }
 
@@ -77,8 +77,8 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 /* The vector from sent[i] to got[order - i], both weights multiplied out, in 62 bits: times 2^-shift. */
 static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, int64_t v[3])
 {
-    const struct spot *a = &room->sent[i], *b = &room->got[order - i];
-    struct number *n = room->number;
+    const struct spot *a = &room->exact.sent[i], *b = &room->exact.got[order - i];
+    struct number *n = room->exact.number;
     int most = 0;
 
     for (int k = 0; k < 3; k++) {
@@ -101,9 +101,9 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     int64_t v[3];
     int shift = vector_of(room, order, 0, v);
     int64_t root = wide_sqrt(wide_dot(v, v)); /* below 2^63 */
-    struct number *n = room->number;
+    struct number *n = room->exact.number;
 
-    tia_number_multiply(&n[0], &room->sent[0].w, &room->got[order].w);
+    tia_number_multiply(&n[0], &room->exact.sent[0].w, &room->exact.got[order].w);
     int digits = tia_number_bits(&n[0]) - 62;
     int64_t weight = (int64_t)tia_number_part(&n[0], digits);
     /* root 2^shift / (weight 2^digits) in units of 2^-16 */
@@ -134,7 +134,7 @@ static void report(struct tia_radio_room *room, uint32_t order)
 
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order)
 {
-    tia_radio_spot(&room->sent[0], room->link->from);
+    tia_radio_spot(&room->exact.sent[0], room->link->from);
     for (uint32_t i = 0; i < order; i++)
         if (!reflects(room, order, i))
             return false;

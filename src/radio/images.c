@@ -139,7 +139,7 @@ uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane
     bool asks_boxes = plane->count > 4;
     struct tia_vec3 near = {0, 0, 0};
 
-    if (asks_boxes && !tia_radio_round(at, &near, &room->number[0]))
+    if (asks_boxes && !tia_radio_round(at, &near, &room->exact.number[0]))
         return TIA_NO_INDEX;
     for (uint32_t i = 0; i < plane->count; i++) {
         uint32_t f = radio->members[plane->first + i];
@@ -148,7 +148,7 @@ uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane
             continue;
         if (asks_boxes && face->kind == RADIO_POLYGON && face->count == 3 && !in_box(&radio->boxes[f], &near))
             continue;
-        if (tia_radio_on_face(radio, face, at, &room->number[0]))
+        if (tia_radio_on_face(radio, face, at, &room->exact.number[0]))
             return f;
     }
     return TIA_NO_INDEX;

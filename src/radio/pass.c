@@ -16,18 +16,18 @@ struct segment {
 /* The order along the line of where it meets two planes: the sign of |from a| / |to a| - |from b| / |to b|. */
 static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_b, int to_b)
 {
-    struct number *n = room->number;
+    struct number *n = room->exact.number;
 
     tia_number_multiply(&n[LEFT], &n[from_a], &n[to_b]);
     tia_number_multiply(&n[RIGHT], &n[from_b], &n[to_a]);
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* Whether the segment goes through the plane of a face between its ends, exclusively; then room->met is where. */
+/* Whether the segment goes through the plane of a face between its ends, exclusively; then room->exact.met is where. */
 static bool crosses(const struct segment *s, const struct radio_plane *plane)
 {
     struct tia_radio_room *room = s->room;
-    struct number *n = room->number;
+    struct number *n = room->exact.number;
 
     tia_radio_side(&n[FROM], plane, s->a, &n[SCRATCH]);
     tia_radio_side(&n[TO], plane, s->b, &n[SCRATCH]);
@@ -37,7 +37,7 @@ static bool crosses(const struct segment *s, const struct radio_plane *plane)
         return false;
     if (s->end != NO_PLANE && order_of(room, FROM, TO, END_FROM, END_TO) >= 0)
         return false;
-    tia_radio_meet(&room->met, s->a, s->b, &n[FROM], &n[TO], &n[SCRATCH]);
+    tia_radio_meet(&room->exact.met, s->a, s->b, &n[FROM], &n[TO], &n[SCRATCH]);
     return true;
 }
 
@@ -76,9 +76,9 @@ static bool ask_face(const struct segment *s, uint32_t number)
 
     if (face->plane == s->start || face->plane == s->end || !crosses(s, &radio->planes[face->plane]))
         return true;
-    if (face->solid && (s->room->number[FROM].sign > 0) == face->turned)
+    if (face->solid && (s->room->exact.number[FROM].sign > 0) == face->turned)
         return true;
-    return !tia_radio_on_face(radio, face, &s->room->met, &s->room->number[SCRATCH]) || add_wall(s, number);
+    return !tia_radio_on_face(radio, face, &s->room->exact.met, &s->room->exact.number[SCRATCH]) || add_wall(s, number);
 }
 
 /* ---- which faces come near ---- */
@@ -124,8 +124,9 @@ static void begin(struct segment *s, uint32_t order, uint32_t i)
 bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     const struct tia_radio *radio = room->radio;
-    struct number *n = room->number;
-    struct segment s = {room, i, NO_PLANE, NO_PLANE, &room->sent[i], &room->got[order - i], {{0}, {0}, {0}, {0}}};
+    struct number *n = room->exact.number;
+    struct segment s = {
+        room, i, NO_PLANE, NO_PLANE, &room->exact.sent[i], &room->exact.got[order - i], {{0}, {0}, {0}, {0}}};
 
     begin(&s, order, i);
     if (i > 0) {

@@ -34,7 +34,7 @@ struct tia_radio_room {
             struct spot sent[TIA_RADIO_ORDER_MAX + 1], got[TIA_RADIO_ORDER_MAX + 1];
             struct spot met; /* where a line meets a plane */
             struct number number[SEARCH_NUMBERS];
-        };
+        } exact;
         struct search_ray rays[TIA_RADIO_ORDER_MAX + TIA_RADIO_WALLS_MAX + 2];
     };
 };

@@ -10,7 +10,7 @@ static void begin(struct tia_radio_room *room, const struct tia_radio *radio, co
 {
     room->radio = radio;
     room->link = link;
-    tia_radio_spot(&room->got[0], link->to);
+    tia_radio_spot(&room->exact.got[0], link->to);
 }
 
 static int tell(struct tia_radio_room *room, uint32_t order)
@@ -24,13 +24,13 @@ static int tell(struct tia_radio_room *room, uint32_t order)
 static bool mirror(struct tia_radio_room *room, uint32_t depth, uint32_t number)
 {
     const struct radio_plane *plane = &room->radio->planes[number];
-    struct number *n = room->number;
+    struct number *n = room->exact.number;
 
-    tia_radio_side(&n[0], plane, &room->got[depth], &n[1]);
+    tia_radio_side(&n[0], plane, &room->exact.got[depth], &n[1]);
     if (n[0].sign == 0 || !plane->sides[n[0].sign < 0])
         return false;
     room->plane[depth] = number;
-    tia_radio_mirror(&room->got[depth + 1], plane, &room->got[depth], &n[0], &n[1]);
+    tia_radio_mirror(&room->exact.got[depth + 1], plane, &room->exact.got[depth], &n[0], &n[1]);
     return true;
 }
 
