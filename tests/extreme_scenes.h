@@ -156,7 +156,7 @@ static void look_from(double x, double y, double z, double fov)
 
 /* A box around the eye of a material that reflects in every way all that it receives: each path takes one of them in
  * four, and is worth four times as much. */
-static struct tia_material *world_of_all_lobes(uint32_t bounces)
+static struct tia_material *world_of_all_lobes(uint16_t bounces)
 {
     world_begin(TIA_PATHS);
     world_materials[0] = (struct tia_material){.colour = GREY(1),
