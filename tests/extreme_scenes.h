@@ -4,6 +4,7 @@
 
 #include "corpus/corpus_rays.h"
 #include "corpus/dice.h"
+#include "light_scene.h"
 
 static const tia_q16 sizes[] = {64, 75, 640, TIA_Q16(0.1), TIA_Q16(1), TIA_Q16(90), TIA_Q16(3000), TIA_Q16(11000)};
 
@@ -141,5 +142,68 @@ static void make_extreme(struct corpus_rays *c, unsigned i)
     if (i % 4 == 2)
         move_all(c, (struct tia_vec3){TIA_Q16(14000.3), TIA_Q16(9000.7), TIA_Q16(-12000.1)});
 }
+
+/* ---- scenes for one bound each ---- */
+
+static void look_from(double x, double y, double z, double fov)
+{
+    world.camera = (struct tia_camera){.projection = TIA_PERSPECTIVE,
+                                       .eye = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)},
+                                       .reference = {TIA_Q16(x), TIA_Q16(y), TIA_Q16(z - 10)},
+                                       .up = {0, TIA_Q16(1), 0},
+                                       .fov = TIA_Q16(fov)};
+}
+
+/* A box around the eye of a material that reflects in every way all that it receives: each path takes one of them in
+ * four, and is worth four times as much. */
+static struct tia_material *world_of_all_lobes(uint16_t bounces)
+{
+    world_begin(TIA_PATHS);
+    world_materials[0] = (struct tia_material){.colour = GREY(1),
+                                               .mirror = GREY(1),
+                                               .specular = GREY(1),
+                                               .refraction = GREY(1),
+                                               .exponent = TIA_Q16(1),
+                                               .index = TIA_Q16(1.5)};
+    world.integration.bounces = bounces;
+    world_shape(TIA_BOX, 0)->box =
+        (struct tia_box){{-TIA_Q16(1), -TIA_Q16(1), -TIA_Q16(1)}, {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1)}};
+    look_from(0.1, 0.2, 0.3, 80);
+    return &world_materials[0];
+}
+
+/* Throughputs of 2^17 and more, which are cut, on their way to a background of 2^-28. */
+static void make_cut_throughput(void)
+{
+    (void)world_of_all_lobes(12);
+    world.background = (struct tia_rgb){4, 4, 4};
+}
+
+/* The same behind two walls that do not bend: after 7 bounces they alone bring a path beyond 2^17. */
+static void make_cut_layers(void)
+{
+    world_of_all_lobes(8)->index = TIA_Q16(1);
+    world.background = (struct tia_rgb){4, 4, 4};
+    world_shape(TIA_BOX, 0)->box =
+        (struct tia_box){{-TIA_Q16(2), -TIA_Q16(2), -TIA_Q16(2)}, {TIA_Q16(2), TIA_Q16(2), TIA_Q16(2)}};
+}
+
+/* A light that is more likely chosen than met: throughput times radiance is cut, though the weight leaves less. */
+static void make_cut_radiance(void)
+{
+    struct tia_light *lamp;
+
+    (void)world_of_all_lobes(5);
+    lamp = world_light(TIA_SPHERE_LIGHT, -0.3, -0.3, -0.2);
+    lamp->radius = TIA_Q16(0.2);
+    lamp->emission_bits = 12;
+}
+
+static const struct {
+    const char *name;
+    void (*make)(void);
+} bound_scenes[] = {{"cut throughputs", make_cut_throughput},
+                    {"cut throughputs of layers", make_cut_layers},
+                    {"cut radiance", make_cut_radiance}};
 
 #endif

@@ -46,7 +46,7 @@ static void count_walked(struct sure_gather *g)
 
 /* ---- sums ---- */
 
-enum { W = 18, H = 13, SAMPLES = 3 };
+enum { W = 18, H = 13, EACH = 3 };
 
 struct gathered {
     struct tia_sum sums[W * H];
@@ -64,7 +64,7 @@ static void gather(const struct tia_view *view, bool guides, struct gathered *to
                                     (uint16_t)(H - y < 5 ? H - y : 5)};
             struct tia_gathered at = {&to->sums[y * W + x], guides ? &to->guides[y * W + x] : NULL,
                                       &to->squares[y * W + x], W};
-            CHECK_EQ(tia_estimator_q16.gather(view, tile, 1, SAMPLES, &at), TIA_OK);
+            CHECK_EQ(tia_estimator_q16.gather(view, tile, 1, EACH, &at), TIA_OK);
             CHECK_EQ(tia_estimator_q16.gather(view, tile, 0, 1, &at), TIA_OK);
         }
 }
@@ -231,6 +231,22 @@ TEST(extreme_scenes_are_the_same)
     CHECK(drawn * 2 > all && unsure * 4 < samples * 3);
 }
 
+static void compare_bound(const struct tia_scene *scene, unsigned number)
+{
+    compare(bound_scenes[number].name, number, scene, false);
+}
+
+TEST(scenes_for_one_bound_are_the_same)
+{
+    for (unsigned i = 0; i < sizeof bound_scenes / sizeof *bound_scenes; i++) {
+        samples = unsure = 0;
+        bound_scenes[i].make();
+        with_hierarchy(&world, compare_bound, i);
+        printf("# %s: %lu of %lu samples were left to the integers\n", bound_scenes[i].name, unsure, samples);
+        CHECK(unsure * 2 < samples);
+    }
+}
+
 /* Scenes of files, and the most of their samples, in hundredths, that may be unsure. */
 static const struct {
     const char *path;
@@ -295,6 +311,7 @@ static void run_all(const struct tia_level *tested)
 #define RUN_LEVEL(test) ((void)snprintf(title, sizeof title, "%s: %s", tested->name, #test), check_run(title, test))
     RUN_LEVEL(random_scenes_are_the_same);
     RUN_LEVEL(extreme_scenes_are_the_same);
+    RUN_LEVEL(scenes_for_one_bound_are_the_same);
     RUN_LEVEL(scene_files);
     RUN_LEVEL(pixels_hashes_and_moved_lights);
     if (tested == tia_level_at(0))
