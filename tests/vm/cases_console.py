@@ -149,8 +149,8 @@ def exhausted(s):
     s.run(command='sh -c "exec tia %s --checksum >/dev/full"' % ' '.join(s.display))
     s.refused(1)
     ends = set()
-    # Above the 3 MB of the program's own pages: with less the kernel kills it before its first instruction.
-    for kilobytes in range(9000, 3000, -1000):
+    # Above the program's own pages: with less the kernel kills it before its first instruction.
+    for kilobytes in range(16000, 5000, -1000):
         s.run(command='sh -c "ulimit -v %d; exec tia %s"' % (kilobytes, ' '.join(s.display)))
         if s.shown_or_ended('') == 'shown':
             s.guest.tap('esc')
