@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "common/message.h"
 #include "common/scene/scene.h"
 #include "common/signals.h"
 #include "ports.h"
@@ -26,17 +27,9 @@ static const struct option long_options[] = {{"output", required_argument, NULL,
 /* From which of them on they are for commands that have --name, and what it goes with. */
 #define COMMON_OPTIONS 5
 
-/* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int fail(const struct converter *converter, int status, const char *what, const char *why)
 {
-    char line[SCENE_WHY + 256];
-
-    (void)snprintf(line, sizeof line, "%s: %s%s%s", converter->tool, what, *why != '\0' ? ": " : "", why);
-    for (char *at = line; *at != '\0'; at++)
-        if ((unsigned char)*at < ' ' || *at == 127)
-            *at = '?';
-    (void)fprintf(stderr, "%s\n", line);
-    return status;
+    return message_why(converter->tool, status, what, why);
 }
 
 static bool is_identifier(const char *text)

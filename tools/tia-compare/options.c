@@ -8,6 +8,7 @@
 
 #include <tia/tia.h>
 
+#include "common/message.h"
 #include "common/scene/scene.h"
 #include "common/thread_pool.h"
 
@@ -81,8 +82,7 @@ static const char usage[] =
 
 static int mistake(const char *what, const char *why)
 {
-    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
-    return -1;
+    return message_why("tia-compare", -1, what, why);
 }
 
 /* A whole number in low..high, digits only. */

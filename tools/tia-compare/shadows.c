@@ -6,6 +6,7 @@
 
 #include "common/keys.h"
 #include "common/lights.h"
+#include "common/message.h"
 #include "common/scene/scene.h"
 #include "pictures.h"
 #include "shadows_report.h"
@@ -33,8 +34,7 @@ struct comparison {
 
 static int failed(int result, const char *what, const char *why)
 {
-    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
-    return result;
+    return message_why("tia-compare", result, what, why);
 }
 
 /* ---- which techniques ---- */
@@ -275,12 +275,10 @@ static int compare_file(struct comparison *c, const char *path)
     struct lights lights = {0};
     char line[SCENE_WHY];
 
-    if (scene_open(&file, path, scene_format_of(path), false)) {
-        (void)fprintf(stderr, "tia-compare: %s\n", file.why);
-        return 2;
-    }
+    if (scene_open(&file, path, scene_format_of(path), false))
+        return message("tia-compare", 2, "%s", file.why);
     for (unsigned at = 0; scene_warning(&file, &at, line);)
-        (void)fprintf(stderr, "tia-compare: %s\n", line);
+        (void)message("tia-compare", 0, "%s", line);
     c->name = slash ? slash + 1 : path;
     c->job.scene = &file.scene;
     c->reference = (struct technique_frame){0};

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/message.h"
 #include "common/scene/scene.h"
 #include "common/signals.h"
 #include "common/thread_pool.h"
@@ -25,8 +26,7 @@ struct run {
 
 static int failed(const char *what, const char *why)
 {
-    (void)fprintf(stderr, "tia-compare: %s: %s\n", what, why);
-    return 1;
+    return message_why("tia-compare", 1, what, why);
 }
 
 /* The exit status for a status of run->pictures; prints its reason if it is an error. */
@@ -34,8 +34,7 @@ static int report(const struct run *run, int status)
 {
     if (!status)
         return 0;
-    (void)fprintf(stderr, "tia-compare: %s\n", run->pictures.why);
-    return 1;
+    return message("tia-compare", 1, "%s", run->pictures.why);
 }
 
 static int run_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width, unsigned height)
@@ -104,13 +103,11 @@ static int run_file(struct run *run, const char *path)
     const struct scene_wish wish = {.threads = run->options.threads};
     const char *slash = strrchr(path, '/');
 
-    if (scene_open_for(&file, path, scene_format_of(path), false, &wish)) {
-        (void)fprintf(stderr, "tia-compare: %s\n", file.why);
-        return 2;
-    }
+    if (scene_open_for(&file, path, scene_format_of(path), false, &wish))
+        return message("tia-compare", 2, "%s", file.why);
     char line[SCENE_WHY];
     for (unsigned at = 0; scene_warning(&file, &at, line);)
-        (void)fprintf(stderr, "tia-compare: %s\n", line);
+        (void)message("tia-compare", 0, "%s", line);
     int result = run_frame(run, slash ? slash + 1 : path, &file.scene, 640, 480);
     scene_close(&file);
     return result;
@@ -147,21 +144,15 @@ static int check_bounds(const struct run *run)
     const struct tally *sum = &run->report.sums[0];
     int result = 0;
 
-    if (tally_percent(sum) < o->require_identical) {
-        (void)fprintf(stderr, "tia-compare: q16: %.7f %% identical: less than %g %%\n", tally_percent(sum),
-                      o->require_identical);
-        result = 1;
-    }
-    if (o->max_flips >= 0 && sum->flips > (uint64_t)o->max_flips) {
-        (void)fprintf(stderr, "tia-compare: q16: %llu flips: more than %lld\n", (unsigned long long)sum->flips,
-                      (long long)o->max_flips);
-        result = 1;
-    }
-    if (o->max_levels >= 0 && sum->astray > (uint64_t)o->max_levels) {
-        (void)fprintf(stderr, "tia-compare: q16: a pixel of the same state is off by %llu levels: more than %lld\n",
-                      (unsigned long long)sum->astray, (long long)o->max_levels);
-        result = 1;
-    }
+    if (tally_percent(sum) < o->require_identical)
+        result = message("tia-compare", 1, "q16: %.7f %% identical: less than %g %%", tally_percent(sum),
+                         o->require_identical);
+    if (o->max_flips >= 0 && sum->flips > (uint64_t)o->max_flips)
+        result = message("tia-compare", 1, "q16: %llu flips: more than %lld", (unsigned long long)sum->flips,
+                         (long long)o->max_flips);
+    if (o->max_levels >= 0 && sum->astray > (uint64_t)o->max_levels)
+        result = message("tia-compare", 1, "q16: a pixel of the same state is off by %llu levels: more than %lld",
+                         (unsigned long long)sum->astray, (long long)o->max_levels);
     return result;
 }
 

@@ -1,13 +1,12 @@
 /* tia-join - joins separately drawn parts of a picture or film. */
-#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <tia/tia.h>
 
 #include "common/image/series.h"
+#include "common/message.h"
 #include "common/signals.h"
 #include "join_sums.h"
 #include "parts.h"
@@ -34,23 +33,9 @@ struct join {
     char why[PORT_WHY];
 };
 
-/* Prints an error message, always one line: control characters, as in odd file names, become '?'. */
 static int refuse(int status, const char *what, const char *why)
 {
-    char text[700];
-    (void)snprintf(text, sizeof text, "%s%s%s", what, *why != '\0' ? ": " : "", why);
-    for (char *at = text; *at != '\0'; at++)
-        if ((unsigned char)*at < ' ' || *at == 127)
-            *at = '?';
-    (void)fprintf(stderr, "tia-join: %s\n", text);
-    return status;
-}
-
-static int print(const char *text)
-{
-    if (fputs(text, stdout) < 0 || fflush(stdout) != 0)
-        return refuse(NOT_WRITTEN, "standard output", strerror(errno));
-    return FINE;
+    return message_why("tia-join", status, what, why);
 }
 
 /* ---- joining ---- */
@@ -113,10 +98,8 @@ static int parse_option(struct join *join, int option, char **argv)
         return join->format != IMAGE_UNKNOWN
                    ? FINE
                    : refuse(REFUSED, "--format", "not png, ppm, bmp, 565, pfm, y4m or tiapart");
-    case ':':
-        return refuse(REFUSED, argv[optind - 1], "a value is missing (tia-join -h shows which)");
     default:
-        return refuse(REFUSED, argv[optind - 1], "unknown option (tia-join -h lists them)");
+        return message_option("tia-join", option, argv);
     }
 }
 
@@ -148,7 +131,7 @@ int main(int argc, char **argv)
     signals_prepare();
     for (int option; result == FINE && (option = getopt_long(argc, argv, ":o:hV", longs, NULL)) != -1;) {
         if (option == 'h' || option == 'V')
-            return print(option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
+            return message_output("tia-join", option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
         result = parse_option(&join, option, argv);
     }
     if (result == FINE)

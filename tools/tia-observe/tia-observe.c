@@ -1,14 +1,13 @@
 /* tia-observe - what an eye sees of a light-field display, by its pictures. */
-#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include <tia/tia.h>
 
 #include "common/lenticular.h"
+#include "common/message.h"
 #include "common/parse.h"
 #include "common/quilt.h"
 #include "common/scene/scene.h"
@@ -53,24 +52,9 @@ struct request {
     char why[PORT_WHY];
 };
 
-/* Always one line, see tia-join. */
 static int refuse(int status, const char *what, const char *why)
 {
-    char text[700];
-
-    (void)snprintf(text, sizeof text, "%s%s%s", what, *why != '\0' ? ": " : "", why);
-    for (char *at = text; *at != '\0'; at++)
-        if ((unsigned char)*at < ' ' || *at == 127)
-            *at = '?';
-    (void)fprintf(stderr, "tia-observe: %s\n", text);
-    return status;
-}
-
-static int print(const char *text)
-{
-    if (fputs(text, stdout) < 0 || fflush(stdout) != 0)
-        return refuse(FAILED, "standard output", strerror(errno));
-    return FINE;
+    return message_why("tia-observe", status, what, why);
 }
 
 /* ---- the command line ---- */
@@ -138,10 +122,8 @@ static int parse_option(struct request *r, int option, char **argv)
         return parse_number(optarg, NULL, 1, FRAMES_MAX, &r->frames)
                    ? FINE
                    : refuse(REFUSED, "--frames", "not a number from 1 to 1000000");
-    case ':':
-        return refuse(REFUSED, argv[optind - 1], "a value is missing (tia-observe -h shows which)");
     default:
-        return refuse(REFUSED, argv[optind - 1], "unknown option (tia-observe -h lists them)");
+        return message_option("tia-observe", option, argv);
     }
 }
 
@@ -292,7 +274,7 @@ int main(int argc, char **argv)
     opterr = 0;
     for (int option; (option = getopt_long(argc, argv, ":e:o:s:n:hV", longs, NULL)) != -1;) {
         if (option == 'h' || option == 'V')
-            return print(option == 'h' ? usage : "tia-observe " TIA_VERSION "\n");
+            return message_output("tia-observe", option == 'h' ? usage : "tia-observe " TIA_VERSION "\n");
         int status = parse_option(&r, option, argv);
         if (status != FINE)
             return status;

@@ -8,6 +8,7 @@
 #include <tia/tia.h>
 
 #include "common/image/image.h"
+#include "common/message.h"
 #include "fail.h"
 #include "materials.h"
 #include "values.h"
@@ -97,7 +98,7 @@ static int list_materials(void)
                  "material", "from GHz", "to GHz", "a", "b", "c", "d");
     for (const struct itu_row *row = itu_rows; row->name; row++)
         (void)printf("%-18s %8g %8g %8g %6g %9g %8g\n", row->name, row->low, row->high, row->a, row->b, row->c, row->d);
-    return fflush(stdout) != 0 ? refuse(FAILED, "standard output: cannot be written") : -1;
+    return message_output("tia-radio", "") ? FAILED : -1;
 }
 
 /* ---- the command line ---- */
@@ -173,9 +174,8 @@ static int parse_option(struct options *o, int option, char **argv)
         o->csv = optarg;
         return FINE;
     case ':':
-        return refuse(REFUSED, "%.200s: a value is missing (tia-radio -h shows which)", argv[optind - 1]);
     case '?':
-        return refuse(REFUSED, "%.200s: unknown option (tia-radio -h lists them)", argv[optind - 1]);
+        return message_option("tia-radio", option, argv);
     default:
         return parse_words(o, option, optarg);
     }
@@ -248,10 +248,8 @@ int arguments_parse(struct options *o, int argc, char **argv)
     for (int option; result == FINE && (option = getopt_long(argc, argv, ":f:o:s:j:hV", longs, NULL)) != -1;) {
         if (option == MATERIALS)
             return list_materials();
-        if (option == 'h' || option == 'V') {
-            (void)fputs(option == 'h' ? usage : "tia-radio " TIA_VERSION "\n", stdout);
-            return fflush(stdout) != 0 ? refuse(FAILED, "standard output: cannot be written") : -1;
-        }
+        if (option == 'h' || option == 'V')
+            return message_output("tia-radio", option == 'h' ? usage : "tia-radio " TIA_VERSION "\n") ? FAILED : -1;
         result = parse_option(o, option, argv);
     }
     return result != FINE ? result : check(o, argc, argv);

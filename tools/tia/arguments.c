@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "common/keys.h"
+#include "common/message.h"
 #include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
@@ -73,19 +74,6 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {"version", no_argument, NULL, 'V'},
                                       {NULL, 0, NULL, 0}};
 
-/* Reports what getopt_long refused: ':' for a missing value, '?' for anything else. */
-static int refuse(int what, char **argv)
-{
-    char letter[3] = {'-', (char)optopt, '\0'};
-    bool is_short = optopt > 0 && optopt < 256 && strncmp(argv[optind - 1], "--", 2) != 0;
-    const char *name = is_short ? letter : argv[optind - 1];
-    if (what == ':')
-        return fail(EXIT_USAGE, "%.200s: a value is missing (tia -h shows which)", name);
-    if (!is_short && optopt != 0)
-        return fail(EXIT_USAGE, "%.200s: takes no value", name);
-    return fail(EXIT_USAGE, "%.200s: unknown option (tia -h lists them)", name);
-}
-
 /* The widest level that there is and that the environment does not mask. */
 static int choose_level(struct options *options)
 {
@@ -109,7 +97,8 @@ int arguments_parse(struct options *options, int argc, char **argv)
                                 .threads = threads_processors()};
     opterr = 0;
     for (int option; (option = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
-        int result = option == ':' || option == '?' ? refuse(option, argv) : parse_option(options, option, optarg);
+        int result = option == ':' || option == '?' ? message_option("tia", option, argv)
+                                                    : parse_option(options, option, optarg);
         if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION)
             return result;
     }

@@ -7,6 +7,8 @@
 
 #include <tia/render.h>
 
+#include "common/message.h"
+
 /* Where messages go instead of standard error. */
 static struct {
     char *text;
@@ -21,17 +23,15 @@ void fail_into(char *text, size_t size)
 
 static void say(const char *format, va_list values)
 {
-    char text[1024];
+    char text[MESSAGE_SIZE];
     (void)vsnprintf(text, sizeof text, format, values);
-    for (char *at = text; *at != '\0'; at++)
-        if ((unsigned char)*at < ' ' || *at == 127)
-            *at = '?';
     if (into.text) {
+        message_clean(text);
         (void)snprintf(into.text, into.size, "%s", text);
         return;
     }
     (void)fflush(stdout);
-    (void)fprintf(stderr, "tia: %s\n", text);
+    (void)message("tia", 0, "%s", text);
 }
 
 int fail(int status, const char *format, ...)

@@ -15,10 +15,10 @@ __attribute__((format(printf, 2, 3))) int fail(int status, const char *format, .
 int wrong(const char *option, const char *value, const char *rule);
 
 /* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
+int fail_output(void);
+
 /* From now on messages go to text[size], the last one only; NULL: to standard error, as at first. */
 void fail_into(char *text, size_t size);
-
-int fail_output(void);
 
 /* A tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);

@@ -7,6 +7,7 @@
 #include <tia/tia.h>
 
 #include "arguments.h"
+#include "common/message.h"
 #include "common/signals.h"
 #include "draw.h"
 #include "estimate.h"
@@ -24,9 +25,7 @@ static void fill_descriptors(void)
 
 static int print(const char *text)
 {
-    if (fputs(text, stdout) < 0 || fflush(stdout) != 0)
-        return fail_output();
-    return EXIT_FINE;
+    return message_output("tia", text);
 }
 
 static int print_help(void)

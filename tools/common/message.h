@@ -1,0 +1,24 @@
+/* message.h - error messages of the commands: each is one line on standard error, "TOOL: WHAT: WHY". */
+#ifndef TOOLS_COMMON_MESSAGE_H
+#define TOOLS_COMMON_MESSAGE_H
+
+/* What is kept of a message, its end included. */
+#define MESSAGE_SIZE 1400
+
+/* Makes the text one line: control characters, as in odd file names, become '?'. */
+void message_clean(char *text);
+
+/* Prints "TOOL: " and the text, cleaned. Returns `status`. */
+__attribute__((format(printf, 3, 4))) int message(const char *tool, int status, const char *format, ...);
+
+/* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" where there is no why (""). Returns `status`. */
+int message_why(const char *tool, int status, const char *what, const char *why);
+
+/* Reports what getopt_long refused, ':' a missing value and '?' anything else, where opterr is 0 and the short options
+ * begin with ':'. Returns 2, the exit status for wrong usage. */
+int message_option(const char *tool, int option, char **argv);
+
+/* Prints a text to standard output, as after --help. Returns 0, or 1 after a message that it could not be written. */
+int message_output(const char *tool, const char *text);
+
+#endif
