@@ -93,6 +93,10 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
 /* Whether the scene of another time may be another scene. */
 bool tia_scene_moves(const struct tia_scene *scene);
 
+/* Whether balls that fall bounce off the scene's shape of that number: a plane or a box whose transform has no track.
+ */
+bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
+
 /* The time of the last keyframe or, if there are balls that fall, of their end, whichever is later, seconds; 0 when
  * nothing moves. */
 tia_q16 tia_scene_duration(const struct tia_scene *scene);

@@ -11,7 +11,9 @@ static uint64_t objects_size(uint32_t pixels)
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
 {
     uint32_t pixels = (uint32_t)area.width * area.height;
-    uint64_t size = HEADER + objects_size(pixels) + renderer_for(scene)->buffer_size(scene, pixels);
+    const struct renderer *renderer = renderer_for(scene);
+    uint64_t buffer = renderer->buffer_size ? renderer->buffer_size(scene, pixels) : 0;
+    uint64_t size = HEADER + objects_size(pixels) + buffer;
 
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }

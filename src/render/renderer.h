@@ -16,7 +16,7 @@
 enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_SAMPLES, LEVEL_PARTS };
 
 struct renderer {
-    /* Whether it can draw the scene. New lights for a view are asked about in a scene with nothing else. */
+    /* Whether it can draw the scene, NULL: any. New lights for a view are asked about in a scene with nothing else. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Bytes behind view->prepared, SIZE_MAX when there are too many; then fills them in for the view's scene and
@@ -25,7 +25,7 @@ struct renderer {
     int (*prepare)(struct tia_view *view);
     int (*set_lights)(struct tia_view *view);
 
-    /* Bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. */
+    /* Bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. NULL: none. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
 
     /* A tile of the view and of the hits, see tia_trace and tia_light_tile. */

@@ -63,9 +63,10 @@ static int check_lights(const struct tia_view *view, const struct tia_light *lig
                               .light_count = count,
                               .shadows = view->scene->shadows,
                               .shadow_map = view->scene->shadow_map};
+    bool (*draws)(const struct tia_scene *scene) = view->renderer->draws;
     int status = check(&alone, view_asker(view));
 
-    return !status && !view->renderer->draws(&alone) ? TIA_ERR_RANGE : status;
+    return !status && draws && !draws(&alone) ? TIA_ERR_RANGE : status;
 }
 
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)

@@ -111,29 +111,13 @@ static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, i
     return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
 }
 
-static bool moves(const struct tia_scene *scene, const struct tia_shape *shape)
-{
-    for (uint32_t i = 0; shape->transform && i < scene->track_count; i++) {
-        enum tia_target target = scene->tracks[i].target;
-        if (target >= TIA_MOVES_TRANSFORM && target <= TIA_SCALES_TRANSFORM &&
-            scene->tracks[i].index == shape->transform - 1)
-            return true;
-    }
-    return false;
-}
-
-static bool is_block(const struct tia_scene *scene, const struct tia_shape *shape)
-{
-    return (shape->kind == TIA_PLANE || shape->kind == TIA_BOX) && !moves(scene, shape);
-}
-
 /* What differs of a copy of what moves. */
 static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t part = ALIGN(l->scene);
 
     for (uint32_t i = 0; scene->falling && i < scene->shape_count; i++)
-        if (is_block(scene, &scene->shapes[i]))
+        if (tia_scene_bounces_off(scene, i))
             part += l->block;
     return part + (scene->bvh ? ALIGN(l->bvh) : 0);
 }

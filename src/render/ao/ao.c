@@ -37,25 +37,10 @@ static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint3
     estimate_sample_tile(view, tile, first, end, gathered, radiance);
 }
 
-static bool draws(const struct tia_scene *scene)
-{
-    (void)scene;
-    return true;
-}
-
-static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
-{
-    (void)scene;
-    (void)pixels;
-    return 0;
-}
-
 const struct renderer ao_renderer = {
-    .draws = draws,
     .prepared_size = ray_prepared_size,
     .prepare = ray_prepare,
     .set_lights = ray_set_lights,
-    .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,

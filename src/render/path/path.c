@@ -338,25 +338,10 @@ static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint3
     estimate_sample_tile(view, tile, first, end, gathered, path_radiance);
 }
 
-static bool draws(const struct tia_scene *scene)
-{
-    (void)scene;
-    return true;
-}
-
-static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
-{
-    (void)scene;
-    (void)pixels;
-    return 0;
-}
-
 const struct renderer path_renderer = {
-    .draws = draws,
     .prepared_size = prepared_size,
     .prepare = prepare,
     .set_lights = set_lights,
-    .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,

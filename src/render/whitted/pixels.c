@@ -146,25 +146,10 @@ static void render_tile(const struct tia_view *view, struct tia_hits *hits, stru
     draw(&(const struct job){view, hits, tile, surface, options, NULL, true});
 }
 
-static bool draws(const struct tia_scene *scene)
-{
-    (void)scene;
-    return true;
-}
-
-static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
-{
-    (void)scene;
-    (void)pixels;
-    return 0;
-}
-
 const struct renderer whitted_renderer = {
-    .draws = draws,
     .prepared_size = ray_prepared_size,
     .prepare = ray_prepare,
     .set_lights = ray_set_lights,
-    .buffer_size = buffer_size,
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,

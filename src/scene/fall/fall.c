@@ -50,9 +50,11 @@ static bool moves(const struct tia_scene *scene, const struct tia_shape *shape)
     return false;
 }
 
-static bool is_block(const struct tia_scene *scene, const struct tia_shape *shape)
+bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape)
 {
-    return (shape->kind == TIA_PLANE || shape->kind == TIA_BOX) && !moves(scene, shape);
+    const struct tia_shape *block = &scene->shapes[shape];
+
+    return (block->kind == TIA_PLANE || block->kind == TIA_BOX) && !moves(scene, block);
 }
 
 uint64_t tia_fall_size(const struct tia_scene *scene)
@@ -60,7 +62,7 @@ uint64_t tia_fall_size(const struct tia_scene *scene)
     uint64_t blocks = 0;
 
     for (uint32_t i = 0; i < scene->shape_count; i++)
-        blocks += is_block(scene, &scene->shapes[i]);
+        blocks += tia_scene_bounces_off(scene, i);
     return ALIGN(scene->falling->count * (uint64_t)sizeof(struct fall_ball)) + blocks * sizeof(struct fall_block);
 }
 
@@ -118,7 +120,7 @@ static void set_blocks(struct falling *f, const struct tia_scene *scene)
 {
     for (uint32_t i = 0; i < scene->shape_count && !asker_stops(f->asker, 1 + scene->track_count); i++) {
         const struct tia_shape *shape = &scene->shapes[i];
-        if (!is_block(scene, shape))
+        if (!tia_scene_bounces_off(scene, i))
             continue;
         struct fall_block *block = &f->blocks[f->block_count++];
         *block = (struct fall_block){.shown = shown(scene, i)};
