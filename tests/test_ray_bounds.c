@@ -12,6 +12,7 @@
 #include "common/scene/scene.h"
 #include "corpus/corpus_rays.h"
 #include "render/whitted/shade.h"
+#include "with_hierarchy.h"
 
 #define SURE_CHECK
 #include "levels/rays/one.h"
@@ -189,18 +190,19 @@ TEST(scene_files)
     check_bounds("files");
 }
 
+static void check_small(const struct tia_scene *scene, unsigned number)
+{
+    (void)number;
+    check_scene(scene, 16, 16);
+}
+
 TEST(random_corpus)
 {
     static struct corpus_rays c;
 
     for (unsigned i = 0; i < random_scenes; i++) {
         corpus_random_rays(&c, 12, i);
-        size_t size = tia_bvh_size(&c.scene);
-        void *memory = malloc(size);
-        CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene), TIA_OK);
-        check_scene(&c.scene, 16, 16);
-        c.scene.bvh = NULL;
-        free(memory);
+        with_hierarchy(&c.scene, check_small, i);
     }
     check_bounds("random scenes");
 }
@@ -220,17 +222,18 @@ static void check_file(const char *name, unsigned width, unsigned height)
     scene_close(&file);
 }
 
+static void check_larger(const struct tia_scene *scene, unsigned number)
+{
+    (void)number;
+    check_scene(scene, 64, 48);
+}
+
 static void check_random(unsigned pass, unsigned index)
 {
     static struct corpus_rays c;
 
     corpus_random_rays(&c, 1000 + pass, index);
-    size_t size = tia_bvh_size(&c.scene);
-    void *memory = malloc(size);
-    CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene), TIA_OK);
-    check_scene(&c.scene, 64, 48);
-    c.scene.bvh = NULL;
-    free(memory);
+    with_hierarchy(&c.scene, check_larger, index);
 }
 
 static bool has_enough(const char *what)

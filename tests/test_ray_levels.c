@@ -11,6 +11,7 @@
 #include "corpus/corpus_rays.h"
 #include "level_frames.h"
 #include "levels/rays/sure.h"
+#include "with_hierarchy.h"
 
 static const struct tia_level *level;
 static unsigned random_scenes = 6;
@@ -37,18 +38,6 @@ static void compare(const char *what, unsigned number, const struct tia_scene *s
     CHECK_MSG(level_frames_differ(&f, true, dither) == 0, "%s: %s %u, %ux%u: %s", level->name, what, number, width,
               height, level_frames_where(&f));
     level_frames_close(&f);
-}
-
-/* With a hierarchy, without which levels draw no rays. */
-static void with_hierarchy(struct tia_scene *scene, void (*then)(const struct tia_scene *, unsigned), unsigned number)
-{
-    size_t size = tia_bvh_size(scene);
-    void *memory = malloc(size);
-
-    CHECK_EQ(tia_bvh_build(&scene->bvh, memory, size, NULL, scene), TIA_OK);
-    then(scene, number);
-    scene->bvh = NULL;
-    free(memory);
 }
 
 static void compare_random(const struct tia_scene *scene, unsigned number)

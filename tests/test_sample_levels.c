@@ -15,6 +15,7 @@
 #include "level_frames.h"
 #include "levels/rays/one.h"
 #include "levels/rays/walk_paths.h"
+#include "with_hierarchy.h"
 
 static const struct tia_level *level;
 static unsigned random_scenes = 80;
@@ -139,18 +140,6 @@ static void check_bounds(const struct tia_scene *scene)
 }
 
 /* ---- scenes ---- */
-
-/* With a hierarchy, without which levels draw none. */
-static void with_hierarchy(struct tia_scene *scene, void (*then)(const struct tia_scene *, unsigned), unsigned number)
-{
-    size_t size = tia_bvh_size(scene);
-    void *memory = malloc(size);
-
-    CHECK_EQ(tia_bvh_build(&scene->bvh, memory, size, NULL, scene), TIA_OK);
-    then(scene, number);
-    scene->bvh = NULL;
-    free(memory);
-}
 
 static void compare_random(const struct tia_scene *scene, unsigned number)
 {

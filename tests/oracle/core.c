@@ -89,14 +89,6 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
     return TIA_OK;
 }
 
-static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
-                  const struct tia_surface *surface, const struct tia_options *options)
-{
-    int status = trace(view, hits, tile);
-
-    return status ? status : light(view, hits, tile, surface, options);
-}
-
 const struct tia_core oracle_core = {.name = "oracle",
                                      .view_size = view_size,
                                      .view_init = view_init,
@@ -105,5 +97,4 @@ const struct tia_core oracle_core = {.name = "oracle",
                                      .hits_init = hits_init,
                                      .hits_object = hits_object,
                                      .trace = trace,
-                                     .light = light,
-                                     .render = render};
+                                     .light = light};
