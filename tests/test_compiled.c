@@ -86,34 +86,27 @@ static void compare(const char *path, const struct tia_scene *compiled)
     scene_close(&file);
 }
 
+#define SAME_AS_ITS_FILE(scene)                                                                                        \
+    TEST(scene)                                                                                                        \
+    {                                                                                                                  \
+        compare("scenes/" #scene ".tia", &compiled_##scene);                                                           \
+    }
+
+SAME_AS_ITS_FILE(glass)
+SAME_AS_ITS_FILE(flake)
+SAME_AS_ITS_FILE(chess)
+SAME_AS_ITS_FILE(castle)
+SAME_AS_ITS_FILE(vase)
+SAME_AS_ITS_FILE(orrery)
+SAME_AS_ITS_FILE(window)
+SAME_AS_ITS_FILE(block)
+SAME_AS_ITS_FILE(caustic)
+
 TEST(every)
 {
     compare("tests/scenes/every.tia", &compiled_every);
 }
-TEST(glass)
-{
-    compare("scenes/glass.tia", &compiled_glass);
-}
-TEST(flake)
-{
-    compare("scenes/flake.tia", &compiled_flake);
-}
-TEST(chess)
-{
-    compare("scenes/chess.tia", &compiled_chess);
-}
-TEST(castle)
-{
-    compare("scenes/castle.tia", &compiled_castle);
-}
-TEST(vase)
-{
-    compare("scenes/vase.tia", &compiled_vase);
-}
-TEST(orrery)
-{
-    compare("scenes/orrery.tia", &compiled_orrery);
-}
+
 TEST(porch)
 {
     compare("scenes/porch.tia", &compiled_porch);
@@ -125,21 +118,6 @@ TEST(marbles)
     compare("scenes/marbles.tia", &compiled_marbles);
     CHECK_EQ(compiled_marbles.falling->count, 8);
     CHECK_EQ(compiled_marbles.falling->end, 9 * TIA_Q16_ONE);
-}
-
-TEST(window)
-{
-    compare("scenes/window.tia", &compiled_window);
-}
-
-TEST(block)
-{
-    compare("scenes/block.tia", &compiled_block);
-}
-
-TEST(caustic)
-{
-    compare("scenes/caustic.tia", &compiled_caustic);
 }
 
 TEST(cornell)
@@ -155,6 +133,7 @@ TEST(shadow_volume)
     compare("scenes/shadow-volume.tia", &compiled_shadow_volume);
     CHECK_EQ(compiled_shadow_volume.shadows, TIA_SHADOWS_ZFAIL);
 }
+
 TEST(shadow_mapping)
 {
     compare("scenes/shadow-mapping.tia", &compiled_shadow_mapping);
