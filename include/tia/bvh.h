@@ -51,13 +51,13 @@ size_t tia_bvh_size(const struct tia_scene *scene);
  * bytes stay in use, the rest is free again. `used` may be NULL. */
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene);
 
-/* The same, asking `stop` now and then, which may be NULL. Once it says true, returns TIA_STOPPED; *bvh is not set. */
+/* The same, calling `stop` now and then, which may be NULL. Once that is true, returns TIA_STOPPED; *bvh is not set. */
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx);
 
 /* The same by several threads, workers as in <tia/port.h>; NULL: by one. They build trees of 16384 items and more,
- * which take one thread over 5 ms. The hierarchy has the same bits whatever their number is. `stop` is asked
- * by one thread at a time, whichever it is; once it says true, it must go on to say so until this returns. */
+ * which take one thread over 5 ms. The hierarchy has the same bits for any number of threads. Only one thread at a
+ * time calls `stop`, any of them; once it has returned true, it must do so until this returns. */
 int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                            const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
                            bool (*stop)(void *ctx), void *ctx);

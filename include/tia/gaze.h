@@ -1,5 +1,5 @@
 /* gaze.h - where the eye looks, and how few pixels it needs elsewhere: the acuity model of Guenter et al., "Foveated 3D
- * Graphics" (2012). Two points that are e degrees off the gaze are told apart when they are at least
+ * Graphics" (2012). Two points that are e degrees off the gaze look separate when they are at least
  *
  *     MAR(e) = w0 + m e
  *

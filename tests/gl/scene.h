@@ -8,7 +8,7 @@ struct gl_ball {
     double centre[3], radius, colour[3];
 };
 
-/* What is seen in a pixel. A light is not told apart from what is behind it. */
+/* What is seen in a pixel. A light counts as what is behind it. */
 enum gl_thing { GL_GROUND, GL_BALL, GL_SKY };
 
 enum { PICTURE_PIXELS = 640 * 480 };

@@ -133,8 +133,8 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
     }
 }
 
-/* Walls that a segment goes through are met in the order of their numbers: for parallel walls, or a wave in a plane
- * that all are across, any order is the same. */
+/* Walls that a segment goes through are applied in the order in which they were found: for parallel walls, or a wave in
+ * a plane that all are across, any order is the same but for rounding. */
 static double complex carry(const struct world *world, const struct tia_radio_path *path, const struct field *field,
                             int polarisation)
 {

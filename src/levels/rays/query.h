@@ -28,7 +28,7 @@ struct pack {
 };
 
 /* Nearest: t, e are those of the best hit; `low` is the least t - e of every other hit, and of what may be hit. The
- * best one is sure when t + e < low in the end: what cannot be told apart but lies behind costs nothing. Equal
+ * best one is sure when t + e < low in the end: hits behind the best one may be as unsure as they like. Equal
  * distances are never sure: the lower index wins with the integers.
  *
  * Any: blocked, where something opaque is surely met before the distance; maybe, where that is not known. */
