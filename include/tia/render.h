@@ -135,10 +135,10 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
 /* As tia_view_init, for a caller that may want to stop: it calls `stop` after every few thousand objects while the view
- * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, in the thread that draws, at the latest after
- * some 16 rays, or by spans after a row. Once it returns true, they return TIA_STOPPED soon: a view that was being
- * prepared is then of no use, and what they have drawn of the tile, the hits and the view's lights are not defined. It
- * may be called again and must return true again. NULL: never. */
+ * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, in the thread that draws, at the
+ * latest after some 16 rays, or by spans after a row. Once it returns true, they return TIA_STOPPED soon: a view that
+ * was being prepared is then of no use, and what they have drawn of the tile, the hits and the view's lights are not
+ * defined. It may be called again and must return true again. NULL: never. */
 int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                         uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
