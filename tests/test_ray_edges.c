@@ -43,6 +43,11 @@ static void check_own(const struct lit *lit)
     (void)lit;
 }
 
+static void check_shadow(unsigned lanes)
+{
+    (void)lanes;
+}
+
 enum { DISTANCE, POINT, GEOMETRIC, NORMAL, COLOUR, OWN, BOUNCE, BOUNDS };
 static const char *const names[BOUNDS] = {
     "distance", "point", "geometric normal", "normal", "texture", "light of a surface", "rays it spawns"};

@@ -14,6 +14,7 @@ static void check_pop(int item);
 static void check_met(const struct rays *r, const struct query *q);
 static void check_surface(const struct shade *h);
 static void check_own(const struct lit *lit);
+static void check_shadow(unsigned lanes);
 #else
 #define check_camera(b, r) ((void)0)
 #define check_push(item, refracted) ((void)0)
@@ -21,6 +22,7 @@ static void check_own(const struct lit *lit);
 #define check_met(r, q) ((void)0)
 #define check_surface(h) ((void)0)
 #define check_own(lit) ((void)0)
+#define check_shadow(lanes) ((void)0)
 #endif
 
 #endif

@@ -4,6 +4,7 @@
 #define TIA_LEVELS_RAYS_WALK_H
 
 #include "box.h"
+#include "check.h"
 #include "flat.h"
 #include "grid.h"
 #include "instance.h"
@@ -273,6 +274,7 @@ static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm ac
     vm fine = pack_start(s->centre, s->extent, &shadow->p, active);
     struct query q; /* field by field: what only the nearest hit has is not used, and it is large */
 
+    check_shadow(mbits(active));
     q.p = &shadow->p;
     q.active = mand(active, fine);
     q.any = true;
