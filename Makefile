@@ -301,7 +301,7 @@ on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
 LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
 # tests/slow/accuracy runs the one that is left out.
-QUICK := $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS)) $(sort $(wildcard tests/quick/*))
+QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
@@ -309,7 +309,7 @@ tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 check-quick: all tests
 	@CHECK_QUICK=yes $(on_all_cores) $(QUICK)
 check: all tests
-	@$(on_all_cores) $(QUICK) $(SLOW)
+	@$(on_all_cores) $(SLOW) $(QUICK)
 
 # Real kernel drivers in guests, also what takes long; the table of what they said comes last.
 .PHONY: check-vm

@@ -219,12 +219,14 @@ TEST(portrait)
     check_state(243, 321);
 }
 
+/* In make check-quick the second library, which is Mesa as well, draws but two of the states. */
 static void run_all(const char *name)
 {
+    size_t count = library ? check_count(8) : sizeof states / sizeof states[0];
     char title[64];
 
     library = name;
-    for (size_t i = 0; i < sizeof states / sizeof states[0]; i++) {
+    for (size_t i = 0; i < count && i < sizeof states / sizeof states[0]; i++) {
         state = &states[i];
         (void)snprintf(title, sizeof title, "%s_%s", name, state->name);
         check_run(title, landscape);

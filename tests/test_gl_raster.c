@@ -93,7 +93,7 @@ static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties
     tia_clear_stencil(&t, clear, 255);
     gl_raster_clear(gl, clear);
     for (uint32_t id = 0; id < POLYGONS; id++) {
-        struct tia_raster_state s = all_new ? any_state() : states[random_below(STATES)];
+        struct tia_raster_state s = all_new ? any_state() : states[random_below(check_count(STATES))];
         struct triangle triangle;
         struct tia_raster_vertex v[3];
         double clip[3][4];
