@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""latency.py [--host] [--keys N] [--pause SECONDS] [--limit SECONDS] [NAME]...: how long after a key its picture is seen, first coarse, then
+"""latency.py [--host] [--keys N] [--pause SECONDS] [--enough SECONDS] [--limit SECONDS] [NAME]...: how long after a key its picture is seen, first coarse, then
 complete, for the scenes of the gallery or those named, at 1280x800: a table in Markdown.
 
     make bench-latency                      # all of them, in a guest
@@ -12,8 +12,9 @@ from the kernel's time stamp of the key to the end of the call that shows the pi
 slower than this machine (--kvm takes this machine's, where its KVM can boot a guest). With --host a pseudo-terminal types,
 a key's time is when it was read, which is up to 20 ms late, and a display that shows nothing takes the pictures.
 
-N keys (default 10) come a second or so apart, or as many as --pause says. Then as many come each after the complete picture of the one before, until
-SECONDS (default 60) are over for a scene; a picture that is not complete by then is given up, and a dash is in its place.
+N keys (default 10) come a second or so apart, or as many as --pause says. Then as many come each after the complete
+picture of the one before, which tia tells; after --enough SECONDS (default 30) for a scene there are no more, but the first
+picture is waited for until --limit (default 3600), after which a dash is in its place.
 """
 import argparse
 import json
@@ -37,7 +38,7 @@ BUILT_IN = "built in"
 NAMES = (BUILT_IN, "porch", "shadow-volume", "shadow-mapping", "marbles", "orrery", "castle", "castle-openness", "vase", "chess",
          "flake", "glass", "caustic", "window", "cornell")
 OPTIONS = {"castle-openness": ["--integrator", "ao=6", "--spp", "64"]}
-PLAY = ("orrery", "marbles")
+PLAY = ("orrery", "marbles", "shadow-mapping", "shadow-volume")
 ARGUMENTS = ["--stats", "--checksum"]   # a line for each complete picture
 BYTES = {"left": b"\x1b[D", "right": b"\x1b[C", "esc": b"\x1b"}
 
@@ -80,13 +81,14 @@ class OnHost:
         return os.pread(self.err.fileno(), 1 << 16, 0).decode()
 
 
-def type_keys(where, keys, plays, count, pause, limit):
+def type_keys(where, keys, plays, options):
     """How many complete pictures keys were followed by."""
-    for i in range(count):
+    for i in range(options.keys):
         where.tap(keys[i % 2])
-        time.sleep(pause + random.random() / 5)  # in step with nothing that ticks
-    end, complete = time.monotonic() + limit, 0
-    while complete < count and time.monotonic() < end:
+        time.sleep(options.pause + random.random() / 5)  # in step with nothing that ticks
+    begin, complete = time.monotonic(), 0
+    enough, end = begin + options.enough, begin + options.limit
+    while complete < options.keys and time.monotonic() < (enough if complete else end):
         want = where.drawn() + 1 + plays        # what plays first shows the picture that was begun before the key
         where.tap(keys[complete % 2])
         while where.drawn() < want and time.monotonic() < end:
@@ -104,7 +106,7 @@ def measure(where, name, options):
     scene = [*OPTIONS.get(name, []), "/scenes/%s.tia" % name.partition("-openness")[0]]
     where.start(["-k", "a"] if name == BUILT_IN else scene)
     time.sleep(2)
-    complete = type_keys(where, ("left", "right") if name == BUILT_IN else "hl", name in PLAY, options.keys, options.pause, options.limit)
+    complete = type_keys(where, ("left", "right") if name == BUILT_IN else "hl", name in PLAY, options)
     stats = json.loads(where.end().splitlines()[-1])
     figures = [said(stats[which][p]) for which in ("input_to_coarse_ms", "input_to_flip_ms") for p in ("p50", "p95")]
     return "| %s | %s | %d | %s |" % (name, " | ".join(figures), complete, stats["level"])
@@ -116,7 +118,8 @@ def main():
     parser.add_argument("--kvm", action="store_true")
     parser.add_argument("--keys", type=int, default=10)
     parser.add_argument("--pause", type=float, default=1)
-    parser.add_argument("--limit", type=float, default=60)
+    parser.add_argument("--enough", type=float, default=30)
+    parser.add_argument("--limit", type=float, default=3600)
     parser.add_argument("names", nargs="*", metavar="NAME", default=NAMES)
     options = parser.parse_args()
     if not set(options.names) <= set(NAMES):

@@ -68,11 +68,13 @@ static long now_ms(void)
     return (long)t.tv_sec * 1000 + t.tv_nsec / 1000000;
 }
 
+static const char *chosen; /* as after "terminal:" */
+
 /* The program: opens the display on its controlling terminal and tells what it found. */
 static void play_program(const char *name, const char *term, int out)
 {
     char why[PORT_WHY] = "";
-    struct port_wish wish = {.why = why};
+    struct port_wish wish = {.device = chosen, .why = why};
     struct result r = {.ms = now_ms()};
     struct termios after;
 
@@ -147,6 +149,14 @@ static void check_mode(const char *answer, const char *term, unsigned width, uns
     CHECK_MSG(kitty_asked == !strcmp(term, "xterm"), "%s", term);
 }
 
+/* What the user chose, or the reason why not. */
+static void check_chosen(const char *answer, const char *term, const char *said)
+{
+    struct result r = opened(answer, term, (struct winsize){24, 80, 800, 480});
+
+    CHECK_MSG(strstr(r.format, said) && !kitty_asked, "%s, chosen in %s: %s", chosen, term, r.format);
+}
+
 #endif
 
 TEST(terminals_are_asked)
@@ -162,6 +172,15 @@ TEST(terminals_are_asked)
     check_mode("\033[?62c", "xterm", 320, 192, "symbols, 24-bit colours");
     struct result r = opened("\033[?62;4c", "xterm", (struct winsize){24, 80, 0, 0});
     CHECK(r.mode.width == 80 && r.mode.height == 48);
+    chosen = "kitty";
+    check_chosen("\033[?62c", "tmux-256color", "tmux and screen show no");
+    check_chosen(KITTY_OK "\033[?62c", "screen", "tmux and screen show no");
+    check_chosen("", "xterm", "kitty's pictures");
+    chosen = "sixel";
+    check_chosen("\033[?62c", "tmux-256color", "tmux or screen has no");
+    check_chosen("\033[?62;4c", "tmux-256color", "sixel");
+    check_chosen("", "xterm", "sixel");
+    chosen = NULL;
 #else
     SKIP("built without libchafa (libchafa-dev)");
 #endif

@@ -94,6 +94,7 @@ struct tia_gathered {
 
 struct tia_view;
 struct tia_tile;
+struct tia_surface;
 
 /* In one arithmetic, as struct tia_core. */
 struct tia_estimator {
@@ -113,6 +114,11 @@ struct tia_estimator {
     /* The opaque object that encloses light number `light` of the view, so that it lights nothing else, but not the
      * eye; TIA_NO_OBJECT: none, or a scene without samples. From the light 14 rays are asked. */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
+
+    /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
+     * samples of the scene they are those of tia_light_tile. Errors as above. */
+    int (*show)(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
+                const struct tia_surface *surface, bool dither);
 };
 
 extern const struct tia_estimator tia_estimator_q16;

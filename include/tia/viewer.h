@@ -8,13 +8,21 @@
  * distance 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it,
  * TIA_KEY_SHADOWS takes the next technique for shadows that the scene qualifies for, where the caller wants that. Every
  * other key quits. Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a
- * light ends it at the next tile if it has taken 250 ms, though not two frames in a row.
+ * light ends it at the next tile if it has taken 250 ms, though not two frames in a row. A frame of a scene that plays
+ * ends at once then, if the next one can be shown in blocks or rows.
  *
  * Where rays draw a frame and that takes longer than a display's period, it is shown coarse to fine: every 16th pixel
  * of every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then
  * ends it at once. A line at the picture's lower edge tells how much of a frame of more than a second is done. This
- * needs a `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of frames that take 250
- * ms.
+ * needs a `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of the frame that
+ * follows a key, and of those that take 250 ms.
+ *
+ * With an `estimator`, each pixel of a picture of samples has one sample at first; once all pixels are drawn, all get
+ * twice as many, and again, until they have those of the scene. Each sample is computed once. That takes 24 bytes a
+ * pixel, of pictures of up to 2^23.
+ *
+ * A picture that is rasterised is shown in two steps, where it follows a key or takes 250 ms: every 16th row first,
+ * then all.
  *
  * Where a gaze is given and rays draw, pixels are left out that the eye would not see, and the gaze follows a pointer.
  *
@@ -29,6 +37,7 @@
 #define TIA_VIEWER_H
 
 #include <tia/gaze.h>
+#include <tia/integrator.h>
 #include <tia/port.h>
 
 #ifdef __cplusplus
@@ -45,7 +54,8 @@ extern "C" {
  * same number and `block` above 1. */
 struct tia_frame {
     uint32_t number;          /* from 0 */
-    uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels */
+    uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels, at least 2 */
+    uint32_t samples;         /* of a coarse picture of samples: at least so many a pixel; else 0 */
     uint16_t done;            /* of a coarse picture: the share of its pixels that are drawn, 2^-16 */
     uint32_t pixels;          /* that were drawn; each of the others shows what one of these does */
     bool moving;              /* with `pace`: something moves */
@@ -90,8 +100,9 @@ struct tia_viewer_state {
 };
 
 struct tia_viewer {
-    const struct tia_core *core;   /* NULL: tia_core_q16 */
-    const struct tia_level *level; /* NULL: plain C; see tia/levels.h */
+    const struct tia_core *core;           /* NULL: tia_core_q16 */
+    const struct tia_level *level;         /* NULL: plain C; see tia/levels.h */
+    const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come */
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;

@@ -2,6 +2,7 @@
 #include "evdev.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +12,7 @@
 
 #include "clock.h"
 #include "console/console.h"
+#include "console/node.h"
 #include "keyboard.h"
 #include "pointer.h"
 
@@ -31,7 +33,8 @@ struct evdev {
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
     struct pointers pointers;
-    char failure[PORT_WHY]; /* of the first node that should have worked and did not */
+    char failure[PORT_WHY]; /* of the first node that should have worked and did not, or of the directory */
+    bool no_memory;         /* to look into the directory */
 };
 
 /* ---- keyboards that come and go ---- */
@@ -65,9 +68,22 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
+/* A machine without the directory has no keyboard; whatever else keeps us from it is to be told. */
+static DIR *open_directory(struct evdev *evdev)
+{
+    DIR *directory = opendir(DIRECTORY);
+    int error = errno;
+    char reason[PORT_WHY];
+
+    evdev->no_memory = !directory && error == ENOMEM;
+    if (!directory && error != ENOENT && !*evdev->failure)
+        (void)snprintf(evdev->failure, PORT_WHY, DIRECTORY ": %.80s", node_error(error, reason));
+    return directory;
+}
+
 static void try_all_nodes(struct evdev *evdev)
 {
-    DIR *directory = evdev->device ? NULL : opendir(DIRECTORY);
+    DIR *directory = evdev->device ? NULL : open_directory(evdev);
     char path[sizeof evdev->keyboards[0].path];
 
     if (evdev->device)
@@ -192,8 +208,10 @@ static int evdev_open(void *ctx)
         return TIA_OK;
     evdev_close(evdev);
     (void)snprintf(evdev->why, PORT_WHY, "%s",
-                   *evdev->failure ? evdev->failure : "keyboard: there is none in " DIRECTORY " (plug one in)");
-    return TIA_ERR_DEVICE;
+                   evdev->no_memory  ? "memory: exhausted"
+                   : *evdev->failure ? evdev->failure
+                                     : "keyboard: there is none in " DIRECTORY " (plug one in)");
+    return evdev->no_memory ? TIA_ERR_MEMORY : TIA_ERR_DEVICE;
 }
 
 /* A key held on two keyboards is released when it is up on both. */
@@ -320,7 +338,7 @@ void *port_evdev_create(const struct port_wish *wish)
     struct evdev *evdev = calloc(1, sizeof *evdev);
 
     if (!evdev) {
-        (void)snprintf(wish->why, PORT_WHY, "keyboard: out of memory");
+        (void)snprintf(wish->why, PORT_WHY, "memory: exhausted");
         return NULL;
     }
     evdev->device = wish->device;

@@ -41,7 +41,7 @@ void *port_none_input_create(const struct port_wish *wish)
     char *ctx = malloc(1); /* there is no state, but NULL would mean failure */
 
     if (!ctx)
-        (void)snprintf(wish->why, PORT_WHY, "none: out of memory");
+        (void)snprintf(wish->why, PORT_WHY, "memory: exhausted");
     return ctx;
 }
 

@@ -96,14 +96,14 @@ static bool say(int fd, const char *text)
     return write(fd, text, strlen(text)) == (ssize_t)strlen(text);
 }
 
-static bool is_multiplexer(const char *term)
+bool answers_multiplexer(const char *term)
 {
     return !term || strncmp(term, "tmux", 4) == 0 || strncmp(term, "screen", 6) == 0;
 }
 
 static void ask(int fd, const char *term, struct answers *answers)
 {
-    if ((is_multiplexer(term) || say(fd, ask_kitty)) && say(fd, ask_attributes))
+    if ((answers_multiplexer(term) || say(fd, ask_kitty)) && say(fd, ask_attributes))
         read_answers(fd, answers);
 }
 

@@ -8,6 +8,10 @@
 /* How pictures are shown, the best last. */
 enum pictures { PICTURES_HALF_BLOCKS, PICTURES_SYMBOLS, PICTURES_SIXEL, PICTURES_KITTY };
 
+/* Whether $TERM is that of tmux or screen, which show kitty's pictures nowhere: they take them for titles or nothing.
+ */
+bool answers_multiplexer(const char *term);
+
 #define ANSWERS_MS 150 /* how long a terminal may take: over a network the answers come within a round trip */
 
 /* The answers to the two questions, byte by byte: kitty's, ESC _ G i=31 ; OK ESC \, comes before the device's

@@ -269,7 +269,7 @@ void *port_tty_create(const struct port_wish *wish)
     struct tty *tty = calloc(1, sizeof *tty);
 
     if (!tty) {
-        (void)snprintf(wish->why, PORT_WHY, "terminal's keyboard: out of memory");
+        (void)snprintf(wish->why, PORT_WHY, "memory: exhausted");
         return NULL;
     }
     tty->device = wish->device;

@@ -8,7 +8,7 @@
 #define VIEWER_HELD_KEYS 6 /* that are looked at, at a time */
 
 #define VIEWER_PERIOD_US 16666 /* of a display of 60 Hz */
-#define VIEWER_PASSES 5        /* coarse to fine: blocks of 16, 8, 4, 2, 1 */
+#define VIEWER_PASSES 5        /* coarse to fine: blocks of 16, 8, 4, 2, 1; what comes after are more samples */
 #define VIEWER_QUEUE 8         /* events while a frame is drawn; a full queue ends it */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
@@ -36,10 +36,11 @@ struct loop {
     struct tia_hits *hits;
     size_t view_size, hits_size, level_size;
     void *hits_memory, *level_memory;
-    int8_t *status;     /* of each tile */
-    uint8_t *passes;    /* of each tile, how many are done */
-    uint32_t *drawn;    /* of each tile, how many pixels are drawn */
-    tia_rgb565 *canvas; /* the picture so far, see refine.c; NULL: frames are drawn at once */
+    int8_t *status;       /* of each tile */
+    uint8_t *passes;      /* of each tile, how many are done */
+    uint32_t *drawn;      /* of each tile, how many pixels are drawn */
+    tia_rgb565 *canvas;   /* the picture so far, see refine.c; NULL: frames are drawn at once */
+    struct tia_sum *sums; /* of each pixel, its samples so far; NULL: pixels get all their samples at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
@@ -100,6 +101,14 @@ static inline uint64_t viewer_now(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
     return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
+}
+
+/* How many samples pixels have that get them some at a time; else 1. */
+static inline uint32_t viewer_spp(const struct loop *loop)
+{
+    uint32_t spp = loop->base->integration.spp;
+
+    return !loop->sums ? 1 : spp ? spp : TIA_SPP;
 }
 
 /* Brings the viewer's state up to date. */
@@ -181,6 +190,19 @@ void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
 uint64_t tia_viewer_canvas_size(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
+
+/* pass.c: bytes for sums of samples, or 0; how many passes a complete frame has; the size of a pass's blocks; whether
+ * there are rows in their place; the samples of each pixel, and the share of all samples in 2^-16, that are done after
+ * so many passes. */
+uint64_t tia_viewer_sums_size(const struct loop *loop);
+unsigned tia_viewer_passes(const struct loop *loop);
+unsigned tia_viewer_block(unsigned pass);
+bool tia_viewer_by_rows(const struct loop *loop);
+uint32_t tia_viewer_samples(const struct loop *loop, unsigned passes);
+uint32_t tia_viewer_share(const struct loop *loop, unsigned passes);
+
+/* Draws what loop->pass adds to a tile; *drawn counts the pixels that had none of their samples before. */
+int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *drawn);
 
 /* The picture so far onto the display. */
 int tia_viewer_copy(struct loop *loop);

@@ -1,8 +1,14 @@
-/* no_refine.c - stands in for refine.c, pace.c, gaze.c, fill.c and control.c in programs that draw spheres alone: spans
- * are never drawn pixel by pixel, and keys that move no light end the loop. */
+/* no_refine.c - stands in for refine.c, pass.c, pace.c, gaze.c, fill.c and control.c in programs that draw spheres
+ * alone: spans are never drawn pixel by pixel, and keys that move no light end the loop. */
 #include "loop.h"
 
 uint64_t tia_viewer_canvas_size(const struct loop *loop)
+{
+    (void)loop;
+    return 0;
+}
+
+uint64_t tia_viewer_sums_size(const struct loop *loop)
 {
     (void)loop;
     return 0;

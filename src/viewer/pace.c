@@ -16,11 +16,23 @@ bool tia_viewer_is_moving(const struct loop *loop)
     return v->pace[0] && v->clock && (plays || tia_viewer_repeat_us(loop));
 }
 
+/* Those that the pass adds to pixels that are drawn, each counted as a pixel: such is loop->cost_ns then. */
+static uint64_t more_samples(const struct loop *loop)
+{
+    uint64_t pixels = 0;
+
+    for (unsigned i = 0; i < VIEWER_PASSES; i++)
+        pixels += loop->pass_pixels[i];
+    return pixels * (tia_viewer_samples(loop, loop->pass + 1) - tia_viewer_samples(loop, loop->pass));
+}
+
 /* As many as in the last frame; before that, three for each of the pass before, which is a 4^-n of the picture. */
 static uint64_t pass_pixels(const struct loop *loop)
 {
     uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
 
+    if (loop->pass >= VIEWER_PASSES)
+        return more_samples(loop);
     if (loop->pass_pixels[loop->pass])
         return loop->pass_pixels[loop->pass];
     return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
@@ -39,6 +51,8 @@ void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us)
 {
     uint64_t ns = pixels ? us * 1000 / pixels : 0;
 
+    if (loop->pass >= VIEWER_PASSES)
+        return;
     loop->pass_pixels[loop->pass] = pixels;
     if (pixels)
         loop->cost_ns = (uint32_t)(ns < 1 ? 1 : ns < UINT32_MAX ? ns : UINT32_MAX);

@@ -1,28 +1,13 @@
 /* refine.c - a frame that takes long, coarse to fine: every 16th pixel of every 16th row first, each as a block, then
- * the pixels in between, until there are no blocks left. Each pixel is drawn once, so in the end they are those of a
- * frame drawn at once. Blocks do not cross tiles, which may be drawn by several threads.
+ * the pixels in between, until there are no blocks left; of pictures of samples with one each, then with twice as many,
+ * until they have all. Each pixel or sample is drawn once, so in the end they are those of a frame drawn at once. What
+ * the rasteriser draws comes in rows, see pass.c. Blocks do not cross tiles, which may be drawn by several threads.
  *
  * The picture so far is in loop->canvas: a display forgets what it was given before. */
 #include "loop.h"
 
 #define REFINE_US 250000      /* between two looks at a pass that takes long; a scene that plays shows nothing sooner */
 #define WORTH_LINE_US 1000000 /* a frame that takes less has no line for its progress */
-#define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
-
-static unsigned block_of(unsigned pass)
-{
-    return FIRST_BLOCK >> pass;
-}
-
-static tia_rgb565 *canvas_at(const struct loop *loop, unsigned x, unsigned y)
-{
-    return loop->canvas + (size_t)y * loop->mode.width + x;
-}
-
-static unsigned at_most(unsigned value, unsigned limit)
-{
-    return value < limit ? value : limit;
-}
 
 /* Whether somebody waits for frames. */
 static bool is_watched(const struct loop *loop)
@@ -31,85 +16,7 @@ static bool is_watched(const struct loop *loop)
     return v->clock && v->input && !v->frame_limit;
 }
 
-/* ---- a pass over a tile ---- */
-
-/* Pixels from `x`, `y` of the image on, dx and dy apart. */
-struct lattice {
-    unsigned x, y, dx, dy;
-};
-
-static void fill_block(struct loop *loop, struct tia_tile tile, unsigned x, unsigned y)
-{
-    unsigned size = block_of(loop->pass), right = at_most(x + size, (unsigned)tile.x + tile.width),
-             bottom = at_most(y + size, (unsigned)tile.y + tile.height);
-    tia_rgb565 colour = *canvas_at(loop, x, y);
-
-    for (unsigned row = y; row < bottom; row++)
-        for (unsigned column = x; column < right; column++)
-            *canvas_at(loop, column, row) = colour;
-}
-
-static int draw_pixels(struct loop *loop, struct tia_tile pixels)
-{
-    struct tia_surface surface = {canvas_at(loop, pixels.x, pixels.y), sizeof(tia_rgb565),
-                                  (ptrdiff_t)(loop->mode.width * sizeof(tia_rgb565))};
-    const struct tia_options *options = &loop->viewer->options;
-
-    return loop->traced > loop->pass ? loop->core->light(loop->view, loop->hits, pixels, &surface, options)
-                                     : loop->core->render(loop->view, loop->hits, pixels, &surface, options);
-}
-
-/* How many pixels from (x, y) on are drawn together: neighbours in a row are. 0: there the eye is content with what is
- * drawn already. */
-static unsigned run_at(const struct loop *loop, struct lattice at, unsigned right)
-{
-    unsigned run = 0;
-
-    right = at.dx > 1 ? at.x + 1 : right;
-    if (!loop->gazes)
-        return right - at.x;
-    while (at.x + run < right && tia_acuity_block(&loop->acuity, at.x + run, at.y) <= block_of(loop->pass))
-        run++;
-    return run;
-}
-
-static int draw_row(struct loop *loop, struct tia_tile tile, struct lattice at, uint32_t *drawn)
-{
-    unsigned right = (unsigned)tile.x + tile.width, run;
-    int status = TIA_OK;
-
-    for (; at.x < right && !status; at.x += run > 1 ? run : at.dx) {
-        run = run_at(loop, at, right);
-        if (run)
-            status = draw_pixels(loop, (struct tia_tile){(uint16_t)at.x, (uint16_t)at.y, (uint16_t)run, 1});
-        if (run == 1 && !status)
-            fill_block(loop, tile, at.x, at.y);
-        *drawn += run;
-    }
-    return status;
-}
-
-static int draw_lattice(struct loop *loop, struct tia_tile tile, struct lattice at, uint32_t *drawn)
-{
-    unsigned bottom = (unsigned)tile.y + tile.height;
-    int status = TIA_OK;
-
-    for (; at.y < bottom && !status; at.y += at.dy)
-        status = draw_row(loop, tile, at, drawn);
-    return status;
-}
-
-/* After the first pass: between the pixels of each row of the passes before, then the rows in between. */
-static int refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *drawn)
-{
-    unsigned x = tile.x, y = tile.y, size = block_of(loop->pass);
-    int status;
-
-    if (loop->pass == 0)
-        return draw_lattice(loop, tile, (struct lattice){x, y, size, size}, drawn);
-    status = draw_lattice(loop, tile, (struct lattice){x + size, y, 2 * size, 2 * size}, drawn);
-    return status ? status : draw_lattice(loop, tile, (struct lattice){x, y + size, size, 2 * size}, drawn);
-}
+/* ---- a pass ---- */
 
 /* A tile that is not reached before the picture is due stays for the next round. */
 static void pass_job(void *arg, unsigned index)
@@ -120,7 +27,7 @@ static void pass_job(void *arg, unsigned index)
     if (loop->passes[index] <= loop->pass && viewer_now(loop) < loop->show_us) {
         status = tia_viewer_watch(loop);
         if (!status)
-            status = refine_tile(loop, tia_viewer_tile(loop, index), &loop->drawn[index]);
+            status = tia_viewer_refine_tile(loop, tia_viewer_tile(loop, index), &loop->drawn[index]);
         if (!status)
             loop->passes[index]++;
     }
@@ -145,7 +52,7 @@ static uint32_t share_done(const struct loop *loop)
     uint64_t sum = 0;
 
     for (uint32_t i = 0; i < loop->tiles; i++)
-        sum += loop->passes[i] ? UINT32_C(65536) >> 2 * (VIEWER_PASSES - loop->passes[i]) : 0;
+        sum += tia_viewer_share(loop, loop->passes[i]);
     return (uint32_t)(sum / loop->tiles);
 }
 
@@ -178,7 +85,7 @@ static int copy_tile(struct loop *loop, struct tia_tile tile)
     int status = v->display->acquire(v->display_ctx, tile, &surface);
 
     for (unsigned y = 0; !status && y < tile.height; y++) {
-        const tia_rgb565 *from = canvas_at(loop, tile.x, tile.y + y);
+        const tia_rgb565 *from = loop->canvas + (size_t)(tile.y + y) * loop->mode.width + tile.x;
         char *row = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch;
         for (unsigned x = 0; x < tile.width; x++)
             *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface.step) = from[x];
@@ -206,15 +113,23 @@ static int same_display(const struct loop *loop)
     return status;
 }
 
+/* Of a picture that is not complete, even if nothing but samples is missing. */
+static uint16_t coarse_block(unsigned block)
+{
+    return (uint16_t)(block > 1 ? block : 2);
+}
+
 static int show_so_far(struct loop *loop, struct tia_frame *frame)
 {
     const struct tia_viewer *v = loop->viewer;
     uint64_t now = viewer_now(loop), spent = now - loop->begun_us - loop->showing_us;
     uint32_t done = share_done(loop);
+    bool left = is_left(loop);
     int status = same_display(loop);
 
     frame->draw_us = spent;
-    frame->block = (uint16_t)(block_of(loop->pass) << is_left(loop));
+    frame->block = coarse_block(tia_viewer_block(loop->pass) << left);
+    frame->samples = loop->sums ? tia_viewer_samples(loop, loop->pass + !left) : 0;
     frame->done = (uint16_t)done;
     frame->pixels = sum_drawn(loop);
     frame->left_us = (spent << 16) / (done + !done) - spent;
@@ -259,25 +174,36 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
         if (!status && left)
             status = show_so_far(loop, frame);
     } while (!status && left);
-    if (!status && loop->traced == loop->pass)
-        loop->traced++;
+    if (!status && loop->traced == loop->pass && loop->traced < VIEWER_PASSES)
+        loop->traced = loop->pass + 1 < tia_viewer_passes(loop) ? loop->pass + 1 : VIEWER_PASSES;
     if (!status)
         tia_viewer_learn(loop, sum_drawn(loop) - drawn_before, viewer_now(loop) - begun - (loop->showing_us - showing));
     return status;
 }
 
-/* For frames that someone waits for, or looks at in one place, and that can be drawn pixel by pixel. */
+/* Whether the rasteriser draws the frames: those have rows that stand for others. Spans draw whole ones sooner. */
+static bool is_rasterised(const struct loop *loop)
+{
+    return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pace[0];
+}
+
+/* For frames that someone waits for, or looks at in one place, and that can be drawn pixel by pixel or row by row. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop)
 {
-    bool refines =
-        (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel && loop->core->draws_by_pixel(loop->base);
+    bool refines = (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel &&
+                   (!tia_viewer_by_rows(loop) || is_rasterised(loop));
 
     return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
 }
 
+/* The rasteriser goes through all faces twice for a frame in rows, so only where that matters. */
 bool tia_viewer_refines(const struct loop *loop)
 {
-    return loop->canvas && (loop->gazes || !loop->last_us || loop->last_us > tia_viewer_period_us(loop) * 3 / 4);
+    if (!loop->canvas || loop->gazes || !loop->last_us)
+        return loop->canvas != NULL;
+    if (tia_viewer_by_rows(loop) && !loop->key_us && loop->last_us < REFINE_US)
+        return false;
+    return loop->last_us > tia_viewer_period_us(loop) * 3 / 4;
 }
 
 int tia_viewer_copy(struct loop *loop)
@@ -296,24 +222,32 @@ static void begin_passes(struct loop *loop)
     }
 }
 
+/* How long a picture stays away when a pass is done. The next pass takes some four times as long as those before it,
+ * but that of the rows in between some fifteen times, so that rows are shown sooner. */
+static uint64_t wait_us(const struct loop *loop)
+{
+    uint64_t period = tia_viewer_period_us(loop);
+
+    return loop->plays && !loop->key_us ? REFINE_US : tia_viewer_by_rows(loop) ? period / 4 : period;
+}
+
 /* When the pass is done, or before it at a pace: whether to show what there is. The first picture at a pace is as fine
  * as there is time for. */
 static bool is_due(const struct loop *loop)
 {
-    uint64_t wait = loop->plays ? REFINE_US : tia_viewer_period_us(loop);
-
-    if (!is_watched(loop) || loop->pass + 1 == VIEWER_PASSES)
+    if (!is_watched(loop) || loop->pass + 1 == tia_viewer_passes(loop))
         return false;
-    return viewer_now(loop) >= loop->shown_us + wait && (!loop->viewer->pace[0] || loop->answered);
+    return viewer_now(loop) >= loop->shown_us + wait_us(loop) && (!loop->viewer->pace[0] || loop->answered);
 }
 
 /* Draws the passes that there is time for; all of them, unless something moves. */
 static int draw_in_time(struct loop *loop, struct tia_frame *coarse)
 {
     bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pace[0];
+    unsigned passes = tia_viewer_passes(loop);
     int status = TIA_OK;
 
-    for (loop->pass = 0; !status && loop->pass < VIEWER_PASSES; loop->pass++) {
+    for (loop->pass = 0; !status && loop->pass < passes; loop->pass++) {
         if (paced && loop->pass && !loop->answered && !tia_viewer_has_time(loop)) {
             loop->unfinished = moving;
             if (moving)
@@ -341,7 +275,8 @@ int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame)
     if (!status && !loop->unfinished)
         status = tia_viewer_fill(loop);
     loop->complete = !status && !loop->unfinished;
-    frame->block = (uint16_t)(loop->unfinished ? block_of(loop->pass - 1) : 1);
+    frame->block = loop->unfinished ? coarse_block(tia_viewer_block(loop->pass - 1)) : 1;
+    frame->samples = loop->unfinished && loop->sums ? tia_viewer_samples(loop, loop->pass) : 0;
     frame->pixels = sum_drawn(loop);
     frame->draw_us = viewer_now(loop) - loop->begun_us - loop->showing_us;
     return status ? status : tia_viewer_copy(loop);

@@ -51,7 +51,8 @@ static struct tia_frame new_frame(const struct loop *loop)
 /* A frame that is not finished is taken for one that takes as long as its pixels would, one after the other. */
 static uint64_t whole_us(const struct loop *loop, const struct tia_frame *frame)
 {
-    uint64_t all = (uint64_t)loop->mode.width * loop->mode.height * loop->cost_ns / 1000;
+    uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,
+             all = pixels * loop->cost_ns / 1000 * viewer_spp(loop);
 
     return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
 }

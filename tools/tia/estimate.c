@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "arithmetic.h"
 #include "clock.h"
 #include "common/image/image.h"
 #include "common/sink.h"
@@ -10,16 +11,6 @@
 #include "film.h"
 
 enum { LOOK_US = 5000 };
-
-static const struct tia_estimator *estimator_of(const struct tia_core *core)
-{
-#ifdef TIA_HAVE_F64
-    if (core == &tia_core_f64)
-        return &tia_estimator_f64;
-#endif
-    (void)core;
-    return &tia_estimator_q16;
-}
 
 /* Threads ask after every few rays; somebody looks for signals now and then. The time of the last look has 32 bits,
  * since not every processor has atomic 64; whatever it is, the next is at most LOOK_US away. */
@@ -91,7 +82,7 @@ static void prepare(struct estimation *e)
     const struct options *options = e->options;
     const struct tia_integration *how = &options->scene.integration;
 
-    e->estimator = estimator_of(options->core);
+    e->estimator = arithmetic_estimator(options->core);
     e->film.depth = options->format == IMAGE_PART ? 0 : options->depth_bits;
     e->sums = (struct sums){.width = e->film.width,
                             .height = e->film.height,

@@ -39,8 +39,10 @@ static void add_stats(const struct overlay *overlay, const struct tia_frame *fra
                  overlay->key_us % 1000 / 100);
     add_line(lines, "%ux%u, %s, threads %u%s", overlay->width, overlay->height, frame->level, overlay->threads,
              frame->relit ? ", relit" : "");
-    if (frame->block > 1)
+    if (frame->block > 2 || (frame->block == 2 && frame->samples <= 1))
         add_line(lines, "blocks of %u", frame->block);
+    if (frame->samples)
+        add_line(lines, "samples: %" PRIu32, frame->samples);
 }
 
 static void add_moves(const struct overlay *overlay, struct lines *lines)

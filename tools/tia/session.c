@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "arithmetic.h"
 #include "clock.h"
 #include "common/signals.h"
 #include "fail.h"
@@ -33,12 +34,13 @@ int session_open_input(struct session *session, const struct port_input *port)
         .device = session->options->input_device, .pointer = session->is_moved, .why = session->why};
     session->input_ctx = port->create(&wish);
     if (!session->input_ctx)
-        return EXIT_INPUT;
-    if (port->ops->open(session->input_ctx)) {
+        return EXIT_RUNNING; /* there is no memory for it */
+    int status = port->ops->open(session->input_ctx);
+    if (status) {
         port->ops->close(session->input_ctx);
         port->destroy(session->input_ctx);
         session->input_ctx = NULL;
-        return EXIT_INPUT;
+        return status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_INPUT;
     }
     session->input = port;
     return EXIT_FINE;
@@ -182,6 +184,7 @@ static struct tia_viewer viewer_of(struct session *session)
     bool paces = viewer_paces(options);
     return (struct tia_viewer){.core = options->core,
                                .level = options->level,
+                               .estimator = arithmetic_estimator(options->core),
                                .scene = &options->scene,
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,

@@ -27,13 +27,26 @@ enum pictures pictures_find(int fd, struct cell *cell)
     return found;
 }
 
+/* What a multiplexer does not show it drops without a word. Of sixel it says itself whether it does. */
+static const char *multiplexer_needs(int fd, enum pictures pictures)
+{
+    const char *term = getenv("TERM");
+
+    if (pictures <= PICTURES_SYMBOLS || !answers_multiplexer(term))
+        return NULL;
+    if (pictures == PICTURES_KITTY)
+        return "tmux and screen show no pictures of kitty's (terminal:symbols works there)";
+    return answers_ask(fd, term) == PICTURES_SIXEL ? NULL
+                                                   : "this tmux or screen has no sixel (terminal:symbols works there)";
+}
+
 const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
 {
     if (pictures == PICTURES_SYMBOLS)
         *cell = symbols_cell;
-    if (pictures <= PICTURES_SYMBOLS || cell_is_known(fd, cell))
+    if (pictures <= PICTURES_SYMBOLS)
         return NULL;
-    return "does not say how many pixels its window has";
+    return cell_is_known(fd, cell) ? multiplexer_needs(fd, pictures) : "does not say how many pixels its window has";
 }
 
 static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)

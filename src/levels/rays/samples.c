@@ -136,15 +136,17 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         tia_level_light_plain(view, tile, surface, options);
         return;
     }
+    spp = spp ? spp : TIA_SPP;
     for (int y = 0; y < (int)tile.height && !view_stops(view); y++)
         for (int x = 0; x < (int)tile.width && !view_stops(view); x += PIECE) {
             int left = (int)tile.width - x;
             struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y),
                                      (uint16_t)(left < PIECE ? left : PIECE), 1};
             struct tia_sum sums[PIECE] = {{{0, 0, 0}}};
-            sample(view, piece, 0, spp ? spp : TIA_SPP, &(struct tia_gathered){.sums = sums, .pitch = PIECE});
+            sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE});
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            estimate_show(view, piece, sums, out, surface->step, options->dither);
+            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
+            estimate_show(view, piece, sums, spp, &part, options->dither);
         }
 }
 

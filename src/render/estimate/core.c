@@ -1,13 +1,17 @@
 /* core.c - sampling as a function of one arithmetic. */
 #include "estimate.h"
 
+static bool is_inside(const struct tia_view *view, struct tia_tile tile)
+{
+    return tile.width && tile.height && tile_right(tile) <= view->width && tile_bottom(tile) <= view->height;
+}
+
 static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered)
 {
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;
-    if (!tile.width || !tile.height || tile_right(tile) > view->width || tile_bottom(tile) > view->height ||
-        end > TIA_SPP_MAX || first > end)
+    if (!is_inside(view, tile) || end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
     if (view->level)
         level_renderer_for(view->level, view->renderer)->sample(view, tile, first, end, gathered);
@@ -27,4 +31,15 @@ static uint32_t enclosing(const struct tia_view *view, uint32_t light)
     return view->renderer->sample ? estimate_enclosing(view, light) : TIA_NO_OBJECT;
 }
 
-const struct tia_estimator NUM_ESTIMATOR = {NUM_NAME, sample, gather, enclosing};
+static int show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
+                const struct tia_surface *surface, bool dither)
+{
+    if (!view->renderer->sample)
+        return TIA_ERR_UNSUPPORTED;
+    if (!is_inside(view, row) || row.height != 1 || !surface->pixels || count < 1 || count > TIA_SPP_MAX)
+        return TIA_ERR_ARGUMENT;
+    estimate_show(view, row, sums, count, surface, dither);
+    return TIA_OK;
+}
+
+const struct tia_estimator NUM_ESTIMATOR = {NUM_NAME, sample, gather, enclosing, show};

@@ -156,9 +156,9 @@ static tia_rgb565 pack(const struct packing *p, const struct tia_sum *sum, int x
                         level(p, sum->rgb[2], 5, x));
 }
 
-static struct packing packing_of(const struct tia_integration *how, bool dither, int y)
+static struct packing packing_of(const struct tia_integration *how, uint32_t count, bool dither, int y)
 {
-    struct packing p = {tia_tone_of(how), tia_exposure_of(how->exposure), how->spp ? how->spp : TIA_SPP, dither, {0}};
+    struct packing p = {tia_tone_of(how), tia_exposure_of(how->exposure), count, dither, {0}};
 
     dither_thresholds(dither, y, p.threshold);
     return p;
@@ -167,10 +167,11 @@ static struct packing packing_of(const struct tia_integration *how, bool dither,
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance)
 {
+    const struct tia_integration *how = &view->scene->integration;
     struct estimate e = begin(view);
 
     for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
-        struct packing packing = packing_of(&view->scene->integration, options->dither, y);
+        struct packing packing = packing_of(how, how->spp ? how->spp : TIA_SPP, options->dither, y);
         char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
 
         for (int x = (int)tile.x; x < tile_right(tile) && !e.stopped; x++, out += surface->step) {
@@ -189,11 +190,12 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
     }
 }
 
-void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, char *out,
-                   ptrdiff_t step, bool dither)
+void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
+                   const struct tia_surface *surface, bool dither)
 {
-    struct packing packing = packing_of(&view->scene->integration, dither, (int)row.y);
+    struct packing packing = packing_of(&view->scene->integration, count, dither, (int)row.y);
+    char *out = (char *)surface->pixels;
 
-    for (int x = 0; x < (int)row.width; x++, out += step)
+    for (int x = 0; x < (int)row.width; x++, out += surface->step)
         *(tia_rgb565 *)(void *)out = pack(&packing, &sums[x], (int)row.x + x);
 }

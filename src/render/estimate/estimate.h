@@ -31,9 +31,9 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
 
-/* A row's pixels, of sums of all the scene's samples. */
-void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, char *out,
-                   ptrdiff_t step, bool dither);
+/* A row's pixels, of sums of `count` samples. */
+void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
+                   const struct tia_surface *surface, bool dither);
 
 /* Counts a ray; true once the caller wants to stop. */
 bool estimate_stops(struct estimate *e);
