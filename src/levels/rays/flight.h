@@ -8,7 +8,7 @@
 
 #define FLIGHT_COLUMNS 17
 
-/* A ray that waits. */
+/* A ray that waits; the media that it is in stay here while it is followed. */
 struct waiter {
     double number[FLIGHT_COLUMNS];
     uint32_t bounce, layers;
@@ -81,7 +81,6 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
         to->bounce = next->r.depth[k];
         to->layers = next->r.layers[k];
         to->specular = next->specular >> k & 1;
-        to->media = next->r.media[k];
         f->waits[octant][f->count[octant]++] = (uint16_t)slot;
     }
 }
@@ -105,7 +104,7 @@ static unsigned flight_pop(struct flight *f, struct paths *p)
     p->specular = 0;
     for (int k = 0; k < LANES; k++) {
         row[k] = none;
-        p->r.slot[k] = p->r.depth[k] = p->r.layers[k] = p->r.media[k].count = 0;
+        p->r.slot[k] = p->r.depth[k] = p->r.layers[k] = 0;
     }
     for (; taken < LANES && f->count[octant]; taken++) {
         uint32_t slot = f->waits[octant][--f->count[octant]];
@@ -114,7 +113,6 @@ static unsigned flight_pop(struct flight *f, struct paths *p)
         p->r.slot[taken] = slot;
         p->r.depth[taken] = from->bounce;
         p->r.layers[taken] = from->layers;
-        p->r.media[taken] = from->media;
         p->specular |= (unsigned)from->specular << taken;
         octant = f->count[octant] ? octant : fullest(f);
     }
@@ -189,7 +187,7 @@ static unsigned flight_start(struct flight *f, int from, struct paths *p, struct
 
     for (int k = 0; k < LANES; k++) {
         p->r.slot[k] = (uint32_t)(from + k < g->count ? from + k : g->count - 1);
-        p->r.depth[k] = p->r.layers[k] = p->r.media[k].count = 0;
+        p->r.depth[k] = p->r.layers[k] = f->ray[p->r.slot[k]].media.count = 0;
         quad[k] = ESTIMATE_FIRST_QUAD;
         lanes |= (unsigned)(from + k < g->count) << k;
     }

@@ -166,10 +166,12 @@ static void set_material(struct sure_material *to, const struct tia_material *m,
     sure_rgb(to->column + SURE_EMISSION, &m->emission);
     sure_rgb(to->column + SURE_FACING, &m->facing);
     to->is_specular = !colour_is_black(&m->specular);
-    to->is_mirror = !colour_is_black(&m->mirror);
     to->refracts = !colour_is_black(&m->refraction);
     to->fresnel = m->fresnel;
     to->column[SURE_EXPONENT] = (double)m->exponent * SURE_2(16);
+    for (uint32_t i = 0; i < SURE_EXPONENT; i++)
+        to->groups |= (uint32_t)(to->column[i] > 0) << i / 3;
+    to->groups |= (uint32_t)to->is_specular << SURE_EXPONENT / 3;
 }
 
 static void set_camera(struct sure_camera *to, const struct ray_camera *c)

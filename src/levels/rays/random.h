@@ -68,8 +68,7 @@ LANE_OP vu quads_number(const struct quads *q, unsigned i)
     return lanes_reverse(lanes_scramble(point, lanes_hash2(q->hash, none + i)));
 }
 
-/* (u + 1/2)/2^32: exact. */
-LANE_OP vd vu_unit(vu u)
+LANE_OP vd vu_number(vu u)
 {
 #if LANES > 1
     typedef double pure __attribute__((vector_size(8 * LANES)));
@@ -80,7 +79,13 @@ LANE_OP vd vu_unit(vu u)
 #else
     vd d = (double)u;
 #endif
-    return (d + vset(0.5)) * vset(SURE_2(32));
+    return d;
+}
+
+/* (u + 1/2)/2^32: exact. */
+LANE_OP vd vu_unit(vu u)
+{
+    return (vu_number(u) + vset(0.5)) * vset(SURE_2(32));
 }
 
 #endif

@@ -98,7 +98,8 @@ enum {
 
 struct sure_material {
     double column[SURE_COLUMNS];
-    bool known, is_specular, is_mirror, refracts, fresnel;
+    uint32_t groups; /* bit i: columns 3 i and on are not all 0, or do not matter */
+    bool known, is_specular, refracts, fresnel;
     const struct tia_texture *texture; /* of the colour, or NULL */
     double cells[2][3], repeat[2], offset[2];
 };

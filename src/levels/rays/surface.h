@@ -48,28 +48,33 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
     }
 }
 
-static void find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
+/* Returns the lanes whose materials have a texture. */
+static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
 {
     const struct sure_material *first = &s->materials[h->material[__builtin_ctz(lanes)]];
-    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0;
+    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0;
+    uint32_t groups = 0;
     const double *row[LANES];
     bool same = true;
 
     for (int k = 0; k < LANES; k++) {
         const struct sure_material *m = h->object[k] ? &s->materials[h->material[k]] : first;
         row[k] = m->column;
+        groups |= m->groups;
         same = same && m == first;
         glossy |= (unsigned)m->is_specular << k;
         refracts |= (unsigned)m->refracts << k;
         fresnel |= (unsigned)m->fresnel << k;
         unknown |= (unsigned)!m->known << k;
+        textured |= (unsigned)(m->texture != NULL) << k;
     }
     for (int i = 0; i < SURE_COLUMNS; i++)
-        *shade_column(h, i) = same ? vset(first->column[i]) : vgather(row, i);
+        *shade_column(h, i) = !(groups >> i / 3 & 1) ? vset(0) : same ? vset(first->column[i]) : vgather(row, i);
     h->glossy = mof(glossy);
     h->refracts = mof(refracts);
     h->fresnel = mof(fresnel);
     h->unsure = mof(unknown & lanes);
+    return textured & lanes;
 }
 
 static void add_texture(const struct sure_scene *s, struct shade *h, int k)
@@ -95,12 +100,11 @@ static void add_texture(const struct sure_scene *s, struct shade *h, int k)
     h->ecolour = vload(lanes);
 }
 
-static void find_textures(const struct sure_scene *s, struct shade *h)
+static void find_textures(const struct sure_scene *s, unsigned textured, struct shade *h)
 {
     h->ecolour = vset(0);
-    for (int k = 0; k < LANES; k++)
-        if (h->object[k] && s->materials[h->material[k]].texture)
-            add_texture(s, h, k);
+    for (; textured; textured &= textured - 1)
+        add_texture(s, h, __builtin_ctz(textured));
 }
 
 /* The points in the axes of their objects: as they are, but of instances. */
@@ -253,24 +257,20 @@ _Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
                    offsetof(struct sure_face, bend) == 22 * sizeof(double),
                "columns of a face");
 
-/* Normals that are the same all over: of planes, caps, boxes and faces. */
-static void flat_normal(const struct shade *h, int k, const struct sure_face **face, double n[3])
+/* Normals that are the same all over: of planes, caps, boxes and faces. *turned: the other way round. */
+static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
 {
+    static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
     const struct sure_object *o = h->object[k];
-    const double *from = o->normal;
-    double sign = 1;
 
+    *turned = o->kind == SURE_ROUND && h->element[k] != ROUND_TOP;
     if (o->kind == SURE_MESH || o->kind == SURE_TRIANGLE) {
         *face = o->kind == SURE_MESH ? &o->mesh->faces[h->element[k]] : o->face;
-        from = (*face)->normal;
-    } else if (o->kind == SURE_ROUND) {
-        from = o->round->axis;
-        sign = h->element[k] == ROUND_TOP ? 1 : -1;
+        return (*face)->normal;
     }
-    for (uint32_t i = 0; i < 3; i++)
-        n[i] = sign * from[i];
-    for (uint32_t i = 0; i < 3 && (o->kind == SURE_BOX || o->kind == SURE_GRID); i++)
-        n[i] = h->element[k] % 6 / 2 != i ? 0 : h->element[k] % 2 ? 1 : -1;
+    if (o->kind == SURE_ROUND)
+        return o->round->axis;
+    return o->kind == SURE_BOX || o->kind == SURE_GRID ? axes[h->element[k] % 6] : o->normal;
 }
 
 LANE_OP bool is_round(const struct shade *h, int k)
@@ -282,21 +282,24 @@ LANE_OP bool is_round(const struct shade *h, int k)
 
 static void find_normals(struct shade *h, unsigned lanes)
 {
+    static const double none[3];
     const struct sure_face *face[LANES] = {NULL};
-    double flat[3][LANES];
-    unsigned smooth = 0, round = 0;
+    const double *flat[LANES];
+    unsigned smooth = 0, round = 0, back = 0;
 
     for (int k = 0; k < LANES; k++) {
-        double n[3] = {0, 0, 0};
+        bool turned = false;
+        flat[k] = none;
         if (lanes >> k & 1) {
-            flat_normal(h, k, &face[k], n);
+            flat[k] = flat_normal(h, k, &face[k], &turned);
             round |= (unsigned)is_round(h, k) << k;
         }
+        back |= (unsigned)turned << k;
         smooth |= (unsigned)(face[k] && face[k]->smoothed) << k;
-        for (int i = 0; i < 3; i++)
-            flat[i][k] = n[i];
     }
-    h->geometric = (struct v3){vload(flat[0]), vload(flat[1]), vload(flat[2])};
+    h->geometric = v3_gather(flat, 0);
+    if (back)
+        h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
     h->eg = vset(SURE_2(51));
     h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
@@ -355,9 +358,8 @@ static void find_surfaces(const struct sure_scene *s, const struct pack *p, cons
     h->viewer = v3_neg(p->d);
     h->ev = p->ed;
     find_objects(s, q, lanes, h);
-    find_materials(s, lanes, h);
-    unsigned placed = find_local(h);
-    find_textures(s, h);
+    unsigned textured = find_materials(s, lanes, h), placed = find_local(h);
+    find_textures(s, textured, h);
     find_normals(h, lanes);
     if (placed)
         place_normals(h, placed);

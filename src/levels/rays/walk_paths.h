@@ -11,33 +11,22 @@
  * m +- ew where the path survives. */
 static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
 {
-    double most[LANES], e[LANES], chance[LANES];
-    unsigned asked = 0, unsure = 0;
-    uint32_t number[LANES];
+    const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
+    vd most = most3(p->r.weight), e = p->r.ew + UNIT, low = (most - e) * all, high = vfloor((most + e) * all);
+    unsigned asked = 0;
 
     for (int k = 0; k < LANES; k++)
         asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
-    if (!asked)
+    vm open = mand(mof(asked), vlt(low, all));
+    if (!many(open))
         return lanes;
-    vstore(most, most3(p->r.weight));
-    vstore(e, p->r.ew + UNIT);
-    vu_store(number, path_choice(f, p, 2));
-    for (int k = 0; k < LANES; k++) {
-        double low = (most[k] - e[k]) * 4294967296.0, high = (most[k] + e[k]) * 4294967296.0;
-        chance[k] = 1;
-        if (!(asked >> k & 1) || low >= 4294967296.0)
-            continue;
-        uint64_t least = low < 0 ? 0 : (uint64_t)low, largest = (uint64_t)high;
-        if (number[k] >= largest && largest < UINT32_MAX)
-            lanes &= ~(1u << k);
-        else if (least != largest || largest >= UINT32_MAX)
-            unsure |= 1u << k;
-        else
-            chance[k] = (double)least / 4294967296.0;
-    }
-    doubt(f, unsure, p->r.slot);
-    divide_by(p, vload(chance), mof(asked));
-    return lanes & ~unsure;
+    low = vfloor(vmax(low, vset(0)));
+    vd number = vu_number(path_choice(f, p, 2));
+    vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
+    vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
+    lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
+    divide_by(p, low * SURE_2(32), mand(open, mof(lanes)));
+    return lanes;
 }
 
 /* The numbers of directions are those of the first quad at the first bounce, and that may come after layers. */
@@ -96,7 +85,7 @@ static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, cons
     next.r.p.o = h->outside;
     next.r.p.eo = h->eoutside;
     next.specular = 0;
-    go_on(f, lanes, p, &next, p->r.media);
+    go_on(f, lanes, p, &next, NULL);
 }
 
 static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
@@ -112,7 +101,7 @@ static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *
     next.r.p.ed = l->emirrored;
     next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.specular = lanes;
-    go_on(f, lanes, p, &next, p->r.media);
+    go_on(f, lanes, p, &next, NULL);
 }
 
 /* Each path takes one of its surface's lobes. */
