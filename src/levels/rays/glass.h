@@ -39,8 +39,8 @@ LANE_OP void keep_media(struct flight *f, unsigned lanes, const struct paths *p,
     }
 }
 
-/* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput ends; where the integers' has none and ours has a
- * little, ours goes on and adds no more than the bound says. */
+/* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput
+ * ends; where the integers' has none and ours has a little, ours goes on and adds no more than the bound says. */
 LANE_OP void go_on(struct flight *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media *media)
 {

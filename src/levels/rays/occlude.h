@@ -5,8 +5,7 @@
 #include "flight.h"
 
 /* Ambient occlusion: decisions alone. */
-static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes,
-                           const struct quads *first)
+static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;
     struct shadow shadow;

@@ -13,6 +13,7 @@ struct shade {
     vm unsure;
     vm exact; /* the coordinates of the normal are the integers' ones, rounded: of their sign, or 0 where those are */
     const struct sure_object *object[LANES]; /* NULL in other lanes */
+    vd id, part;                             /* index and element, as the query has them */
     uint32_t index[LANES], element[LANES], material[LANES];
     const double *instance[LANES]; /* struct sure_instance */
 };
@@ -37,12 +38,14 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
 {
     double ids[LANES], elements[LANES];
 
-    vstore(ids, q->id);
-    vstore(elements, q->element);
+    h->id = vsel(mof(lanes), q->id, vset(0));
+    h->part = vsel(mof(lanes), q->element, vset(0));
+    vstore(ids, h->id);
+    vstore(elements, h->part);
     for (int k = 0; k < LANES; k++) {
         bool on = lanes >> k & 1;
-        h->index[k] = on ? (uint32_t)ids[k] : 0;
-        h->element[k] = on ? (uint32_t)elements[k] : 0;
+        h->index[k] = (uint32_t)ids[k];
+        h->element[k] = (uint32_t)elements[k];
         h->object[k] = on ? &s->object[h->index[k]] : NULL;
         h->material[k] = on ? material_at(h->object[k], h->element[k]) : 0;
     }
@@ -336,14 +339,9 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
     vm away = vlt(h->eg + ed + vset(SURE_2(49) + least), v3_dot(h->geometric, d) * sign);
-    double object[LANES], element[LANES];
     vm inside = sign > 0 ? h->back : mnot(h->back);
 
-    for (int k = 0; k < LANES; k++) {
-        object[k] = h->index[k];
-        element[k] = h->element[k];
-    }
-    return (struct origin){vsel(away, vload(object), vset(-1)), vload(element), vsel(inside, vset(1), vset(0))};
+    return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
 /* All of the points that the rays of these lanes meet. */
