@@ -20,6 +20,9 @@ typedef __mmask8 vm;
 #define mnot(a) _knot_mask8(a)
 #define mbits(m) ((unsigned)(m))
 #define mof(bits) ((vm)(bits))
+#define OF16(table, index)                                                                                             \
+    (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \
+                                   _mm256_loadu_si256((const void *)((table) + 8)))
 
 #include "tracer.h"
 #include "walk_paths.h"

@@ -105,13 +105,16 @@ static void add_glow(struct flight *f, unsigned lanes, const struct paths *p, co
     vm fine = mnot(mnone());
     vd rgb[3], flat[3];
 
+    unsigned glows = lanes & mbits(vlt(vset(0), most3(h->emission)));
+    unsigned flats = lanes & mbits(vlt(vset(0), most3(h->flat)));
+    if (!(glows | flats))
+        return;
     for (int k = 0; k < LANES; k++) {
         glow[k] = l->of[k]->glow;
-        sphere |= (unsigned)(lanes >> k & 1 && h->index[k] < s->view->scene->sphere_count) << k;
+        sphere |= (unsigned)(h->index[k] < s->view->scene->sphere_count) << k;
     }
     for (int c = 0; c < 3; c++)
         rgb[c] = h->emission[c] * vload(glow);
-    unsigned glows = lanes & mbits(vlt(vset(0), most3(rgb))), flats = lanes & mbits(vlt(vset(0), most3(h->flat)));
     for (unsigned left = glows & sphere & ~p->specular; left; left &= left - 1) {
         unsigned one = left & -left;
         const struct sure_object *o = h->object[__builtin_ctz(one)];

@@ -8,7 +8,7 @@
 
 #define FLIGHT_COLUMNS 17
 
-/* A ray that waits. */
+/* A ray that waits; the media that it is in stay here while it is followed. */
 struct waiter {
     double number[FLIGHT_COLUMNS];
     uint32_t bounce, layers;
@@ -81,7 +81,6 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
         to->bounce = next->r.depth[k];
         to->layers = next->r.layers[k];
         to->specular = next->specular >> k & 1;
-        to->media = next->r.media[k];
         f->waits[octant][f->count[octant]++] = (uint16_t)slot;
     }
 }
@@ -98,50 +97,67 @@ static int fullest(const struct flight *f)
 /* Takes as many rays as there are lanes, those of one octant first; the lanes. */
 static unsigned flight_pop(struct flight *f, struct paths *p)
 {
-    double number[FLIGHT_COLUMNS][LANES] = {{0}};
+    static const double none[FLIGHT_COLUMNS];
+    const double *row[LANES];
     int octant = fullest(f), taken = 0;
 
     p->specular = 0;
-    for (int k = 0; k < LANES; k++)
-        p->r.slot[k] = p->r.depth[k] = p->r.layers[k] = p->r.media[k].count = 0;
+    for (int k = 0; k < LANES; k++) {
+        row[k] = none;
+        p->r.slot[k] = p->r.depth[k] = p->r.layers[k] = 0;
+    }
     for (; taken < LANES && f->count[octant]; taken++) {
         uint32_t slot = f->waits[octant][--f->count[octant]];
         const struct waiter *from = &f->ray[slot];
-        for (int i = 0; i < FLIGHT_COLUMNS; i++)
-            number[i][taken] = from->number[i];
+        row[taken] = from->number;
         p->r.slot[taken] = slot;
         p->r.depth[taken] = from->bounce;
         p->r.layers[taken] = from->layers;
-        p->r.media[taken] = from->media;
         p->specular |= (unsigned)from->specular << taken;
         octant = f->count[octant] ? octant : fullest(f);
     }
     for (int i = 0; i < FLIGHT_COLUMNS; i++)
-        *flight_column(p, i) = vload(number[i]);
+        *flight_column(p, i) = vgather(row, i);
     return (1u << taken) - 1;
 }
 
-LANE_OP void quad_of_paths(const struct flight *f, const uint32_t slot[LANES], const uint32_t quad[LANES], vu u[4])
+LANE_OP struct quads quads_of_paths(const struct flight *f, const uint32_t slot[LANES], const uint32_t quad[LANES])
 {
-    uint32_t seed[LANES], index[LANES];
+#define SEED(k) f->seed[slot[k]]
+#define INDEX(k) f->gather->index[slot[k]]
+    return quads_of((vu){EACH_LANE(SEED)}, (vu){EACH_LANE(INDEX)}, vu_load(quad));
+#undef SEED
+#undef INDEX
+}
 
-    for (int k = 0; k < LANES; k++) {
-        seed[k] = f->seed[slot[k]];
-        index[k] = f->gather->index[slot[k]];
-    }
-    quad_numbers(vu_load(seed), vu_load(index), vu_load(quad), u);
+/* Quads of bounces: 0 for a place on a light and the next direction, 1 for choices. What no lane asks for is not
+ * computed. */
+LANE_OP struct quads path_quads(const struct flight *f, const struct paths *p, uint32_t which)
+{
+    uint32_t quad[LANES];
+
+    for (int k = 0; k < LANES; k++)
+        quad[k] = PATH_QUAD(p->r.depth[k], which);
+    return quads_of_paths(f, p->r.slot, quad);
+}
+
+LANE_OP vu path_choice(const struct flight *f, const struct paths *p, unsigned dimension)
+{
+    struct quads quads = path_quads(f, p, 1);
+
+    return quads_number(&quads, dimension);
 }
 
 /* First rays, by the integers: their window has 2^-45 as unit too, and is small, so that a bound on how they round it
  * would be the largest one of all. */
-static void first_paths(const struct flight *f, struct paths *p, const vu u[2])
+static void first_paths(const struct flight *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
     double o[3][LANES], d[3][LANES];
     uint32_t numbers[2][LANES];
 
-    vu_store(numbers[0], u[0]);
-    vu_store(numbers[1], u[1]);
+    vu_store(numbers[0], quads_number(first, 0));
+    vu_store(numbers[1], quads_number(first, 1));
     for (int k = 0; k < LANES; k++) {
         const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
         const struct light_pixel pixel = ray_pixel_at(g->x[p->r.slot[k]], g->y[p->r.slot[k]]);
@@ -162,8 +178,8 @@ static void first_paths(const struct flight *f, struct paths *p, const vu u[2])
     p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
 }
 
-/* Starts up to LANES samples, from number `from` on; the lanes. */
-static unsigned flight_start(struct flight *f, int from, struct paths *p, vu u[4])
+/* Starts up to LANES samples, from number `from` on; the lanes. *first: their first quads. */
+static unsigned flight_start(struct flight *f, int from, struct paths *p, struct quads *first)
 {
     const struct sure_gather *g = f->gather;
     uint32_t quad[LANES];
@@ -171,12 +187,12 @@ static unsigned flight_start(struct flight *f, int from, struct paths *p, vu u[4
 
     for (int k = 0; k < LANES; k++) {
         p->r.slot[k] = (uint32_t)(from + k < g->count ? from + k : g->count - 1);
-        p->r.depth[k] = p->r.layers[k] = p->r.media[k].count = 0;
+        p->r.depth[k] = p->r.layers[k] = f->ray[p->r.slot[k]].media.count = 0;
         quad[k] = ESTIMATE_FIRST_QUAD;
         lanes |= (unsigned)(from + k < g->count) << k;
     }
-    quad_of_paths(f, p->r.slot, quad, u);
-    first_paths(f, p, u);
+    *first = quads_of_paths(f, p->r.slot, quad);
+    first_paths(f, p, first);
     p->r.weight[0] = p->r.weight[1] = p->r.weight[2] = vset(1);
     p->r.ew = vset(0);
     p->density = ve_of(vset(0), vset(0));

@@ -31,18 +31,27 @@ LANE_OP unsigned uncut(struct flight *f, unsigned lanes, const struct paths *nex
     return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
 }
 
-/* The rays of these lanes, one bounce on. A path without throughput ends; where the integers' has none and ours has a
- * little, ours goes on and adds no more than the bound says. */
+LANE_OP void keep_media(struct flight *f, unsigned lanes, const struct paths *p, const struct media media[LANES])
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int k = __builtin_ctz(lanes);
+        f->ray[p->r.slot[k]].media = media[k];
+    }
+}
+
+/* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput
+ * ends; where the integers' has none and ours has a little, ours goes on and adds no more than the bound says. */
 LANE_OP void go_on(struct flight *f, unsigned lanes, const struct paths *p, struct paths *next,
-                   const struct media media[LANES])
+                   const struct media *media)
 {
     lanes = uncut(f, lanes, next, p->r.slot) & mbits(vlt(vset(0), most3(next->r.weight)));
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];
         next->r.depth[k] = p->r.depth[k] + 1;
         next->r.layers[k] = p->r.layers[k];
-        next->r.media[k] = media[k];
     }
+    if (media)
+        keep_media(f, lanes, p, media);
     flight_push(f, next, lanes);
 }
 
@@ -89,9 +98,9 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
         next->r.slot[k] = p->r.slot[k];
         next->r.depth[k] = p->r.depth[k];
         next->r.layers[k] = p->r.layers[k] + 1;
-        next->r.media[k] = media[k];
         passes |= (unsigned)(next->r.layers[k] <= TIA_LAYERS) << k & lanes;
     }
+    keep_media(f, passes, p, media);
     flight_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
 }
 
@@ -105,7 +114,9 @@ static void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
     unsigned unsure;
     vd q, part;
 
-    find_boundaries(s, h, lanes, &p->r, &r, &q, &part);
+    for (int k = 0; k < LANES; k++)
+        next.r.media[k] = f->ray[p->r.slot[k]].media;
+    find_boundaries(s, h, lanes, &next.r, &r, &q, &part);
     refract(h, mof(lanes), q, part, &r);
     lanes = sure_of(f, lanes, r.unsure, p->r.slot);
     unsigned reflected = reflected_by(&r, h, lanes, number, &unsure), straight = mbits(r.straight) & lanes;
@@ -123,7 +134,7 @@ static void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
         next.r.p.d = l->mirrored;
         next.r.p.ed = l->emirrored;
         next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
-        go_on(f, lanes & reflected, p, &next, p->r.media);
+        go_on(f, lanes & reflected, p, &next, NULL);
     }
     lanes &= ~reflected;
     if (lanes) {

@@ -31,14 +31,6 @@ struct grid_walk {
     vd t, e, element;
 };
 
-/* |x| < 2^51: to nearest by adding 1.5 2^52, less 1 if that is above. */
-LANE_OP vd vfloor(vd x)
-{
-    vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
-
-    return nearest - vsel(vlt(x, nearest), vset(1), vset(0));
-}
-
 LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
 {
     return vsel(first, a, vsel(second, b, c));

@@ -6,7 +6,10 @@
  *   vsqrt vabs vmin vmax      vmin(a, NaN) and vmax(a, NaN) may be anything
  *   vlt vle          a < b, a <= b: false where one is NaN
  *   vsel(m, a, b)    a where m is true
- *   mand mor mnot, mbits(m), mof(bits)    lane k is bit k */
+ *   mand mor mnot, mbits(m), mof(bits)    lane k is bit k
+ *
+ * and may define, where that is quick:
+ *   OF16(table, index)        of 16 words those that the low four bits of each lane's index say: vu, see random.h */
 #ifndef TIA_LEVELS_RAYS_LANES_H
 #define TIA_LEVELS_RAYS_LANES_H
 

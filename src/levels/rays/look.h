@@ -64,9 +64,22 @@ static void add_sights(struct flight *f, unsigned lanes, const struct paths *p, 
     add_part(f, lanes, p, part, e);
 }
 
+/* Which emitter each lane looks at, and the numbers of a place on it. */
+LANE_OP void choose_emitters(const struct flight *f, const struct paths *p, uint32_t which[LANES], vu u[2])
+{
+    uint64_t count = f->gather->scene->paths->emitter_count;
+    struct quads quads = path_quads(f, p, 0);
+
+    vu_store(which, count > 1 ? path_choice(f, p, 1) : (vu){0});
+    for (int k = 0; k < LANES; k++)
+        which[k] = (uint32_t)(which[k] * count >> 32);
+    u[0] = quads_number(&quads, 0);
+    u[1] = quads_number(&quads, 1);
+}
+
 /* What one of the emitters sends to the surface. Returns the lanes that are sure. */
 static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
-                                const struct lobes *l, vu choice, const vu u[2])
+                                const struct lobes *l)
 {
     const struct sure_scene *s = f->gather->scene;
     uint32_t which[LANES], ends[LANES];
@@ -75,14 +88,13 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     struct response r;
     struct shadow shadow;
     vd radiance[3];
+    vu u[2];
 
     for (int k = 0; k < LANES; k++)
         rough |= (unsigned)l->of[k]->rough << k & lanes;
     if (!rough || !s->paths->emitter_count)
         return lanes;
-    vu_store(which, choice);
-    for (int k = 0; k < LANES; k++)
-        which[k] = (uint32_t)((uint64_t)which[k] * s->paths->emitter_count >> 32);
+    choose_emitters(f, p, which, u);
     find_sights(s, rough, which, h, u, &a, radiance, &surface);
     vd cosine = v3_dot(a.to, h->normal), above = v3_dot(a.to, h->geometric);
     vd ec = a.eto + h->en + SURE_2(49), ea = a.eto + h->eg + SURE_2(49);

@@ -5,7 +5,7 @@
 #include "flight.h"
 
 /* Ambient occlusion: decisions alone. */
-static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, const vu u[4])
+static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;
     struct shadow shadow;
@@ -25,7 +25,8 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     lanes = sure_of(f, lanes, h.unsure, p->r.slot);
     shadow.p.o = h.outside;
     shadow.p.eo = h.eoutside;
-    shadow.p.d = around(h.normal, h.en, h.exact, cosine_direction(u[2], u[3]), vset(SURE_LOCAL), &shadow.p.ed, &unsure);
+    shadow.p.d = around(h.normal, h.en, h.exact, cosine_direction(quads_number(first, 2), quads_number(first, 3)),
+                        vset(SURE_LOCAL), &shadow.p.ed, &unsure);
     shadow.p.from = leaving(&h, shadow.p.d, shadow.p.ed, 1, 0);
     shadow.distance = vset(s->paths->reach);
     shadow.edistance = vset(0);
@@ -47,12 +48,12 @@ static void occlude(struct sure_gather *g)
     const struct tia_view *view = g->scene->view->view;
     struct flight f;
     struct paths p;
-    vu u[4];
+    struct quads first;
 
     flight_open(&f, g);
     for (int from = 0; from < g->count && !view_stops(view); from += LANES) {
-        unsigned lanes = flight_start(&f, from, &p, u);
-        occlude_packet(&f, &p, lanes, u);
+        unsigned lanes = flight_start(&f, from, &p, &first);
+        occlude_packet(&f, &p, lanes, &first);
     }
 }
 

@@ -80,7 +80,7 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view)
 
 static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
-    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tree->node_count};
+    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tree->node_count, {0, 0, 0}, 0};
 
     for (uint32_t i = 0; i < tree->node_count; i++) {
         const struct tia_bvh_node *n = &tree->nodes[i];
@@ -91,11 +91,50 @@ static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_nod
         (*nodes)[i].index = n->index;
         (*nodes)[i].count = n->count;
     }
+    for (int k = 0; k < 3 && t.node_count; k++) {
+        const double *b = t.nodes[0].box;
+        t.centre[k] = (b[k] + b[k + 3]) / 2;
+        t.extent += (b[k + 3] - b[k]) / 2;
+    }
     *nodes += tree->node_count;
     return t;
 }
 
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
+/* A mesh of few faces is one leaf: to try them all takes less time than to find out which. */
+static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
+{
+    struct sure_node *root = *nodes;
+    struct sure_tree t = tree_of(tree, nodes);
+    uint32_t faces = 0;
+
+    for (uint32_t i = 0; i < t.node_count; i++)
+        faces += t.nodes[i].count;
+    if (faces && faces <= SURE_LEAF) {
+        root->index = 0;
+        root->count = faces;
+    }
+    return t;
+}
+
+/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
+static void set_edges(struct sure_face *f, const double centre[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const double *from = f->at[i], *to = f->at[(i + 1) % 3];
+        double a[3], b[3];
+        for (int k = 0; k < 3; k++) {
+            a[k] = from[k] - centre[k];
+            b[k] = to[k] - centre[k];
+            f->edge[i][1][k] = to[k] - from[k];
+        }
+        for (int k = 0; k < 3; k++) {
+            int x = (k + 1) % 3, y = (k + 2) % 3;
+            f->edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
+        }
+    }
+}
+
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3])
 {
     const struct triangle_corners corners = {{corner[0], corner[1], corner[2]}};
     struct num_dir normal;
@@ -112,15 +151,16 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
             extent += __builtin_fabs(to->at[i][k] - to->at[0][k]);
         to->extent = extent > to->extent ? extent : to->extent;
     }
+    set_edges(to, centre ? centre : to->at[0]);
 }
 
-static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face)
+static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face, const double centre[3])
 {
     const struct tia_corner *c = mesh->faces[face].corner;
     const struct tia_vec3 at[3] = {mesh->vertices[c[0].vertex], mesh->vertices[c[1].vertex],
                                    mesh->vertices[c[2].vertex]};
 
-    tia_sure_set_face(to, at);
+    tia_sure_set_face(to, at, centre);
     to->smoothed = c[0].normal != TIA_NO_INDEX;
     for (int i = 0; i < 3 && to->smoothed; i++)
         sure_dir(to->smooth[i], num_dir_of(mesh->normals[c[i].normal]));
@@ -136,11 +176,11 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
 
     s->objects = tree_of(&scene->bvh->objects, &nodes);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        p->meshes[i] = tree_of(&scene->bvh->meshes[i], &nodes);
+        p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
         p->meshes[i].faces = faces;
         p->meshes[i].groups = scene->meshes[i].groups;
         for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
-            set_mesh_face(faces++, &scene->meshes[i], k);
+            set_mesh_face(faces++, &scene->meshes[i], k, p->meshes[i].centre);
     }
     s->meshes = p->meshes;
     p->of.faces = faces;
@@ -166,10 +206,12 @@ static void set_material(struct sure_material *to, const struct tia_material *m,
     sure_rgb(to->column + SURE_EMISSION, &m->emission);
     sure_rgb(to->column + SURE_FACING, &m->facing);
     to->is_specular = !colour_is_black(&m->specular);
-    to->is_mirror = !colour_is_black(&m->mirror);
     to->refracts = !colour_is_black(&m->refraction);
     to->fresnel = m->fresnel;
     to->column[SURE_EXPONENT] = (double)m->exponent * SURE_2(16);
+    for (uint32_t i = 0; i < SURE_EXPONENT; i++)
+        to->groups |= (uint32_t)(to->column[i] > 0) << i / 3;
+    to->groups |= (uint32_t)to->is_specular << SURE_EXPONENT / 3;
 }
 
 static void set_camera(struct sure_camera *to, const struct ray_camera *c)
@@ -187,16 +229,6 @@ static void set_camera(struct sure_camera *to, const struct ray_camera *c)
     to->height = c->height;
     to->side = c->side;
     to->orthographic = c->projection == TIA_ORTHOGRAPHIC;
-}
-
-static void set_extent(struct sure_scene *s)
-{
-    s->extent = 0;
-    for (int k = 0; k < 3; k++) {
-        const double *b = s->objects.node_count ? s->objects.nodes[0].box : NULL;
-        s->centre[k] = b ? (b[k] + b[k + 3]) / 2 : 0;
-        s->extent += b ? (b[k + 3] - b[k]) / 2 : 0;
-    }
 }
 
 void tia_sure_prepare(struct tia_view *view)
@@ -221,5 +253,7 @@ void tia_sure_prepare(struct tia_view *view)
     s->paths = NULL;
     sure_rgb(s->background, &scene->background);
     set_camera(&s->camera, &s->view->camera);
-    set_extent(s);
+    s->extent = s->objects.extent;
+    for (int k = 0; k < 3; k++)
+        s->centre[k] = s->objects.centre[k];
 }

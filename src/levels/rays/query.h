@@ -27,6 +27,12 @@ struct pack {
     struct v3 in, out;        /* planes, and for the farther ones */
 };
 
+/* Rays as lines: their moments O x D about a centre, and by what the side of an edge is off, see triangle.h. */
+struct line {
+    struct v3 moment;
+    vd e, each;
+};
+
 /* Nearest: t, e are those of the best hit; `low` is the least t - e of every other hit, and of what may be hit. The
  * best one is sure when t + e < low in the end: hits behind the best one may be as unsure as they like. Equal
  * distances are never sure: the lower index wins with the integers.
@@ -44,6 +50,7 @@ struct group_list {
 
 struct query {
     const struct pack *p;
+    struct line line; /* about the centre of a mesh */
     vm active;
     vd limit; /* what is farther does not count, for sure */
     bool any;

@@ -32,26 +32,43 @@ LANE_OP void vu_store(uint32_t *p, vu u)
 
 LANE_OP vu vu_table(vu index, unsigned dimension)
 {
+#ifdef OF16
+    vu sum = {0};
+
+    for (unsigned i = 0; i < 8; i++)
+        sum ^= OF16(tia_sobol_tables[dimension - 2][i], index >> (4 * i));
+    return sum;
+#else
     uint32_t at[LANES];
 
     vu_store(at, index);
     for (int k = 0; k < LANES; k++)
         at[k] = sobol_table(at[k], dimension);
     return vu_load(at);
+#endif
 }
 
-/* All four numbers of a quad, see sampler_pair. */
-LANE_OP void quad_numbers(vu seed, vu index, vu quad, vu u[4])
+/* Each lane's quad: what scrambles it, and where its sample comes in it. */
+struct quads {
+    vu hash, at;
+};
+
+LANE_OP struct quads quads_of(vu seed, vu index, vu quad)
 {
-    vu hash = lanes_hash2(seed, quad), at = lanes_reverse(lanes_scramble(lanes_reverse(index), hash)), none = {0};
-    vu point[4] = {at, lanes_pascal(at), vu_table(at, 2), vu_table(at, 3)};
+    vu hash = lanes_hash2(seed, quad);
 
-    for (uint32_t i = 0; i < 4; i++)
-        u[i] = lanes_reverse(lanes_scramble(point[i], lanes_hash2(hash, none + i)));
+    return (struct quads){hash, lanes_reverse(lanes_scramble(lanes_reverse(index), hash))};
 }
 
-/* (u + 1/2)/2^32: exact. */
-LANE_OP vd vu_unit(vu u)
+/* The number of dimension i, 0..3, see sampler_pair. */
+LANE_OP vu quads_number(const struct quads *q, unsigned i)
+{
+    vu none = {0}, point = i == 0 ? q->at : i == 1 ? lanes_pascal(q->at) : vu_table(q->at, i);
+
+    return lanes_reverse(lanes_scramble(point, lanes_hash2(q->hash, none + i)));
+}
+
+LANE_OP vd vu_number(vu u)
 {
 #if LANES > 1
     typedef double pure __attribute__((vector_size(8 * LANES)));
@@ -62,7 +79,13 @@ LANE_OP vd vu_unit(vu u)
 #else
     vd d = (double)u;
 #endif
-    return (d + vset(0.5)) * vset(SURE_2(32));
+    return d;
+}
+
+/* (u + 1/2)/2^32: exact. */
+LANE_OP vd vu_unit(vu u)
+{
+    return (vu_number(u) + vset(0.5)) * vset(SURE_2(32));
 }
 
 #endif

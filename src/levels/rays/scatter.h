@@ -58,7 +58,7 @@ static void cut_textured(const struct sure_paths *paths, const struct shade *h, 
 LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
 {
     uint32_t first = h->material[__builtin_ctz(lanes)];
-    double chance[4][LANES];
+    const double *chance[LANES];
     bool known = true;
 
     l->glossy = 0;
@@ -69,12 +69,11 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
     if (!known)
         cut_textured(paths, h, lanes, l);
     for (int k = 0; k < LANES; k++) {
-        for (int i = 0; i < 4; i++)
-            chance[i][k] = l->of[k]->chance[i];
-        l->glossy |= (unsigned)(chance[CHANCE_GLOSSY][k] > 0) << k & lanes;
+        chance[k] = l->of[k]->chance;
+        l->glossy |= (unsigned)(chance[k][CHANCE_GLOSSY] > 0) << k & lanes;
     }
     for (int i = 0; i < 4; i++)
-        l->chance[i] = vload(chance[i]);
+        l->chance[i] = vgather(chance, i);
 }
 
 /* Two mirrors whose normals differ by dn differ by 2 dn. */

@@ -45,6 +45,8 @@ static void spread_shade(const struct shade *h, int k, struct shade *to)
     }
     to->glossy = mspread(h->glossy, k);
     to->back = mspread(h->back, k);
+    to->id = vspread(&h->id, k);
+    to->part = vspread(&h->part, k);
     for (int i = 0; i < LANES; i++) {
         to->index[i] = h->index[k];
         to->element[i] = h->element[k];

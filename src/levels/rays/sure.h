@@ -23,10 +23,13 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent; /* of the edges: the most of |x| + |y| + |z| */
-    double bend;   /* how far the smooth normals are apart */
+    double extent;        /* of the edges: the most of |x| + |y| + |z| */
+    double bend;          /* how far the smooth normals are apart */
+    double edge[3][2][3]; /* A x B and B - A, from a centre: of the tree, or of a single one its first corner */
     bool any, smoothed;
 };
+
+#define SURE_LEAF 16 /* faces that are tried at once, and of which a mesh has no hierarchy */
 
 struct sure_tree {
     const struct sure_node *nodes;
@@ -34,6 +37,7 @@ struct sure_tree {
     const struct sure_face *faces; /* of a mesh */
     const uint32_t *groups;        /* and those of its faces, or NULL */
     uint32_t node_count;
+    double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
 };
 
 /* SURE_UNKNOWN: may be hit anywhere in its box. */
@@ -98,7 +102,8 @@ enum {
 
 struct sure_material {
     double column[SURE_COLUMNS];
-    bool known, is_specular, is_mirror, refracts, fresnel;
+    uint32_t groups; /* bit i: columns 3 i and on are not all 0, or do not matter */
+    bool known, is_specular, refracts, fresnel;
     const struct tia_texture *texture; /* of the colour, or NULL */
     double cells[2][3], repeat[2], offset[2];
 };
@@ -218,7 +223,7 @@ struct sure_places {
 };
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3]);
 
 /* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);

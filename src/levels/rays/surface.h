@@ -13,6 +13,7 @@ struct shade {
     vm unsure;
     vm exact; /* the coordinates of the normal are the integers' ones, rounded: of their sign, or 0 where those are */
     const struct sure_object *object[LANES]; /* NULL in other lanes */
+    vd id, part;                             /* index and element, as the query has them */
     uint32_t index[LANES], element[LANES], material[LANES];
     const double *instance[LANES]; /* struct sure_instance */
 };
@@ -37,39 +38,46 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
 {
     double ids[LANES], elements[LANES];
 
-    vstore(ids, q->id);
-    vstore(elements, q->element);
+    h->id = vsel(mof(lanes), q->id, vset(0));
+    h->part = vsel(mof(lanes), q->element, vset(0));
+    vstore(ids, h->id);
+    vstore(elements, h->part);
     for (int k = 0; k < LANES; k++) {
         bool on = lanes >> k & 1;
-        h->index[k] = on ? (uint32_t)ids[k] : 0;
-        h->element[k] = on ? (uint32_t)elements[k] : 0;
+        h->index[k] = (uint32_t)ids[k];
+        h->element[k] = (uint32_t)elements[k];
         h->object[k] = on ? &s->object[h->index[k]] : NULL;
         h->material[k] = on ? material_at(h->object[k], h->element[k]) : 0;
     }
 }
 
-static void find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
+/* Returns the lanes whose materials have a texture. */
+static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
 {
     const struct sure_material *first = &s->materials[h->material[__builtin_ctz(lanes)]];
-    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0;
+    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0;
+    uint32_t groups = 0;
     const double *row[LANES];
     bool same = true;
 
     for (int k = 0; k < LANES; k++) {
         const struct sure_material *m = h->object[k] ? &s->materials[h->material[k]] : first;
         row[k] = m->column;
+        groups |= m->groups;
         same = same && m == first;
         glossy |= (unsigned)m->is_specular << k;
         refracts |= (unsigned)m->refracts << k;
         fresnel |= (unsigned)m->fresnel << k;
         unknown |= (unsigned)!m->known << k;
+        textured |= (unsigned)(m->texture != NULL) << k;
     }
     for (int i = 0; i < SURE_COLUMNS; i++)
-        *shade_column(h, i) = same ? vset(first->column[i]) : vgather(row, i);
+        *shade_column(h, i) = !(groups >> i / 3 & 1) ? vset(0) : same ? vset(first->column[i]) : vgather(row, i);
     h->glossy = mof(glossy);
     h->refracts = mof(refracts);
     h->fresnel = mof(fresnel);
     h->unsure = mof(unknown & lanes);
+    return textured & lanes;
 }
 
 static void add_texture(const struct sure_scene *s, struct shade *h, int k)
@@ -95,12 +103,11 @@ static void add_texture(const struct sure_scene *s, struct shade *h, int k)
     h->ecolour = vload(lanes);
 }
 
-static void find_textures(const struct sure_scene *s, struct shade *h)
+static void find_textures(const struct sure_scene *s, unsigned textured, struct shade *h)
 {
     h->ecolour = vset(0);
-    for (int k = 0; k < LANES; k++)
-        if (h->object[k] && s->materials[h->material[k]].texture)
-            add_texture(s, h, k);
+    for (; textured; textured &= textured - 1)
+        add_texture(s, h, __builtin_ctz(textured));
 }
 
 /* The points in the axes of their objects: as they are, but of instances. */
@@ -253,24 +260,20 @@ _Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
                    offsetof(struct sure_face, bend) == 22 * sizeof(double),
                "columns of a face");
 
-/* Normals that are the same all over: of planes, caps, boxes and faces. */
-static void flat_normal(const struct shade *h, int k, const struct sure_face **face, double n[3])
+/* Normals that are the same all over: of planes, caps, boxes and faces. *turned: the other way round. */
+static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
 {
+    static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
     const struct sure_object *o = h->object[k];
-    const double *from = o->normal;
-    double sign = 1;
 
+    *turned = o->kind == SURE_ROUND && h->element[k] != ROUND_TOP;
     if (o->kind == SURE_MESH || o->kind == SURE_TRIANGLE) {
         *face = o->kind == SURE_MESH ? &o->mesh->faces[h->element[k]] : o->face;
-        from = (*face)->normal;
-    } else if (o->kind == SURE_ROUND) {
-        from = o->round->axis;
-        sign = h->element[k] == ROUND_TOP ? 1 : -1;
+        return (*face)->normal;
     }
-    for (uint32_t i = 0; i < 3; i++)
-        n[i] = sign * from[i];
-    for (uint32_t i = 0; i < 3 && (o->kind == SURE_BOX || o->kind == SURE_GRID); i++)
-        n[i] = h->element[k] % 6 / 2 != i ? 0 : h->element[k] % 2 ? 1 : -1;
+    if (o->kind == SURE_ROUND)
+        return o->round->axis;
+    return o->kind == SURE_BOX || o->kind == SURE_GRID ? axes[h->element[k] % 6] : o->normal;
 }
 
 LANE_OP bool is_round(const struct shade *h, int k)
@@ -282,21 +285,24 @@ LANE_OP bool is_round(const struct shade *h, int k)
 
 static void find_normals(struct shade *h, unsigned lanes)
 {
+    static const double none[3];
     const struct sure_face *face[LANES] = {NULL};
-    double flat[3][LANES];
-    unsigned smooth = 0, round = 0;
+    const double *flat[LANES];
+    unsigned smooth = 0, round = 0, back = 0;
 
     for (int k = 0; k < LANES; k++) {
-        double n[3] = {0, 0, 0};
+        bool turned = false;
+        flat[k] = none;
         if (lanes >> k & 1) {
-            flat_normal(h, k, &face[k], n);
+            flat[k] = flat_normal(h, k, &face[k], &turned);
             round |= (unsigned)is_round(h, k) << k;
         }
+        back |= (unsigned)turned << k;
         smooth |= (unsigned)(face[k] && face[k]->smoothed) << k;
-        for (int i = 0; i < 3; i++)
-            flat[i][k] = n[i];
     }
-    h->geometric = (struct v3){vload(flat[0]), vload(flat[1]), vload(flat[2])};
+    h->geometric = v3_gather(flat, 0);
+    if (back)
+        h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
     h->eg = vset(SURE_2(51));
     h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
@@ -333,14 +339,9 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
     vm away = vlt(h->eg + ed + vset(SURE_2(49) + least), v3_dot(h->geometric, d) * sign);
-    double object[LANES], element[LANES];
     vm inside = sign > 0 ? h->back : mnot(h->back);
 
-    for (int k = 0; k < LANES; k++) {
-        object[k] = h->index[k];
-        element[k] = h->element[k];
-    }
-    return (struct origin){vsel(away, vload(object), vset(-1)), vload(element), vsel(inside, vset(1), vset(0))};
+    return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
 /* All of the points that the rays of these lanes meet. */
@@ -355,9 +356,8 @@ static void find_surfaces(const struct sure_scene *s, const struct pack *p, cons
     h->viewer = v3_neg(p->d);
     h->ev = p->ed;
     find_objects(s, q, lanes, h);
-    find_materials(s, lanes, h);
-    unsigned placed = find_local(h);
-    find_textures(s, h);
+    unsigned textured = find_materials(s, lanes, h), placed = find_local(h);
+    find_textures(s, textured, h);
     find_normals(h, lanes);
     if (placed)
         place_normals(h, placed);

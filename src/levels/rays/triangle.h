@@ -1,13 +1,17 @@
 /* triangle.h - triangles and the faces of meshes.
  *
- * With a, b, c from the origin to the corners, D.(a x b) has the sign of the area that the integers find, sheared along
+ * With a, b from the origin to two corners, D.(a x b) has the sign of the area that the integers find, sheared along
  * the ray, times that of D's main component. It is D.(a x (b - a)): an origin that is off by eo moves a, not the edge,
  * so it changes by |b - a| eo; a direction that is off by ed changes it by ed |a| |b - a|. Edges are no longer than
- * twice the extent, corners no farther than l = |a| + the extent.
+ * twice the extent; corners no farther than `far`, the origin's |x| + |y| + |z| from a centre and the most of a
+ * corner's, R.
  *
- * Roundings: the integers' corners are aside by 2^-46 + 2^-59 z, in coordinates below 2 l, so their areas by 8 l (2^-46
- * + 2^-59 l): l 2^-42, and far less than the doubles' own part of l^2. That is 2 u l^2 for the corners relative to the
- * origin, 5 u l^2 for products and sums: l^2 2^-50. Inside: all three are surely of one sign.
+ * Of A, B and O from that centre it is D.(A x B) + (O x D).(B - A), of which A x B and B - A are the face's and O x D
+ * the ray's. Roundings: the sizes of the former's terms add up to R^2 at most, those of the latter's to |O| 2 R, in
+ * all far^2. A term of the former is rounded by its product and difference, then by the product with D and five sums;
+ * one of the latter by the centre's difference, then as often: nine times. The integers' corners are aside by 2^-46 +
+ * 2^-59 z, in coordinates below 2 far, so their areas by 8 far (2^-46 + 2^-59 far): far 2^-42, and far less than the
+ * doubles' own part. Inside: all three are surely of one sign.
  *
  * t comes from the plane here, from a weighted mean of the corners there: that is off the plane by no more than its
  * corners are (geometry/triangle.c), l 2^-48. */
@@ -16,24 +20,49 @@
 
 #include "flat.h"
 
+/* How lines pass a face's edges. */
+struct sides {
+    vm inside, outside;
+};
+
+/* `extent`: R. */
+LANE_OP struct line line_of(const struct pack *p, const double centre[3], double extent)
+{
+    struct v3 o = v3_sub(p->o, v3_set(centre));
+    vd far = v3_sum(o) + vset(extent) + p->eo;
+    vd e = far * (SURE_2(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
+
+    return (struct line){v3_cross(o, p->d), e, each};
+}
+
+LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, const struct sure_face *f)
+{
+    vd w[3], e = l->e + l->each * vset(f->extent);
+
+    for (int i = 0; i < 3; i++)
+        w[i] = v3_dot(p->d, v3_set(f->edge[i][0])) + v3_dot(l->moment, v3_set(f->edge[i][1]));
+    vd least = vmin(vmin(w[0], w[1]), w[2]), most = vmax(vmax(w[0], w[1]), w[2]);
+    vm none = mof(f->any ? 0 : (1u << LANES) - 1);
+
+    return (struct sides){mor(vlt(e, least), vlt(most, -e)), mor(none, mand(vlt(least, -e), vlt(e, most)))};
+}
+
+LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
+{
+    struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
+    vd l = v3_sum(a) + vset(f->extent);
+    struct flat flat = flat_meet(q->p, v3_set(f->normal), a, l * SURE_2(48), 4 * UNIT + l * SURE_2(50));
+
+    flat_report(q, &flat, sides.inside, sides.outside, flat.e + UNIT, vset((double)face));
+}
+
 LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face)
 {
-    const struct pack *p = q->p;
+    struct line line = line_of(q->p, f->at[0], f->extent);
+    struct sides sides = face_sides(q->p, &line, f);
 
-    if (!f->any)
-        return;
-    struct v3 a = v3_sub(v3_set(f->at[0]), p->o), b = v3_sub(v3_set(f->at[1]), p->o),
-              c = v3_sub(v3_set(f->at[2]), p->o);
-    struct v3 da = v3_cross(p->d, a), db = v3_cross(p->d, b); /* D.(a x b) = b.(D x a) */
-    vd wc = v3_dot(b, da), wa = v3_dot(c, db), wb = -v3_dot(c, da), l = v3_sum(a) + vset(f->extent);
-    vd far = l + p->eo, e = (p->eo + far * p->ed) * (2 * f->extent) + far * (SURE_2(42) + far * (SURE_FACE * EPS));
-    vd least = vmin(vmin(wa, wb), wc), most = vmax(vmax(wa, wb), wc);
-    vm outside = mand(vlt(least, -e), vlt(e, most)), inside = mor(vlt(e, least), vlt(most, -e));
-
-    if (!many(mand(mnot(outside), q->active)))
-        return;
-    struct flat flat = flat_meet(p, v3_set(f->normal), a, l * SURE_2(48), 4 * UNIT + l * SURE_2(50));
-    flat_report(q, &flat, inside, outside, flat.e + UNIT, vset((double)face));
+    if (many(mand(mnot(sides.outside), q->active)))
+        meet_plane_of(q, f, face, sides);
 }
 
 #endif

@@ -28,6 +28,14 @@ LANE_OP vd as_doubles(vi i)
     return a;
 }
 
+/* |x| < 2^51: to nearest by adding 1.5 2^52, less 1 if that is above. */
+LANE_OP vd vfloor(vd x)
+{
+    vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
+
+    return nearest - vsel(vlt(x, nearest), vset(1), vset(0));
+}
+
 LANE_OP vd vload(const double *p)
 {
     vd v;

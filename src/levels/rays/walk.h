@@ -80,15 +80,33 @@ LANE_OP bool resume(struct nodes *w, const struct query *q)
         } while (resume(&w, q));                                                                                       \
     }
 
+/* Some of a leaf's faces: first which of them any line meets, without a branch for each, then where. */
+LANE_OP void meet_some(const struct sure_tree *tree, const uint32_t *items, uint32_t count, struct query *q)
+{
+    vm inside[SURE_LEAF], outside[SURE_LEAF];
+    unsigned met = 0;
+
+    for (uint32_t i = 0; i < count; i++) {
+        struct sides sides = face_sides(q->p, &q->line, &tree->faces[items[i]]);
+        inside[i] = sides.inside;
+        outside[i] = sides.outside;
+        met |= (unsigned)many(mand(mnot(sides.outside), q->active)) << i;
+    }
+    for (; met; met &= met - 1) {
+        int i = __builtin_ctz(met);
+        q->group = q->groups ? tree->groups[items[i]] : 0;
+        meet_plane_of(q, &tree->faces[items[i]], items[i], (struct sides){inside[i], outside[i]});
+    }
+}
+
 LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct sure_node *leaf,
                         struct query *q, vd near)
 {
     (void)s;
     (void)near;
-    for (uint32_t i = leaf->index; i < leaf->index + leaf->count; i++) {
-        uint32_t face = tree->items[i];
-        q->group = q->groups ? tree->groups[face] : 0;
-        meet_face(q, &tree->faces[face], face);
+    for (uint32_t i = 0; i < leaf->count; i += SURE_LEAF) {
+        uint32_t left = leaf->count - i;
+        meet_some(tree, tree->items + leaf->index + i, left < SURE_LEAF ? left : SURE_LEAF, q);
     }
 }
 
@@ -113,6 +131,7 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_sphere(q, o->at, o->radius);
         break;
     case SURE_MESH:
+        q->line = line_of(q->p, o->mesh->centre, o->mesh->extent);
         walk_faces(s, o->mesh, q);
         break;
     case SURE_TRIANGLE:
@@ -175,6 +194,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     for (int k = 0; k < LANES; k++)
         groups.count[k] = 0;
     q->groups = &groups;
+    q->line = line_of(q->p, o->mesh->centre, o->mesh->extent);
     walk_faces(s, o->mesh, q);
     q->groups = NULL;
     filter_groups(q, &groups, o->transmission);

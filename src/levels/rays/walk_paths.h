@@ -7,52 +7,47 @@
 #include "look.h"
 #include "occlude.h"
 
-LANE_OP void path_quads(const struct flight *f, const struct paths *p, uint32_t which, vu u[4])
+/* Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits, and must be the same all over
+ * m +- ew where the path survives. */
+static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
+{
+    const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
+    vd most = most3(p->r.weight), e = p->r.ew + UNIT, low = (most - e) * all, high = vfloor((most + e) * all);
+    unsigned asked = 0;
+
+    for (int k = 0; k < LANES; k++)
+        asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
+    vm open = mand(mof(asked), vlt(low, all));
+    if (!many(open))
+        return lanes;
+    low = vfloor(vmax(low, vset(0)));
+    vd number = vu_number(path_choice(f, p, 2));
+    vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
+    vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
+    lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
+    divide_by(p, low * SURE_2(32), mand(open, mof(lanes)));
+    return lanes;
+}
+
+/* The numbers of directions are those of the first quad at the first bounce, and that may come after layers. */
+LANE_OP void direction_numbers(const struct flight *f, const struct paths *p, vu u[2])
 {
     uint32_t quad[LANES];
 
     for (int k = 0; k < LANES; k++)
-        quad[k] = PATH_QUAD(p->r.depth[k], which);
-    quad_of_paths(f, p->r.slot, quad, u);
-}
-
-/* Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits, and must be the same all over
- * m +- ew where the path survives. */
-static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p, vu given)
-{
-    double most[LANES], e[LANES], chance[LANES];
-    unsigned asked = 0, unsure = 0;
-    uint32_t number[LANES];
-
-    for (int k = 0; k < LANES; k++)
-        asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
-    if (!asked)
-        return lanes;
-    vstore(most, most3(p->r.weight));
-    vstore(e, p->r.ew + UNIT);
-    vu_store(number, given);
-    for (int k = 0; k < LANES; k++) {
-        double low = (most[k] - e[k]) * 4294967296.0, high = (most[k] + e[k]) * 4294967296.0;
-        chance[k] = 1;
-        if (!(asked >> k & 1) || low >= 4294967296.0)
-            continue;
-        uint64_t least = low < 0 ? 0 : (uint64_t)low, largest = (uint64_t)high;
-        if (number[k] >= largest && largest < UINT32_MAX)
-            lanes &= ~(1u << k);
-        else if (least != largest || largest >= UINT32_MAX)
-            unsure |= 1u << k;
-        else
-            chance[k] = (double)least / 4294967296.0;
-    }
-    doubt(f, unsure, p->r.slot);
-    divide_by(p, vload(chance), mof(asked));
-    return lanes & ~unsure;
+        quad[k] = p->r.depth[k] ? PATH_QUAD(p->r.depth[k], 0) : ESTIMATE_FIRST_QUAD;
+    struct quads quads = quads_of_paths(f, p->r.slot, quad);
+    u[0] = quads_number(&quads, 2);
+    u[1] = quads_number(&quads, 3);
 }
 
 /* Paths that go on by Lambert's law or Phong's lobe. */
 static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, const struct paths *p,
-                          const struct shade *h, const struct lobes *l, const vu u[2])
+                          const struct shade *h, const struct lobes *l)
 {
+    vu u[2];
+
+    direction_numbers(f, p, u);
     struct v3 local = cosine_direction(u[0], u[1]), axis = h->normal;
     vd e = h->en;
     vm exact = h->exact, unsure, glossy = mof(shiny);
@@ -90,7 +85,7 @@ static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, cons
     next.r.p.o = h->outside;
     next.r.p.eo = h->eoutside;
     next.specular = 0;
-    go_on(f, lanes, p, &next, p->r.media);
+    go_on(f, lanes, p, &next, NULL);
 }
 
 static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
@@ -106,17 +101,24 @@ static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *
     next.r.p.ed = l->emirrored;
     next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.specular = lanes;
-    go_on(f, lanes, p, &next, p->r.media);
+    go_on(f, lanes, p, &next, NULL);
 }
 
 /* Each path takes one of its surface's lobes. */
 static void bounce_paths(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
-                         struct lobes *l, const vu numbers[4], const vu u[2])
+                         struct lobes *l)
 {
     unsigned mirror = 0, glass = 0, shiny = 0, rough = 0;
+    bool several = false;
     uint32_t number[LANES];
 
-    vu_store(number, numbers[0]);
+    for (int k = 0; k < LANES; k++)
+        several |= l->of[k]->below[2] != 0;
+    if (!several) {
+        scatter_paths(f, lanes, 0, p, h, l);
+        return;
+    }
+    vu_store(number, path_choice(f, p, 0));
     for (int k = 0; k < LANES; k++) {
         const uint32_t *below = l->of[k]->below;
         unsigned bit = 1u << k & lanes;
@@ -130,11 +132,11 @@ static void bounce_paths(struct flight *f, unsigned lanes, const struct paths *p
             rough |= bit;
     }
     if (shiny | rough)
-        scatter_paths(f, shiny | rough, shiny, p, h, l, u);
+        scatter_paths(f, shiny | rough, shiny, p, h, l);
     if (mirror)
         reflect_paths(f, mirror, p, h, l);
     if (glass)
-        enter_glass(f, glass, p, h, l, numbers[3]);
+        enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
 }
 
 /* Lanes whose paths end at their surface; and those whose lobes are not known. */
@@ -150,36 +152,12 @@ static unsigned going_on(struct flight *f, unsigned lanes, const struct paths *p
     return lanes & ~(black | unknown);
 }
 
-/* The numbers of directions are in the quad before, at the first bounce, and that may come after layers. */
-static void first_directions(const struct flight *f, unsigned lanes, const struct paths *p, vu places[4])
-{
-    uint32_t quad[LANES], now[2][LANES], first[2][LANES];
-    unsigned these = 0;
-    vu u[4];
-
-    for (int k = 0; k < LANES; k++) {
-        these |= (unsigned)(p->r.depth[k] == 0) << k & lanes;
-        quad[k] = ESTIMATE_FIRST_QUAD;
-    }
-    if (!these)
-        return;
-    quad_of_paths(f, p->r.slot, quad, u);
-    for (int i = 0; i < 2; i++) {
-        vu_store(now[i], places[2 + i]);
-        vu_store(first[i], u[2 + i]);
-        for (int k = 0; k < LANES; k++)
-            now[i][k] = these >> k & 1 ? first[i][k] : now[i][k];
-        places[2 + i] = vu_load(now[i]);
-    }
-}
-
 static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 {
     const struct sure_scene *s = f->gather->scene;
     struct query q;
     struct shade h;
     struct lobes l;
-    vu numbers[4], places[4];
 
     find_first(s, &q, &p->r.p, lanes, true, p->specular);
     vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
@@ -196,15 +174,12 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
     lanes = going_on(f, lanes, p, &l);
     if (!lanes)
         return;
-    path_quads(f, p, 1, numbers);
-    path_quads(f, p, 0, places);
-    first_directions(f, lanes, p, places);
-    lanes = survivors(f, lanes, p, numbers[2]);
+    lanes = survivors(f, lanes, p);
     if (!lanes)
         return;
     lobes_mirror(&h, &l);
-    lanes = look_for_lights(f, lanes, p, &h, &l, numbers[1], places);
-    bounce_paths(f, lanes, p, &h, &l, numbers, places + 2);
+    lanes = look_for_lights(f, lanes, p, &h, &l);
+    bounce_paths(f, lanes, p, &h, &l);
 }
 
 static void walk_paths(struct sure_gather *g)
@@ -212,13 +187,13 @@ static void walk_paths(struct sure_gather *g)
     const struct tia_view *view = g->scene->view->view;
     struct flight f;
     struct paths p;
-    vu first[4];
+    struct quads first;
     int from = 0;
 
     flight_open(&f, g);
     while (!view_stops(view)) {
         if (from < g->count && f.count[fullest(&f)] < LANES) {
-            unsigned lanes = flight_start(&f, from, &p, first);
+            unsigned lanes = flight_start(&f, from, &p, &first);
             step_paths(&f, &p, lanes);
             from += LANES;
             continue;
