@@ -213,6 +213,28 @@ TEST(a_key_begins_the_frame_anew)
     }
 }
 
+static int slow_prepare(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
+    now.world->now_us += 100000;
+    return stop(ctx) ? TIA_STOPPED
+                     : tia_view_init_until(view, memory, size, scene, light_capacity, width, height, stop, ctx);
+}
+
+/* The key comes while the first frame is prepared, and is seen there: the first picture is the last of that frame. */
+TEST(a_key_while_the_view_is_prepared)
+{
+    struct world *w = slow_world(1000, NULL, 0);
+
+    now.core.view_init_until = slow_prepare;
+    world_event(w, START + 50000, TIA_EVENT_TAP, TIA_KEY_LEFT);
+    quit_at(w, START + 9000000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK_EQ(now.at_us[0], 148000);
+    CHECK(now.at_us[1] >= 196000 && now.at_us[1] <= 196000 + 21000);
+}
+
 /* While a key is held, pictures keep coming; the last is complete and shows where it was let go. */
 TEST(a_held_key)
 {
@@ -300,6 +322,7 @@ int main(void)
     RUN(a_quick_frame_is_shown_whole);
     RUN(no_line_for_a_short_time);
     RUN(a_key_begins_the_frame_anew);
+    RUN(a_key_while_the_view_is_prepared);
     RUN(a_held_key);
     RUN(a_key_that_quits);
     RUN(several_threads);

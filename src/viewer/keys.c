@@ -89,6 +89,7 @@ int tia_viewer_take_events(struct loop *loop)
     for (unsigned i = 0; !status && i < loop->queued; i++)
         status = take_event(loop, &loop->queue[i]);
     loop->queued = 0;
+    loop->outdated = false;
     if (status)
         return status;
     while (v->input && (status = v->input->poll(v->input_ctx, &event)) > 0) {

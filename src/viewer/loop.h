@@ -66,7 +66,7 @@ struct loop {
     struct tia_event queue[VIEWER_QUEUE]; /* events that came meanwhile */
     unsigned queued;
     uint64_t begun_us, look_us; /* when the frame was begun; when to look again */
-    bool outdated;              /* a key was pressed since the frame was begun */
+    bool outdated;              /* a key was pressed since all were handled: while the view was prepared, too */
     bool answered;              /* a picture of this frame has been shown */
     bool gives_up, gave_up;     /* this frame; the one before */
     bool ends;                  /* a key, `stop` or a failed input ends the loop */

@@ -72,7 +72,7 @@ void tia_viewer_watch_begin(struct loop *loop)
 {
     loop->begun_us = viewer_now(loop);
     loop->look_us = loop->begun_us + STEP_US;
-    loop->outdated = loop->gives_up = loop->answered = false;
+    loop->gives_up = loop->answered = false;
     loop->showing_us = 0;
 }
 
