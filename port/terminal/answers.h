@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* How pictures are shown, the best last. */
+/* Ways to show pictures, the best last. */
 enum pictures { PICTURES_HALF_BLOCKS, PICTURES_SYMBOLS, PICTURES_SIXEL, PICTURES_KITTY };
 
 #define ANSWERS_MS 150 /* how long a terminal may take: over a network the answers come within a round trip */
