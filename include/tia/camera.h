@@ -14,9 +14,9 @@
  * that window around the eye and all run along -n. A window with left = right = 0 is centred and takes its
  * width from the image's aspect ratio, up to 65536.
  *
- * A frustum camera can have an observer line, along u and with the eye in its middle. Its window is then a display's
- * flat screen, whose pictures for other eyes on that line lightfield.h makes; what the camera itself draws is the
- * picture for the middle.
+ * A frustum camera can have an observer line, along u and centred on the eye. Its window is then a display's flat
+ * screen. lightfield.h makes the pictures for the other eyes on that line; the camera itself draws the picture for the
+ * middle.
  *
  * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n):
  * no two samples share a row or a column. Each sample's colour is clamped; the pixel is the mean.

@@ -1,13 +1,14 @@
 /* denoise.h - takes noise out of a picture of samples: an edge-avoiding a-trous wavelet (Dammertz et al. 2010), guided
- * by what each pixel sees and by how sure its mean is (the spatial part of Schied et al. 2017), in integers.
+ * by the surface that each pixel sees and by the standard error of its mean (the spatial part of Schied et al. 2017),
+ * in integers.
  *
  *     sums, guides --tia_denoise_put--> pixels  --tia_denoise_pass, TIA_DENOISE_PASSES times--> pixels
  *     pixels --tia_denoise_get--> sums of the picture without the noise
  *
  * All three take tiles, which may have any size and come in any order, from several threads at once: the bits are the
- * same. A step begins when the one before has gone through the whole picture.
+ * same. Each step must finish the whole picture before the next begins.
  *
- * Light is divided by albedo, so that textures stay sharp, and multiplied by it again in the end. Pass n replaces each
+ * Light is divided by albedo, so that textures stay sharp, and multiplied by it again at the end. Pass n replaces each
  * pixel p by the mean of 5x5 pixels q, 2^n apart, with the weights
  *
  *     h(p, q) max(0, N(p).N(q))^8 2^-x,
@@ -15,8 +16,8 @@
  *         + |l(p) - l(q)|/(3 s(p))
  *
  * where h is the outer product of (1 4 6 4 1), N the normal, z the depth and z' its slopes from pixel to pixel, a the
- * albedo, l the luminance of the divided light and s its standard error, of 3x3 pixels; it changes with each pass as
- * that of a weighted mean.
+ * albedo, l the luminance of the divided light and s its standard error, over 3x3 pixels; each pass updates it as the
+ * standard error of a weighted mean.
  */
 #ifndef TIA_DENOISE_H
 #define TIA_DENOISE_H
@@ -38,19 +39,19 @@ size_t tia_denoise_size(unsigned width, unsigned height);
  * `size` is too small. */
 int tia_denoise_init(struct tia_denoiser **denoiser, void *memory, size_t size, unsigned width, unsigned height);
 
-/* What `count` samples, 1..TIA_SPP_MAX, of each pixel of the tile have gathered: all three of it. TIA_ERR_ARGUMENT when
- * the tile is not inside the picture, as below. */
+/* Puts in what `count` samples (1..TIA_SPP_MAX) of each pixel of the tile have gathered: sums, guides and squares.
+ * TIA_ERR_ARGUMENT when the tile is not inside the picture, here and below. */
 int tia_denoise_put(struct tia_denoiser *denoiser, struct tia_tile tile, const struct tia_gathered *gathered,
                     uint32_t count);
 
 /* Pass 0, 1, ... of TIA_DENOISE_PASSES. */
 int tia_denoise_pass(struct tia_denoiser *denoiser, unsigned pass, struct tia_tile tile);
 
-/* What `count` samples without noise would sum up to; `pitch` sums from row to row. */
+/* The sums that `count` samples without noise would give; `pitch` sums from row to row. */
 int tia_denoise_get(const struct tia_denoiser *denoiser, struct tia_tile tile, uint32_t count, struct tia_sum *sums,
                     size_t pitch);
 
-/* ---- looking at what a denoiser goes by ---- */
+/* ---- looking at a denoiser's guides ---- */
 
 /* The guides' means, normals as (N + 1)/2, and the standard error of the luminance. */
 enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
@@ -58,12 +59,13 @@ enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SH
 /* "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* What `count` samples of a pixel, number `at` of those gathered, would sum up to if they showed that. */
+/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
 /* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
- * of its samples; of one sample: that luminance. Sobol points are evener than chance, so it is rather too large. */
+ * of its samples; for one sample, that luminance. Sobol points are more even than random ones, so the estimate tends to
+ * be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
 
 #ifdef __cplusplus

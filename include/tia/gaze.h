@@ -1,14 +1,14 @@
-/* gaze.h - where the eye looks, and how few pixels it needs elsewhere: the acuity model of Guenter et al., "Foveated 3D
- * Graphics" (2012). Two points that are e degrees off the gaze look separate when they are at least
+/* gaze.h - where the eye looks, and how coarse pixels may be elsewhere: the acuity model of Guenter et al., "Foveated
+ * 3D Graphics" (2012). Two points that are e degrees off the gaze look separate when they are at least
  *
  *     MAR(e) = w0 + m e
  *
- * degrees apart, the minimum angle of resolution. So pixels are drawn as the corners of blocks of 1, 2, 4, 8 or 16
- * pixels, the largest that is no wider than that; within TIA_FOVEA of the gaze every pixel is, and e counts as 90 where
- * it is more. A pixel in the middle of the picture is taken for the size of all: towards the edges they look smaller,
- * so no block is too large there.
+ * degrees apart, the minimum angle of resolution. So only the corners of blocks are drawn, blocks 1, 2, 4, 8 or 16
+ * pixels wide: the largest that is no wider than MAR. Within TIA_FOVEA of the gaze every pixel is drawn; e is clamped
+ * to 90. All pixels are assumed to look as large as the one in the middle of the picture. Towards the edges they look
+ * smaller, so no block is too large there.
  *
- * The eye is before the middle of the picture, as far away as makes it `view_angle` wide.
+ * The eye is in front of the middle of the picture, at the distance where the picture is `view_angle` wide.
  */
 #ifndef TIA_GAZE_H
 #define TIA_GAZE_H
@@ -26,19 +26,19 @@ extern "C" {
 #define TIA_GAZE_LEVELS 4      /* blocks of 2, 4, 8, 16 */
 
 struct tia_gaze {
-    uint16_t x, y;      /* the pixel that is looked at; where the picture has none, every pixel is drawn */
+    uint16_t x, y;      /* the pixel that is looked at; if it is outside the picture, every pixel is drawn */
     tia_q16 view_angle; /* degrees, TIA_Q16(1)..TIA_Q16(170); 0: every pixel is drawn */
-    uint32_t w0, m;     /* degrees, and degrees a degree: Q8.24, below 2^31 */
-    bool smooth;        /* interpolate between the pixels that are drawn, instead of repeating them */
+    uint32_t w0, m;     /* degrees, and degrees per degree: Q8.24, below 2^31 */
+    bool smooth;        /* interpolate between drawn pixels instead of repeating them */
 };
 
 /* What does not change while a picture is drawn. */
 struct tia_acuity {
     unsigned width, height;
     uint32_t distance;                 /* of the eye from the picture, half pixels: at most 2^20 */
-    int32_t gaze[3];                   /* its direction, Q2.30 */
-    uint32_t cosine2[TIA_GAZE_LEVELS]; /* squared, Q0.20, of the angle from which on a block of 2, 4, 8, 16 will do */
-    unsigned levels;                   /* the blocks that will do anywhere */
+    int32_t gaze[3];                   /* direction of the gaze, Q2.30 */
+    uint32_t cosine2[TIA_GAZE_LEVELS]; /* squared, Q0.20, of the angle from which blocks of 2, 4, 8, 16 suffice */
+    unsigned levels;                   /* how many of these sizes suffice anywhere */
 };
 
 /* Sets it up for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn. */

@@ -56,17 +56,17 @@ const char *tia_tone_name(unsigned tone);
 #define TIA_BOUNCES_MAX 1024
 #define TIA_EXPOSURE_MAX TIA_Q16(24)
 
-/* How a path finds what shines: with one of them alone pictures have the same mean and more noise. */
+/* How a path finds lights: with one strategy alone, pictures have the same mean and more noise. */
 enum tia_strategy { TIA_STRATEGY_NONE, TIA_STRATEGY_LIGHTS, TIA_STRATEGY_SCATTERING };
 
-/* Of a scene. All zero: Whitted's. He uses nothing but the integrator. */
+/* A scene's integrator. All zero: Whitted's, which ignores the other fields. */
 struct tia_integration {
     enum tia_integrator integrator;
-    uint32_t spp;     /* samples a pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP */
-    uint32_t seed;    /* other samples */
-    uint16_t bounces; /* of TIA_PATHS: at most so many, up to TIA_BOUNCES_MAX, which 0 means */
-    uint16_t without; /* of TIA_PATHS, to compare: enum tia_strategy that is left out */
-    tia_q16 distance; /* of TIA_OCCLUSION: up to where objects count; 0: however far they are */
+    uint32_t spp;     /* samples per pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP */
+    uint32_t seed;    /* of the random samples */
+    uint16_t bounces; /* of TIA_PATHS: the maximum, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
+    uint16_t without; /* of TIA_PATHS, for comparison: the enum tia_strategy to leave out */
+    tia_q16 distance; /* of TIA_OCCLUSION: farther objects do not count; 0: all count */
     enum tia_tone tone;
     tia_q16 exposure; /* pixels show 2^exposure times the radiance: -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX */
 };
@@ -76,12 +76,13 @@ struct tia_sum {
     int64_t rgb[3];
 };
 
-/* What a pixel's samples see first, past mirrors and glass, added up like them. A denoiser goes by it, see denoise.h.
+/* The first surface that a pixel's samples see, past mirrors and glass, added up like them. It guides a denoiser, see
+ * denoise.h.
  */
 struct tia_guide {
     int64_t normal[3]; /* of length 1, on the side that is seen, 2^-24; 0 of the background */
-    int64_t depth;     /* the way to it, 2^-16; 0 of the background */
-    int64_t albedo[3]; /* what it reflects of light, all lobes together, and what it or a light there shines; 2^-24 */
+    int64_t depth;     /* path length to it, 2^-16; 0 of the background */
+    int64_t albedo[3]; /* reflectance, all lobes together, plus the emission of it or of a light there; 2^-24 */
 };
 
 /* Where samples are added. */
@@ -98,7 +99,7 @@ struct tia_surface;
 
 /* In one arithmetic, as struct tia_core. */
 struct tia_estimator {
-    const char *name; /* that of the core whose views it takes */
+    const char *name; /* of the core whose views it takes */
 
     /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
      * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
@@ -107,12 +108,12 @@ struct tia_estimator {
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
 
-    /* The same, and what else is to be known of the samples. */
+    /* The same, and gathers their guides and squares. */
     int (*gather)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered);
 
-    /* The opaque object that encloses light number `light` of the view, so that it lights nothing else, but not the
-     * eye; TIA_NO_OBJECT: none, or a scene without samples. From the light 14 rays are asked. */
+    /* The opaque object that encloses light number `light` of the view, but not the eye, so that the light reaches
+     * nothing else; TIA_NO_OBJECT: none, or a scene without samples. Decided by 14 rays from the light. */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
@@ -139,8 +140,8 @@ enum tia_tone tia_tone_of(const struct tia_integration *integration);
 
 struct tia_exposure tia_exposure_of(tia_q16 exposure);
 
-/* What a pixel shows of the sum of `count` samples of one channel: 2^exposure times their mean, in units of 2^-32, at
- * most 2^32 - 1. Rounded down; exact for an exposure of 0. */
+/* The value that a pixel shows, from the sum of `count` samples of one channel: 2^exposure times their mean, in units
+ * of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
 /* The nearest of 2^bits levels to that value, ties up: exact. For srgb the bits are 5, 6 or 8. */

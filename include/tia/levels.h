@@ -9,9 +9,9 @@
  *     size_t size = tia_level_size(level, scene, light_capacity);
  *     tia_view_set_level(view, level, malloc(size), size);
  *
- * A level draws what scene.h says scenes of spheres without mirrors are, but for a view whose eye is in a sphere, and
- * what general rays, ambient occlusion and paths draw in a scene with a hierarchy. Whatever else stays with plain C. No
- * pixel, object or hash differs. It needs the rounding mode in which C programs start.
+ * A level draws the span renderer's scenes (see scene.h) unless the eye is in a sphere, and scenes with a hierarchy
+ * that the ray renderer, ambient occlusion or paths draw. Plain C draws everything else. No pixel, object or hash
+ * differs. It needs the rounding mode in which C programs start.
  */
 #ifndef TIA_LEVELS_H
 #define TIA_LEVELS_H
@@ -22,14 +22,15 @@
 extern "C" {
 #endif
 
-/* The widest level that this library has and this processor too; NULL when there is none, or QEMU emulates it. */
+/* The widest level that both this library and this processor have; NULL when there is none, or when QEMU emulates the
+ * processor. */
 const struct tia_level *tia_level_best(void);
 
 /* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar", "sse41",
  * "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no level anywhere has that name. */
 int tia_level_called(const char *name, const struct tia_level **level);
 
-/* The levels that this library has and this processor too, from the narrowest; NULL from their number on. */
+/* The levels that both this library and this processor have, narrowest first; NULL from their number on. */
 const struct tia_level *tia_level_at(unsigned index);
 
 /* Bytes that the level needs for a view of `scene`; 0 for NULL. SIZE_MAX when there are too many. */

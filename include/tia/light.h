@@ -5,8 +5,8 @@
  * all three factors are 0, and for directional lights, there is no attenuation; where the sum is 2^17 or more, no light
  * arrives.
  *
- * An ambient light with a radius is hindered by what is near: it adds its part that TIA_OCCLUSION of integrator.h would
- * show up to that distance, the mean of `samples` rays.
+ * An ambient light with a radius is occluded by objects within it: its light is multiplied by what TIA_OCCLUSION of
+ * integrator.h would show up to that distance, the mean of `samples` rays.
  *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which
@@ -37,8 +37,8 @@ enum tia_light_kind {
 
 struct tia_light {
     struct tia_vec3 centre;
-    tia_q16 radius; /* point, disc and sphere lights: 0 (invisible), or TIA_RADIUS_MIN or more; ambient ones: 0, or up
-                       to where objects hinder them, see below */
+    tia_q16 radius; /* point, disc and sphere lights: 0 (invisible), or TIA_RADIUS_MIN or more; ambient lights: 0, or
+                       the distance up to which objects occlude them, see above */
     struct tia_rgb emission; /* each channel in [0, 2) */
     enum tia_light_kind kind;
     struct tia_dir3 direction;           /* of a length in 0.5..1.5; it is normalised */

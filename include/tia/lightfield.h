@@ -2,16 +2,16 @@
  *
  * The display is a flat screen in the scene: the window of a TIA_FRUSTUM camera with an observer line, see camera.h.
  * Each pixel of such a picture, or each of its three subpixels, is a pixel of an ordinary off-axis picture of the whole
- * screen, whose eye stands somewhere on that line; which pixel and where is all that the kinds differ in. So a light
- * field has the bits of those pictures.
+ * screen, seen from an eye somewhere on that line. The kinds differ only in which pixel and which eye. So a light field
+ * has the bits of those pictures.
  *
  * A quilt has them side by side: view 0, the leftmost, at the lower left, then to the right, then up, each of
- * floor(width/columns) x floor(height/rows) pixels. What is left over at the right and at the top stays black.
+ * floor(width/columns) x floor(height/rows) pixels. Remaining columns at the right and rows at the top stay black.
  *
- * A lenticular panel's subpixel sends its light to one place only, since it lies under a lens. The lenses are parallel
- * and straight, so where a subpixel lies under its lens is a linear function of its place, modulo 1. This phase says
- * which part of the observer line sees it, from 0, the left end, to 1, the right end. Subpixel k = 0, 1, 2 of pixel x,
- * in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
+ * A subpixel of a lenticular panel lies under a lens, which sends its light in one direction only. The lenses are
+ * parallel and straight, so a subpixel's place under its lens is a linear function of its place in the picture, modulo
+ * 1. This phase says which part of the observer line sees it, from 0, the left end, to 1, the right end. Subpixel k =
+ * 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
  *
  *     ((x + 1/2 + k/3) pitch + (r + 1/2) rise)/W - centre   modulo 1,   or 1 - that if it is inverted.
  *
@@ -25,7 +25,7 @@
  *     s = q + (q - p) D/d,
  *
  * p the projector's place and d its distance from the screen, D that of the observer line; p, q and s are lengths along
- * the camera's axis u. Its picture is what it throws on the screen as a whole. What passes beside the line is black.
+ * the camera's axis u. Its picture is the whole picture that it projects. Pixels whose light misses the line are black.
  */
 #ifndef TIA_LIGHTFIELD_H
 #define TIA_LIGHTFIELD_H
@@ -49,7 +49,7 @@ enum tia_subpixels { TIA_SUBPIXELS_RGB, TIA_SUBPIXELS_BGR, TIA_SUBPIXELS_NONE };
 
 struct tia_lenticular {
     int64_t pitch;  /* lenses to the width of the picture, 40 fraction bits; below TIA_PITCH_MAX in size, as rise is */
-    int64_t rise;   /* the phase that as many rows as the width has pixels gain, 40 fraction bits */
+    int64_t rise;   /* the phase gained over `width` rows, 40 fraction bits */
     int64_t centre; /* 40 fraction bits */
     enum tia_subpixels subpixels; /* from left to right */
     bool flipped;                 /* the picture, lenses and all, is shown from right to left */
@@ -61,7 +61,7 @@ struct tia_projector {
     tia_q16 distance; /* behind the screen, above 0 */
 };
 
-/* Only the member of its kind counts. */
+/* Only the member for `kind` is used. */
 struct tia_light_field {
     enum tia_light_field_kind kind;
     struct tia_quilt quilt;
@@ -69,8 +69,8 @@ struct tia_light_field {
     struct tia_projector projector;
 };
 
-/* Where view `view` of `views`, both ends of the line included, has its eye: along u from the line's middle, to the
- * nearest 2^-16; a single view has it in the middle. */
+/* The eye of view `view` of `views`, which include both ends of the line: its place along u from the line's middle, to
+ * the nearest 2^-16. A single view's eye is in the middle. */
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views);
 
 /* The ordinary off-axis camera whose eye stands at a place within the line's ends: eye and reference move by place

@@ -24,10 +24,10 @@
  * hits, a mesh that has groups once for each group that is hit.
  *
  * An opacity texture, whose value at P is o, says how much of the surface is there: the colour is o times the one
- * above plus 1 - o times what is seen past it, by a ray that goes straight on from P - b V. Where the refracted
+ * above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the refracted
  * ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such surface
- * that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than
- * TIA_LAYERS of them in one object. Other cells of a grid count once, by the first.
+ * that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than TIA_LAYERS
+ * of them in one object. Other cells of a grid count once, by the first.
  *
  * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
  * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty

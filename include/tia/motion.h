@@ -42,9 +42,9 @@ struct tia_keyframe {
  * transform carries its shapes, or how far a smooth curve overshoots: check the scene of each time as well. Colours
  * that overshoot are cut off.
  *
- * A shape that is not there keeps its number, but has become an instance of the scene's last mesh, which must have no
- * faces. Colours other than those three that all renderers draw need that mesh as well: the renderer then is the same
- * at all times. A light that is not there has no emission and no size. */
+ * A hidden shape keeps its index, but becomes an instance of the scene's last mesh, which must have no faces. Tracks of
+ * colours that the span renderer does not draw need that mesh as well, so that one renderer draws all times. A hidden
+ * light has no emission and no size. */
 struct tia_track {
     enum tia_target target;
     uint32_t index; /* of the light, transform, shape or material; unused for the camera */
@@ -53,14 +53,15 @@ struct tia_track {
     uint32_t key_count; /* 1 or more */
 };
 
-/* A ball that falls. Between contacts its centre moves along a parabola. Balls bounce off planes, boxes and each other,
- * but for those whose transform has tracks; they do not spin, nothing rubs, and all else lets them through. What falls
- * or is bounced off must be there, see TIA_SHOWS_SHAPE: before, a ball waits where it is, afterwards it is gone. So is
- * one whose centre gets 2^14 away from 0 along an axis, or that becomes faster than 2^15.
+/* A ball that falls. Between contacts its centre moves along a parabola. Balls bounce off each other and off planes and
+ * boxes whose transform has no track; they pass through everything else. They do not spin, and there is no friction.
+ * Hidden shapes (TIA_SHOWS_SHAPE) take no part: a ball waits until it is shown, and is gone once it is hidden. It is
+ * gone, too, once a coordinate of its centre reaches 2^14 in size or its speed exceeds 2^15.
  *
- * At a contact the speed with which the two approach becomes the speed with which they part, times the restitution; of
- * two balls the smaller one. What approaches slower than gravity makes it in 2/256 s rests, and what rests carries
- * others. Contacts are found to 2^-20 s, if balls go less than 16 times their diameter in 1/256 s. */
+ * At a contact the speed with which the two approach becomes the speed with which they part, times the restitution; for
+ * two balls, the smaller of their restitutions. A ball that approaches more slowly than it would fall after 2/256 s
+ * comes to rest, and can then carry others. Contacts are found to 2^-20 s, if balls move less than 16 times their
+ * diameter in 1/256 s. */
 struct tia_fall {
     uint32_t shape;           /* a sphere with a transform of its own, scaled evenly, that no track moves */
     struct tia_vec3 velocity; /* at the beginning, units of length a second, each within +-1024 */
@@ -90,15 +91,14 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
 int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                        bool (*stop)(void *ctx), void *ctx);
 
-/* Whether the scene of another time may be another scene. */
+/* Whether the scene may differ at different times. */
 bool tia_scene_moves(const struct tia_scene *scene);
 
-/* Whether balls that fall bounce off the scene's shape of that number: a plane or a box whose transform has no track.
+/* Whether falling balls bounce off shape number `shape`: a plane or a box whose transform has no track.
  */
 bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
-/* The time of the last keyframe or, if there are balls that fall, of their end, whichever is later, seconds; 0 when
- * nothing moves. */
+/* The time of the last keyframe or of the end of falling, whichever is later, in seconds; 0 when nothing moves. */
 tia_q16 tia_scene_duration(const struct tia_scene *scene);
 
 #ifdef __cplusplus

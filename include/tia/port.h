@@ -28,7 +28,7 @@ enum tia_key {
     TIA_KEY_PAGE_UP,
     TIA_KEY_PAGE_DOWN,
     TIA_KEY_HOME,
-    TIA_KEY_OTHER /* any other key that types; modifiers and locks cause no events */
+    TIA_KEY_OTHER /* any other key, except modifiers and locks, which cause no events */
 };
 
 enum tia_event_kind {
@@ -94,7 +94,7 @@ struct tia_clock {
  * Without workers tia runs the jobs one after the other. */
 struct tia_workers {
     void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
-    /* For what one job at a time may do: true, until leave, unless another one is there now. Never waits. */
+    /* A lock for work that one job at a time may do, held until leave; false when another job holds it. Never waits. */
     bool (*enter)(void *ctx);
     void (*leave)(void *ctx);
 };

@@ -1,19 +1,18 @@
 /* radio.h - paths of radio waves: from a transmitter by mirror reflections at flat faces to a receiver.
  *
- * All of it is geometry, in integers. Corners are rounded once, to Q16.16; from there on it is exact which paths there
- * are: images, the points where a path meets faces and what lies in the way are rational numbers of as many digits as
- * they need. Only what is reported is rounded.
+ * All of it is geometry, in integers. Corners are rounded once, to Q16.16; after that, which paths exist is decided
+ * exactly: images, points on faces and obstructions are computed in rational numbers with as many digits as they need.
+ * Only the reported values are rounded.
  *
  * Faces are boxes' sides, triangles, meshes' triangles, planes and discs without a transform; and what curved shapes
- * are divided into, in scenes that have `tessellated`. Other objects are left out: nothing is reflected by them, and
- * they are in nobody's way. All faces in one plane are one reflector, so that a path through an edge between two of
- * them is found once, at the face of the lowest number. Both sides of a face reflect, but a box is solid: only its
- * outside does.
+ * are divided into, in scenes that have `tessellated`. Other objects are left out: they neither reflect nor block. All
+ * faces in one plane are one reflector, so that a path through an edge between two of them is found once, at the face
+ * of the lowest number. Both sides of a face reflect, but a box is solid: only its outside does.
  *
- * Ties. A face has its edges: a path that touches an edge of another face is blocked. A path that runs within the plane
- * of a face is not. A path's points lie in their order along it; two may be the same, on the line where two planes
- * meet, if the faces there look at each other and the first one's plane has the lower number: so of the two paths by
- * way of the inner edge of a right angle, by either face first, there is one, and at an outer edge there is none.
+ * Ties. A face includes its edges: a path that touches an edge of another face is blocked. A path that runs within the
+ * plane of a face is not. Two successive points may coincide on the line where two planes meet, if the faces there look
+ * at each other and the first one's plane has the lower number. So the two paths through the inner edge of a right
+ * angle, by either face first, count as one, and at an outer edge there is none.
  */
 #ifndef TIA_RADIO_H
 #define TIA_RADIO_H
@@ -33,7 +32,7 @@ struct tia_radio; /* the faces of a scene */
 struct tia_radio_room;
 
 struct tia_radio_counts {
-    uint32_t faces, planes; /* planes: those that faces lie in */
+    uint32_t faces, planes; /* planes: distinct planes of faces */
     uint32_t left_out;      /* objects without flat faces */
 };
 
@@ -45,7 +44,8 @@ struct tia_radio_face {
     tia_q16 thickness;         /* of a box, from this side to the opposite one; else 0 */
 };
 
-/* Where a path goes through a wall. A box counts once a segment, where it is entered; faces in one plane count once. */
+/* Where a path goes through a wall. A box counts once per segment, where it is entered; faces in one plane count
+ * once. */
 struct tia_radio_wall {
     uint32_t face;
     uint32_t segment; /* after this many reflections */
@@ -62,13 +62,13 @@ struct tia_radio_path {
     struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* rising by segment */
 };
 
-/* What is looked for. `from` and `to` are different, and neither is tia_radio_inside anything. */
+/* A search. `from` and `to` differ, and neither is tia_radio_inside anything. */
 struct tia_radio_link {
     struct tia_vec3 from, to;
-    uint32_t order; /* at most so many reflections: 0..TIA_RADIO_ORDER_MAX */
-    uint32_t walls; /* goes through at most so many walls: 0..TIA_RADIO_WALLS_MAX */
+    uint32_t order; /* the most reflections: 0..TIA_RADIO_ORDER_MAX */
+    uint32_t walls; /* the most walls to go through: 0..TIA_RADIO_WALLS_MAX */
 
-    /* Told of each path, in any order. False: stop. */
+    /* Called for each path, in any order; returns false to stop. */
     bool (*found)(void *ctx, const struct tia_radio_path *path);
     void *ctx;
 };
@@ -85,21 +85,21 @@ int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const st
 struct tia_radio_counts tia_radio_count(const struct tia_radio *radio);
 struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t face);
 
-/* The object whose box has the point inside, or one of whose faces has it; TIA_RADIO_NO_OBJECT: none. */
+/* An object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
 uint32_t tia_radio_inside(const struct tia_radio *radio, struct tia_vec3 point);
 
 /* Room for one search at a time; aligned for uint64_t. */
 size_t tia_radio_room_size(void);
 
-/* The number of sequences of planes of up to `order` reflections, no plane twice in a row: what the image method would
- * have to try without looking. UINT64_MAX: that or more. */
+/* The number of sequences of planes of up to `order` reflections, no plane twice in a row: all that the image method
+ * would have to try without pruning. UINT64_MAX: that or more. */
 uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order);
 
-/* The image method: tries all sequences of planes, except those that cannot be because a plane, or all of its faces,
- * lies behind the one that comes before it. 0, or TIA_STOPPED when `found` said so. */
+/* The image method: tries all sequences of planes, except those that are impossible because a plane, or all of its
+ * faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
 int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link);
 
-/* The path by the given planes, if there is one: then `found` is told of it. */
+/* Tries the given planes in that order; calls `found` if they give a path. */
 int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                   const uint32_t *planes, uint32_t order);
 
@@ -113,7 +113,7 @@ uint32_t tia_radio_directions(uint32_t density);
 /* Direction i of them, of length 1, Q2.62. */
 void tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
 
-/* A ray that comes by the receiver: its planes, and the path as the ray runs, its points within some 2^-14. */
+/* A ray that passes the receiver: its planes, and its path, whose points are accurate to about 2^-14. */
 struct tia_radio_ray {
     uint32_t plane[TIA_RADIO_ORDER_MAX];
     struct tia_radio_path path;
@@ -121,9 +121,9 @@ struct tia_radio_ray {
 };
 
 /* Shoots ray i of that density from link->from and follows it as far as link->order reflections, and through up to
- * link->walls walls. `received` is told when it passes the receiver within the radius of its sphere: the length of the
- * way times the largest distance of any direction from the nearest of the rays, 0.764 / density. With `everywhere`
- * the receiver does not matter, and `received` is told of each reflection. False: stop.  */
+ * link->walls walls. Calls `received` when it passes the receiver within the radius of the reception sphere: the length
+ * of its path times 0.764 / density, the most by which any direction is off the nearest ray. With `everywhere` it
+ * ignores the receiver and calls `received` at each reflection. `received` returns false to stop.  */
 int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                     uint32_t density, uint32_t i, bool everywhere,
                     bool (*received)(void *ctx, const struct tia_radio_ray *ray), void *ctx);

@@ -4,11 +4,10 @@
  * which pixels a polygon covers, and which of two polygons is nearer at a pixel. So no pixel at a common edge is
  * drawn twice or left out, and drawing order, tiles and machines change nothing.
  *
- * Perspective: x, y, w are clip coordinates, -w..w is what the image shows and w grows away from the eye. They are at
- * the same time affine coordinates with the eye at 0. h is 1 for a point, 0 for a direction, a vertex at infinity,
- * whose coordinates are a difference of two points. Any sign of w is drawn: there is no near plane, nothing is
- * clipped and no depth is out of range.
- * Orthographic: w is 1, which is 2^fraction, and h is the nearness: larger is nearer. A direction has w = 0.
+ * Perspective: x, y, w are clip coordinates, the image shows -w..w, and w grows away from the eye. They are also affine
+ * coordinates with the eye at 0. h is 1 for a point, 0 for a direction, a vertex at infinity, whose coordinates are a
+ * difference of two points. w may have any sign: there is no near plane, nothing is clipped and no depth is out of
+ * range. Orthographic: w is 1, which is 2^fraction, and h is the nearness: larger is nearer. A direction has w = 0.
  *
  * Pixel (i, j) of the image sees what lies at positive multiples of D(i, j), an integer vector linear in i and j.
  * Where an edge passes exactly through it, D is moved to the right by a distance smaller than any, then down
@@ -25,8 +24,8 @@
  *     det = det(q, q, q)                         2^126         2^93       128 bits
  *     order in depth, f1 det2 - f2 det1          2^243         2^218      256 bits, where a filter is unsure
  *
- * (8192^2 pixels, 16 samples.) Polygons with smaller coordinates need 64 bits for all but det; these are found one by
- * one and drawn faster, with the same result.
+ * (8192^2 pixels, 16 samples.) Polygons with smaller coordinates need only 64 bits for all but det; each such polygon
+ * is detected and drawn faster, with the same result.
  */
 #ifndef TIA_RASTER_H
 #define TIA_RASTER_H
@@ -52,9 +51,8 @@ struct tia_lattice {
 };
 
 /* The pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel when there are 1, 4
- * or 16 `samples`, where tia's camera has them, see camera.h. All coordinates of points are below 2^range in size,
- * range 0..20. TIA_FRUSTUM counts as perspective, for its shear is in the vertices. TIA_ERR_ARGUMENT when something is
- * outside these bounds.
+ * or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size, range 0..20. TIA_FRUSTUM
+ * counts as perspective, since its shear is in the vertices. TIA_ERR_ARGUMENT when something is outside these bounds.
  *
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
@@ -66,8 +64,8 @@ struct tia_raster_vertex {
     int64_t x, y, w, h;
 };
 
-/* OpenGL's, in its order. The new value is on the left: TIA_LESS passes what is nearer, or where reference & mask is
- * less than stored & mask. */
+/* OpenGL's, in its order. The new value is on the left: TIA_LESS passes nearer pixels, or those where reference & mask
+ * is less than stored & mask. */
 enum tia_compare { TIA_NEVER, TIA_LESS, TIA_EQUAL, TIA_LEQUAL, TIA_GREATER, TIA_NOTEQUAL, TIA_GEQUAL, TIA_ALWAYS };
 
 /* OpenGL's. TIA_INCR and TIA_DECR stop at 255 and 0. */
@@ -80,8 +78,9 @@ struct tia_stencil {
     enum tia_stencil_op fail, zfail, zpass;
 };
 
-/* Two polygons are equal in depth at a pixel where they have the same face, or lie in the same plane. Where planes only
- * cross there, the one decides that is nearer at the pixel moved as above. What is drawn is nearer than no face. */
+/* Two polygons are equal in depth at a pixel if they have the same face, or lie in the same plane. Where two planes
+ * cross exactly at a pixel, the one that is nearer at the pixel moved as above is nearer. Every polygon is nearer than
+ * no face. */
 struct tia_raster_state {
     enum tia_compare depth;
     bool depth_write;           /* also puts the face there */
@@ -102,7 +101,7 @@ enum tia_buffer {
     TIA_BUFFER_COUNT = 16
 };
 
-/* The plane of a face: at pixel (i, j) 1/t is (x i + y j + c)/det, each of them in two halves. det is 0 for a face that
+/* The plane of a face: at pixel (i, j) 1/t is (x i + y j + c)/det, each number in two halves. det is 0 for a face that
  * is never drawn. */
 struct tia_raster_plane {
     uint64_t x[2], y[2], c[2], det[2];
@@ -111,7 +110,7 @@ struct tia_raster_plane {
 /* A vector unit's part in drawing, which changes no bit. */
 struct tia_raster_runs;
 
-/* A rectangle of the image, row by row. A buffer that is not there is NULL. */
+/* A rectangle of the image, row by row. An absent buffer is NULL. */
 struct tia_raster_target {
     const struct tia_lattice *lattice;
     struct tia_tile area;
@@ -148,9 +147,9 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 
 #define TIA_DISTANCE_BITS 45
 
-/* How far from the eye what pixel (x, y) of the image sees of a plane is, measured along the line of sight: w, or in
- * orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most 2^62; 0
- * where the plane is not before the eye. */
+/* The distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image sees: w,
+ * or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most
+ * 2^62; 0 where the plane is not in front of the eye. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
 /* Empties the depth buffer. */
@@ -161,8 +160,8 @@ void tia_clear_count(struct tia_raster_target *target, uint32_t value);
 void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
 void tia_clear_sum(struct tia_raster_target *target);
 
-/* The accumulation buffer is for pictures that a caller draws: of an area light the mean over its points, drawn
- * one after the other. tia_render keeps which samples of a light arrive, and needs none.
+/* The accumulation buffer is for callers: with an area light, they draw a picture for each of its points and take the
+ * mean. tia_render records which samples of a light arrive, and needs no such buffer.
  *
  * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
 void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
@@ -170,9 +169,9 @@ void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
 void tia_sum_return(struct tia_raster_target *target, uint32_t total);
 
 /* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners as `state` says. Its plane, for depth, is that of its first
- * three corners. What writes depth has a face below face_count, and the same plane whenever it is drawn until the depth
- * buffer is cleared; what does not may be TIA_NO_FACE. TIA_ERR_ARGUMENT when that is not so or there is another number
- * of corners; TIA_ERR_RANGE when a vertex is out of the range above. */
+ * three corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth
+ * buffer is cleared; other polygons may have TIA_NO_FACE. TIA_ERR_ARGUMENT otherwise, and for another number of
+ * corners; TIA_ERR_RANGE when a vertex is out of the range above. */
 int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
                      const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
@@ -181,12 +180,12 @@ struct tia_corners {
     uint64_t weights[3][3][2];
 };
 
-/* False when the eye is in its plane. */
+/* Prepares it. False when the eye is in the triangle's plane. */
 bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
                       const struct tia_raster_vertex vertices[3]);
 
-/* A value that is a[0], a[1], a[2] at the corners and linear on the triangle's plane, at what pixel (x, y) of the image
- * sees of the plane: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
+/* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)
+ * of the image sees: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
  * that is a direction has no value. 0 where the plane is not before the eye. */
 tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3]);
 

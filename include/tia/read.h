@@ -21,7 +21,7 @@ enum tia_format {
     TIA_FORMAT_OBJ  /* Wavefront, with .mtl */
 };
 
-/* What of an image is an opacity. */
+/* The channel of an image that an opacity is read from. */
 enum tia_channel {
     TIA_CHANNEL_OPACITY, /* alpha, or luminance where there is none */
     TIA_CHANNEL_RED,
@@ -41,17 +41,17 @@ struct tia_read_error {
     char text[280];
 };
 
-/* What a reader of .obj and .mtl puts up with, and what it does then. */
+/* What a reader of .obj and .mtl tolerates, and how. */
 enum tia_read_warning_kind {
-    TIA_WARN_STATEMENT, /* an unknown statement, or one with a mistake in it: skipped */
+    TIA_WARN_STATEMENT, /* an unknown or faulty statement: skipped */
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
-    TIA_WARN_MATERIAL,  /* a material that is nowhere defined: grey */
+    TIA_WARN_MATERIAL,  /* an undefined material: grey */
     TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
     TIA_WARN_OPTION,    /* an option of an image that is not supported: ignored */
-    TIA_WARN_RANGE,     /* a number out of range: the nearest that is in range */
+    TIA_WARN_RANGE,     /* a number out of range: clamped */
     TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
     TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
-    TIA_WARN_CORNER,    /* texture coordinates or normals that not all corners of a face have: it has none */
+    TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */
     TIA_WARN_FACE,      /* a face with too few corners, or one whose vertex does not exist: left out */
     TIA_WARN_EMPTY,     /* a model without faces: only the background is seen */
     TIA_WARNINGS
@@ -77,11 +77,11 @@ struct tia_reader {
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
                    const char **why);
-    void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or told of each material that has a name */
+    void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or called for each named material */
     void *ctx;
 
     bool unscaled;                     /* lengths keep the file's unit: scale_bits is 0 */
-    bool strict;                       /* what deserves a warning is an error */
+    bool strict;                       /* warnings are errors */
     struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
     struct tia_read_error error;       /* after TIA_ERR_RANGE */
 };

@@ -33,21 +33,21 @@ struct tia_surface {
     ptrdiff_t step, pitch; /* even */
 };
 
-/* What the rays of a pixel are. */
+/* The kinds of a pixel's rays. */
 enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
 
-/* One that was traced. TIA_RAY_PAST goes on past an opacity; a shadow ray comes from a surface and ends at a light, at
- * a distance of 1 if that is directional. Numbers are rounded to Q16.16 and clamped to its range. */
+/* A traced ray. TIA_RAY_PAST goes on past an opacity; a shadow ray runs from a surface to a light, or for a length of 1
+ * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
 struct tia_traced {
     enum tia_ray ray;
-    struct tia_vec3 from, to; /* where it starts and ends; 1 from its start when it meets nothing */
+    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets nothing */
     tia_q16 length;           /* INT32_MAX: it meets nothing */
-    uint32_t object, light;   /* which it meets or, of a shadow ray, comes from and goes to; or TIA_NO_OBJECT */
-    struct tia_vec3 normal;   /* of what it meets: the shading normal, on the side that the ray comes from */
+    uint32_t object, light;   /* the ones it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
+    struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
     bool arrives;             /* of a shadow ray: some of the light does */
 };
 
-/* Who watches rays, of tia_core_watched alone: other builds have nothing that could tell. It changes no pixel. */
+/* Observes rays; only tia_core_watched supports it, other builds ignore it. It changes no pixel. */
 struct tia_observer {
     void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
     void *ctx;
@@ -56,20 +56,19 @@ struct tia_observer {
 
 /* All zero: neither. */
 struct tia_options {
-    bool dither;         /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
-    uint32_t *path_hash; /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;       /* NULL, or receives what light reaches each pixel, row by row of the tile */
-    struct tia_observer
-        *observer; /* NULL, or is told of rays, in the order of the path hash, see above; spans have none */
+    bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
+    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives which lights reach each pixel, row by row of the tile */
+    struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
 };
 
-/* What light reaches a pixel does not depend on what colour it has there. The lights' samples are numbered through, in
- * the order of the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the
- * first sample of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit.
- * The span renderer writes nothing there: bits 0..15 of its path hash say the same. */
+/* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
+ * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the first sample
+ * of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit. The span
+ * renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
 
-/* The path hash is equal for pixels whose colours came about along the same paths. Compare it between two
- * arithmetics to separate rounding from a ray that took another path.
+/* Pixels whose colours came about along the same paths have the same path hash. Compare it between two arithmetics to
+ * tell rounding from a ray that took another path.
  *
  * Of the span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
  * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
@@ -134,11 +133,11 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
  * rasteriser goes through all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
-/* As tia_view_init, for a caller that may want to stop: it calls `stop` after every few thousand objects while the view
- * is prepared or its lights are set, and while tia_trace and tia_light_tile draw, in the thread that draws, at the
- * latest after some 16 rays, or by spans after a row. Once it returns true, they return TIA_STOPPED soon: a view that
- * was being prepared is then of no use, and what they have drawn of the tile, the hits and the view's lights are not
- * defined. It may be called again and must return true again. NULL: never. */
+/* As tia_view_init, but can be stopped: it calls `stop` after every few thousand objects while the view is prepared or
+ * its lights are set. tia_trace and tia_light_tile call it as well, in the thread that draws, at least every 16 rays or
+ * so; spans after each row. Once it returns true, they return TIA_STOPPED soon: a view that was being prepared is then
+ * of no use, and what they have drawn of the tile, the hits and the view's lights are not defined. It may be called
+ * again and must return true again. NULL: never. */
 int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                         uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
@@ -169,7 +168,7 @@ struct tia_core {
 
 extern const struct tia_core tia_core_q16;     /* integers: the functions above */
 extern const struct tia_core tia_core_f64;     /* double: the reference, libtia-f64.a */
-extern const struct tia_core tia_core_watched; /* integers that tell an observer of rays: libtia-watched.a */
+extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
 extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-f32.a */
 extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
 

@@ -12,8 +12,8 @@
  * The ray renderer draws all other scenes.
  *
  * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
- * digits: what is 1 long in the file is 2^scale_bits long here. Three things are still in the file's units, and the
- * renderer converts: the attenuation of lights, the surface coordinates of planes and the bias of shadow maps.
+ * digits: a length of 1 in the file is 2^scale_bits here. Three things stay in the file's units, and the renderer
+ * converts them: the attenuation of lights, the surface coordinates of planes and the bias of shadow maps.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -86,8 +86,8 @@ struct tia_scene {
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
     struct tia_shadow_map shadow_map;   /* of TIA_SHADOWS_MAP; all zero: the defaults */
-    tia_q16 tessellated; /* for all techniques but traced rays, 0: what is curved is left to rays; else it becomes flat
-                            faces, none of which is farther than this from its surface: 2^-16 or more, at most
+    tia_q16 tessellated; /* for all techniques but traced rays. 0: rays find curved shapes; otherwise these are divided
+                            into flat faces, none farther than this from the true surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
     uint32_t scale_bits; /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */

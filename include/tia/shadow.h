@@ -1,18 +1,18 @@
 /* shadow.h - techniques for shadows, to compare with each other. All but the first draw planes, boxes, triangles and
- * meshes by the rasteriser, see raster.h, whose vertices are rounded once and whose depths are exact. There each
- * technique gives the same picture, but for those that are known not to be exact. Spheres, discs, cylinders, cones and
- * grids are left to rays: those find them where they are nearer than all faces, and look for them on the way from a
- * face to a light that no face hides. What is seen of them has traced shadows.
+ * meshes by the rasteriser, see raster.h, whose vertices are rounded once and whose depths are exact. All techniques
+ * give the same picture of these, except those marked as not exact. Spheres, discs, cylinders, cones and grids are left
+ * to rays: primary rays where they are nearer than all faces, and shadow rays towards lights that no face hides. On
+ * these shapes themselves shadows are traced.
  *
- * With `tessellated` in scene.h they become flat faces instead, all but grids: that decides what is seen and lit, while
- * colour, normal and mirrors stay those of the true surface where the ray meets it. So outlines and the borders of
- * shadows have corners, and where a face turns from the light the true surface may not have yet.
+ * With `tessellated` in scene.h they become flat faces instead, all but grids: the faces decide what is seen and lit,
+ * while colour, normal and reflection are those of the true surface where the ray meets it. So outlines and the borders
+ * of shadows have corners, and a face can turn away from the light a little before the true surface does.
  *
- * What such a scene needs: opaque materials (transmission 0, no opacity), no sphere lights but with TIA_FILTER_PCSS,
- * and at most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample points
- * at each pixel, those of b = 0 in light.h. Only what is seen directly has these shadows; in mirrors they are traced.
- * Hits take 28 bytes for each sample of a pixel and 4 more; TIA_SHADOWS_MAP_EXACT 36, filters of maps 2 more for each
- * sample of all lights.
+ * Such a scene needs opaque materials (transmission 0, no opacity), no sphere lights but with TIA_FILTER_PCSS, and at
+ * most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample points at each
+ * pixel, those of b = 0 in light.h. Only directly visible surfaces have these shadows; in mirrors they are traced. Hits
+ * take 28 bytes for each sample of a pixel and 4 more; TIA_SHADOWS_MAP_EXACT 36, filters of maps 2 more for each sample
+ * of all lights.
  */
 #ifndef TIA_SHADOW_H
 #define TIA_SHADOW_H
@@ -30,28 +30,29 @@ struct tia_mesh;
 
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
-    TIA_SHADOWS_RAYS,   /* rays from what is seen, exact: whether any face stands between that and the light */
-    TIA_SHADOWS_ZPASS,  /* shadow volumes, counted before what is seen; where that cannot tell, as TIA_SHADOWS_ZFAIL */
-    TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind what is seen; where that cannot tell, as TIA_SHADOWS_ZPASS */
+    TIA_SHADOWS_RAYS,   /* exact rays: does any face stand between the visible point and the light? */
+    TIA_SHADOWS_ZPASS,  /* shadow volumes, counted in front of the visible point; where undecided, as TIA_SHADOWS_ZFAIL
+                         */
+    TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind the visible point; where undecided, as TIA_SHADOWS_ZPASS */
     TIA_SHADOWS_MAP,    /* shadow maps, see struct tia_shadow_map: not exact */
-    TIA_SHADOWS_MAP_EXACT,  /* a map whose samples are what the pixels see, without aliases: exact */
-    TIA_SHADOWS_ZPASS_PLAIN /* as TIA_SHADOWS_ZPASS, with the eye taken to be in no volume: wrong where it is in one */
+    TIA_SHADOWS_MAP_EXACT,  /* an alias-free map, whose samples are the points that pixels see: exact */
+    TIA_SHADOWS_ZPASS_PLAIN /* as TIA_SHADOWS_ZPASS, assuming the eye in no volume: wrong where it is in one */
 };
 
 /* "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
 
 /* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
- * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. A corner is too far whose clip coordinates, see raster.h, reach
- * 2^20: it lies that many times half of the view's width or height beside its middle. */
+ * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. A corner is too far if a clip coordinate, see raster.h, reaches
+ * 2^20: it is then that many times half the view's width or height off its middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
- * around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees one around the cone; other
- * lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes a texel.
+ * map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one, around the
+ * cone; other lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes a texel.
  *
- * A point is lit where the map has nothing nearer than its distance less a bias, against faces that shadow themselves.
- * A texel is 2 w/size long at the distance w where the map shows 90 degrees. With the amount a the bias is
+ * A point is lit where the map has nothing nearer than its distance less a bias, which keeps faces from shadowing
+ * themselves. In a map of 90 degrees a texel is 2 w/size long at the distance w. With the amount a the bias is
  *
  *     none       0
  *     constant   a, in the file's units, see scene.h
@@ -59,11 +60,11 @@ uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsig
  *     normal     none; the point is moved a texels along the normal, towards the light
  *     plane      a texels; and the distance is that of the face's plane where the tap's texel has its centre
  *
- * Filters take several texels, taps, and the point is lit to the part of them that are: the texel itself; the four
- * around the point, weighted bilinearly; n x n; 16 in a disc of radius 3, which turns from pixel to pixel. PCSS
- * (Fernando 2005) searches the texels that the light's disc can see for what is nearer, and takes those that the
- * penumbra then covers, 2 x 2 at least. It takes area lights of all kinds as a disc of their area, and one sample that
- * counts for all of theirs. */
+ * Filters take several texels, the taps; the point's light is the fraction of taps that are lit. The taps are the texel
+ * itself; the four around the point, weighted bilinearly; n x n; 16 in a disc of radius 3, which turns from pixel to
+ * pixel. PCSS (Fernando 2005) searches the texels that the light's disc can see for blockers, and takes those that the
+ * penumbra then covers, 2 x 2 at least. It treats any area light as a disc of the same area, with one sample that
+ * stands for all. */
 enum tia_bias {
     TIA_BIAS_DEFAULT, /* TIA_BIAS_SLOPE, whose amount is TIA_SHADOW_AMOUNT */
     TIA_BIAS_NONE,
@@ -102,9 +103,9 @@ struct tia_shadow_map {
 const char *tia_bias_name(unsigned bias);
 const char *tia_filter_name(unsigned filter);
 
-/* Whether each edge of a mesh has a face on its other side, whose corners run the other way. A mesh that does not close
- * casts the same shadow face by face: volumes have more sides then. `room` has tia_shadow_mesh_room(mesh) bytes and is
- * aligned for uint32_t; the mesh is one that tia_scene_check accepts. */
+/* Whether each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
+ * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
+ * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t; the mesh is one that tia_scene_check accepts. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 

@@ -20,13 +20,13 @@ struct tia_text {
     const char *text;
     uint16_t x, y;         /* the image's pixel at its upper left corner */
     uint16_t scale;        /* pixels of a letter's dot, from 1 */
-    tia_rgb565 ink, paper; /* its letters' colour, and that of the rest */
+    tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
 
-/* What it covers of an image of width x height pixels; empty when it is all outside. */
+/* The part of a width x height image that it covers; empty when it is all outside. */
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
-/* Draws what is in `tile`, onto its pixels; others stay. */
+/* Draws the part in `tile`; the other pixels stay. */
 void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
 
 #ifdef __cplusplus

@@ -3,19 +3,19 @@
  * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps.
  * The arrow keys move the first light by 1 along x and z, page up and page down along y: once when pressed,
  * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US, though at most TIA_HOLD_STEPS times between two
- * pictures: where they take longer, steps are left out, so that what is seen can be followed. The first light is the
- * first that is not ambient, since an ambient light has no position; a directional light is moved as the point at the
- * distance 1 that it shines from, by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it,
- * TIA_KEY_SHADOWS takes the next technique for shadows that the scene qualifies for, where the caller wants that. Every
- * other key quits. Keys are also looked at while a frame is drawn: one that quits ends it at once, and one that moves a
- * light ends it at the next tile if it has taken 250 ms, though not two frames in a row. A frame of a scene that plays
- * ends at once then, if the next one can be shown in blocks or rows.
+ * pictures: slower pictures skip steps, so that the eye can follow. The first light is the first that is not ambient,
+ * since an ambient light has no position; a directional light is moved by 1/16, as the point at the distance 1 that it
+ * shines from. The keys of the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS takes the next
+ * technique for shadows that the scene qualifies for, if the caller allows it. Every other key quits. Keys are also
+ * looked at while a frame is drawn: one that quits ends it at once, and one that moves a light ends it at the next tile
+ * if it has taken 250 ms, though not two frames in a row. A frame of a scene that plays ends at once then, if the next
+ * one can be shown in blocks or rows.
  *
- * Where rays draw a frame and that takes longer than a display's period, it is shown coarse to fine: every 16th pixel
- * of every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then
- * ends it at once. A line at the picture's lower edge tells how much of a frame of more than a second is done. This
- * needs a `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of the frame that
- * follows a key, and of those that take 250 ms.
+ * A frame that rays draw, and that takes longer than a display's period, is shown coarse to fine: every 16th pixel of
+ * every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then ends
+ * it at once. For a frame of more than a second, a line at the picture's lower edge shows the progress. This needs a
+ * `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of the frame that follows a key,
+ * and of those that take 250 ms.
  *
  * With an `estimator`, each pixel of a picture of samples has one sample at first; once all pixels are drawn, all get
  * twice as many, and again, until they have those of the scene. Each sample is computed once. That takes 24 bytes a
@@ -24,11 +24,10 @@
  * A picture that is rasterised is shown in two steps, where it follows a key or takes 250 ms: every 16th row first,
  * then all.
  *
- * Where a gaze is given and rays draw, pixels are left out that the eye would not see, and the gaze follows a pointer.
+ * With a gaze, where rays draw, pixels that the eye would not see are left out, and the gaze follows a pointer.
  *
- * With `pace`, every frame of something that moves, a scene that plays or a key that is held, is as fine as there is
- * time for: so many of its passes are drawn as fit the period by what the pixels before have cost. When nothing moves,
- * the rest follows.
+ * With `pace`, each frame of a motion (a scene that plays, a key that is held) is as fine as time allows: it draws as
+ * many passes as fit the period, judged by the cost of the pixels before. When nothing moves, the rest follows.
  *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
@@ -56,23 +55,23 @@ struct tia_frame {
     uint32_t number;          /* from 0 */
     uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels, at least 2 */
     uint32_t samples;         /* of a coarse picture of samples: at least so many a pixel; else 0 */
-    uint16_t done;            /* of a coarse picture: the share of its pixels that are drawn, 2^-16 */
-    uint32_t pixels;          /* that were drawn; each of the others shows what one of these does */
+    uint16_t done;            /* of a coarse picture: the share of its pixels drawn so far, 2^-16 */
+    uint32_t pixels;          /* drawn; each of the others repeats one of these */
     bool moving;              /* with `pace`: something moves */
-    uint64_t left_us;         /* and how long the rest will take, by what it has taken so far */
+    uint64_t left_us;         /* of a coarse picture: estimated time for the rest, from the time so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
     enum tia_shadows shadows; /* the technique that drew it */
     uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
-                                 0 when there was none, its time is unknown, or the frame is not shown yet; of
-                                 coarse pictures only the first tells it */
-    const char *level;        /* what drew it: see tia_view_level */
+                                 0 when there was none, its time is unknown, or the frame is not shown yet; of the
+                                 coarse pictures of a frame only the first has it */
+    const char *level;        /* the level that drew it, see tia_view_level */
 };
 
 /* What an event does. */
 enum tia_effect {
     TIA_EFFECT_NONE,
-    TIA_EFFECT_PICTURE, /* the picture is shown again, since what is drawn over it has changed */
+    TIA_EFFECT_PICTURE, /* the picture is shown again: its overlay has changed */
     TIA_EFFECT_CAMERA,  /* the scene is seen from elsewhere */
     TIA_EFFECT_HOME,    /* or as it was at first */
     TIA_EFFECT_END      /* the loop ends */
@@ -82,20 +81,21 @@ enum tia_effect {
  * typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses a scene
  * that plays and lets it go on. */
 struct tia_control {
-    /* What the event would do; changes nothing. It is asked like the viewer's `stop`. */
+    /* What the event would do; changes nothing. Called like the viewer's `stop`. */
     enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
-    /* Does it, *camera first being what the scene is seen by; also told of keys for lights where there is none to move.
-     * A camera that tia_scene_check refuses is not taken. For TIA_EFFECT_END it is called when the loop is over. */
+    /* Does it. *camera is the present camera, to be changed; one that tia_scene_check refuses is ignored. It also
+     * receives keys that move lights when there is no light to move. For TIA_EFFECT_END it is called when the loop is
+     * over. */
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
 /* What keys have changed. */
 struct tia_viewer_state {
-    bool goes_on; /* the caller's: begin with what follows, and with the viewer's lights, not with the scene's */
+    bool goes_on; /* set by the caller: begin with this state and the viewer's lights, not with the scene's */
     bool moved;   /* the camera is not the scene's */
     bool paused;
     struct tia_camera camera;
-    uint32_t light_count, light; /* how many there are; which one keys move, unless ambient the next */
+    uint32_t light_count, light; /* their number; the one that keys move, or the next if it is ambient */
     tia_q16 time;                /* seconds */
 };
 
@@ -117,7 +117,7 @@ struct tia_viewer {
                          frame_limit; 0: frames follow the clock */
     uint32_t pace[2]; /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000; 0: none */
     struct tia_gaze gaze;
-    const struct tia_control *control; /* NULL, or what other keys do than end the loop; needs `variant` */
+    const struct tia_control *control; /* NULL (other keys end the loop), or what other keys do; needs `variant` */
     void *control_ctx;
     struct tia_viewer_state *state; /* NULL, or is kept up to date */
 
@@ -142,7 +142,7 @@ struct tia_viewer {
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
     void *frame_ctx;
 
-    /* NULL, or ends the loop when it returns true, such as after a signal. It is asked between frames, and about every
+    /* NULL, or ends the loop when it returns true, such as after a signal. It is called between frames, and about every
      * 20 ms while one is drawn, then on any of the workers' threads, one at a time. So is input->poll. */
     bool (*stop)(void *ctx);
     void *stop_ctx;

@@ -8,7 +8,7 @@
 
 #include "vt.h"
 
-/* What the kernel sends when it wants the console, and when it gives it back. */
+/* The kernel's signals when it takes the console, and when it gives it back. */
 #define LEAVE SIGUSR1
 #define ENTER SIGUSR2
 

@@ -32,7 +32,7 @@ int guardian_keep_card(int fd);
  * name. */
 int guardian_keep_text(int fd, const char *text);
 
-/* It has been put back. The arguments are those of guardian_keep_...; safe when nothing was kept. */
+/* Reports that it has been put back. The arguments are those of guardian_keep_...; safe when nothing was kept. */
 void guardian_forget_vt(const char *path);
 void guardian_forget_terminal(int fd);
 void guardian_forget_text(int fd, const char *text);

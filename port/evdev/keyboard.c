@@ -149,8 +149,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* The console is told which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held, but not
- * which other keys are, such as F2: it would take them for typed. */
+/* Tells the console which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held; but not which
+ * other keys, such as F2, which it would take as typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;

@@ -29,8 +29,8 @@ struct keyboard {
 int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY]);
 void keyboard_close(struct keyboard *keyboard);
 
-/* Grabs the keyboard, and releases it. Either way whoever had it before sees all keys released, and whoever has it next
- * sees none pressed (key_state_begin). */
+/* Grabs the keyboard, and releases it. Either way the previous owner sees all keys released, and the next one sees none
+ * pressed (key_state_begin). */
 void keyboard_grab(struct keyboard *keyboard);
 void keyboard_release(struct keyboard *keyboard);
 

@@ -1,7 +1,7 @@
 /* keys.h - turns the kernel's key events into tia's. Uses no device and no clock.
  *
  * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard. Modifiers and locks are
- * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console, and Shift is told with a key.
+ * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console, and Shift is reported with a key.
  */
 #ifndef PORT_EVDEV_KEYS_H
 #define PORT_EVDEV_KEYS_H

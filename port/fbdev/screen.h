@@ -39,7 +39,7 @@ int fb_show(struct fb_screen *screen, unsigned page);
 void fb_show_again(struct fb_screen *screen);
 /* The first byte of a page. */
 uint8_t *fb_page(const struct fb_screen *screen, unsigned page);
-/* Waits until the last shown page is really on the screen, where the driver can tell. */
+/* Waits until the last shown page is really on the screen, if the driver reports it. */
 void fb_wait(struct fb_screen *screen);
 /* Puts back what fb_take changed, and the old picture if this console is `visible`; then closes. Safe
  * at any time. */

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* How pictures are shown, the best last. */
+/* Ways to show pictures, the best last. */
 enum pictures { PICTURES_HALF_BLOCKS, PICTURES_SYMBOLS, PICTURES_SIXEL, PICTURES_KITTY };
 
 /* Whether $TERM is that of tmux or screen, which show kitty's pictures nowhere: they take them for titles or nothing.

@@ -19,7 +19,7 @@ struct text {
 void text_add(struct text *text, const char *string);
 void text_free(struct text *text);
 
-/* What the terminal shows, cell by cell, as far as we wrote it. */
+/* The terminal's contents, cell by cell, as far as we wrote it. */
 struct grid {
     unsigned columns, rows; /* of cells: the picture's width and (height + 1)/2, or its height */
     unsigned left, top;     /* the window's cell of its upper left corner */

@@ -12,7 +12,7 @@
 
 struct symbol;
 
-/* What the terminal shows from its upper left corner. Zero: nothing is known of it. */
+/* The terminal's contents, from its upper left corner. Zero: unknown. */
 struct symbols {
     struct symbol *cells;
     unsigned columns, rows;

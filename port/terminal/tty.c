@@ -29,7 +29,7 @@
  * 50 ms allow for a network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
-/* Bracketed paste: pasted text can be told from typed keys. */
+/* Bracketed paste: pasted text can be distinguished from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
 /* And the mouse: all of its movements, in numbers of any size. */

@@ -3,7 +3,7 @@
  *
  * Two of them let the script go on and return later, where the browser can suspend WebAssembly (JavaScript Promise
  * Integration): web_look and web_rest. Where it cannot, web_rest says so when there is nothing to do, and the input's
- * wait returns TIA_STOPPED: the loop ends, and whoever ran it runs it again when there are events.
+ * wait returns TIA_STOPPED: the loop ends, and its caller runs it again when there are events.
  */
 #ifndef PORT_WEB_H
 #define PORT_WEB_H
@@ -14,7 +14,7 @@
  * in 2^-16 of the display's width and height. */
 #define WEB_DRAGGED 0x200
 
-/* What is known of a picture, as the script reads it. */
+/* Data about a picture, in the layout that the script reads. */
 struct web_frame {
     uint32_t number, crc, block, done, samples, spp;
     uint32_t differs[3];             /* pixels of an error map: by a level, by more, on another path */

@@ -4,13 +4,13 @@
 
 #include <tia/denoise.h>
 
-/* What changes from pass to pass. */
+/* Data that each pass changes. */
 struct light {
     uint32_t rgb[3]; /* over the albedo, Q16.16 */
     uint32_t error;  /* the standard error of its luminance, Q16.16 */
 };
 
-/* What stays. */
+/* Data that stays. */
 struct feature {
     uint32_t albedo[3]; /* Q16.16, what light was divided by: never 0 */
     uint32_t depth;     /* Q16.16 */

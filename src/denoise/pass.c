@@ -64,7 +64,7 @@ static uint32_t alike(const int16_t a[3], const int16_t b[3])
     return power;
 }
 
-/* How far a neighbour is off the plane that the middle is on, in depth; against the room that it has for that. */
+/* The distance in depth of a neighbour from the middle pixel's plane, relative to the tolerance. */
 static uint64_t off_plane(const struct middle *m, uint32_t depth, int dx, int dy)
 {
     int64_t off = (int64_t)depth - (int64_t)m->feature.depth - (m->across * dx + m->down * dy);
@@ -73,7 +73,7 @@ static uint64_t off_plane(const struct middle *m, uint32_t depth, int dx, int dy
     return ratio((uint64_t)(off < 0 ? -off : off), ROOM(m->slope, away, m->feature.depth));
 }
 
-/* How much of a neighbour's light counts, without the filter's own weight, Q.16. */
+/* The edge-stopping weight of a neighbour, without the filter's own weight, Q.16. */
 static uint32_t weight(const struct middle *m, size_t at, int dx, int dy)
 {
     const struct feature *f = &m->d->features[at];

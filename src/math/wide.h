@@ -286,7 +286,7 @@ static inline int64_t wide_reciprocal(uint64_t b)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* What many quotients by the same b share: |b| < 2^63. */
+/* Precomputed for many quotients by the same b: |b| < 2^63. */
 struct wide_divisor {
     int64_t reciprocal; /* of |b| 2^zeros; 0 when b is 0 */
     int zeros;

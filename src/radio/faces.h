@@ -69,7 +69,7 @@ void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point,
  * `room` is for 4 numbers a face. */
 void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room);
 
-/* What planes lie beyond an object's points: planes and discs themselves. */
+/* Whether an object has planes here: one with flat faces, or a disc. */
 bool tia_radio_takes(const struct tia_scene *scene, uint32_t object);
 
 #endif

@@ -112,7 +112,7 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     return more <= 0 ? ratio << -more : (ratio + (INT64_C(1) << (more - 1))) >> more;
 }
 
-/* What is not used is 0, so that equal paths have equal bytes. */
+/* Unused elements are 0, so that equal paths have equal bytes. */
 static void report(struct tia_radio_room *room, uint32_t order)
 {
     struct tia_radio_path *path = &room->path, *told = &room->told;

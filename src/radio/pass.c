@@ -68,7 +68,7 @@ static bool add_wall(const struct segment *s, uint32_t face)
     return true;
 }
 
-/* Where a box is left it has been entered. */
+/* A box that is left has been counted where it was entered. */
 static bool ask_face(const struct segment *s, uint32_t number)
 {
     const struct tia_radio *radio = s->room->radio;

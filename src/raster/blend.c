@@ -4,8 +4,8 @@
 
 #define QUOTIENT_BITS 42 /* of quotients that are made: far beyond the range of values */
 
-/* What a pixel sees is a sum of the corners, in proportion to det(D, q, q) of the other two; the value is their values'
- * mean with these weights, of those that are points. */
+/* The point that a pixel sees is a weighted sum of the corners, each weight det(D, q, q) of the other two; the value is
+ * the mean of the corners' values with these weights, without corners that are directions. */
 bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
                       const struct tia_raster_vertex vertices[3])
 {
@@ -77,7 +77,7 @@ static int64_t fine_quotient(wide over, int64_t under)
 
 /* The upper 60 bits of the weights, cut to the same place: each errs by less than 1 of at least 2^59. So where their
  * sum is at least 2^BLEND_LEAST the quotient errs little (ranges.h; tests/proofs/raster_blend.g), and only close to a
- * half the exact sum must be asked. */
+ * half is the exact sum needed. */
 tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3])
 {
     wide weight[3], over = wide_product(0, 0), sum = over;

@@ -123,8 +123,8 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane)
     halves_put(plane->det, p->det);
 }
 
-/* Ties are broken as for edges. A plane is told from another by the three signs together: f/det is the same function of
- * the pixel only when x, y and the value at a pixel are. */
+/* Ties are broken as for edges. The three signs together distinguish two planes: f/det is the same function of the
+ * pixel only when x, y and the value at a pixel are. */
 int tia_depth_order(const struct polygon *p, const struct tia_raster_plane *plane, int x, int y)
 {
     struct wide_form a = plane_of(p), b = {halves_get(plane->x), halves_get(plane->y), halves_get(plane->c)};

@@ -30,7 +30,8 @@ static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
     return order;
 }
 
-/* 1 where the polygon is nearer than what is there, -1 farther, 0 equal. Asked where nearness alone does not tell. */
+/* 1 where the polygon is nearer than the face there, -1 farther, 0 equal. For pixels where nearness alone does not
+ * decide. */
 static inline int exact_order(const struct job *job, int x, int y, size_t at)
 {
     uint32_t there = job->target->face[at];
@@ -185,7 +186,7 @@ static inline void count_one(const struct job *job, size_t at)
         t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
 }
 
-/* What shadow volumes do all the time. */
+/* The case of shadow volumes. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
@@ -203,7 +204,7 @@ static void counting_run(void *ctx, int y, int x0, int x1)
     }
 }
 
-/* What the target's vector unit, or plain C, is told of the polygon. */
+/* The polygon's data for the target's vector unit, or plain C. */
 static void share(struct job *job)
 {
     const struct tia_raster_target *t = job->target;

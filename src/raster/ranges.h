@@ -41,7 +41,7 @@
 #define WALKER_STEP 16
 #define WALKER_ERROR 8198
 
-/* How far a corner's place in the image may be off for the box around a polygon, in 2^-16 of a pixel. */
+/* The error of a corner's place in the image, for the box around a polygon, in 2^-16 of a pixel. */
 #define BOX_MARGIN 2
 
 /* Interpolation: where the weights, cut to 60 bits, add up to at least 2^BLEND_LEAST, the value with BLEND_BITS

@@ -1,14 +1,14 @@
-/* Where an edge x i + y j + c changes its sign in row j: at -(y j + c)/x, a linear function of j. It is walked in fixed
- * point, and where that comes too close to a pixel the edge itself is asked. So the runs are exact, and no row needs a
- * division or more than 64 bits.
+/* Where an edge x i + y j + c changes its sign in row j: at -(y j + c)/x, a linear function of j. It is stepped in
+ * fixed point, and the edge itself is evaluated where that comes too close to a pixel. So the runs are exact, and no
+ * row needs a division or more than 64 bits.
  *
- * ranges.h has how far the values may be off, and tests/proofs/raster_rows.g why. Steeper ones, seldom and nearly
- * horizontal, are found by bisection. */
+ * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Larger slopes, of rare edges that are
+ * nearly horizontal, are found by bisection. */
 #include "rows.h"
 
 #include "ranges.h"
 
-#define SMALL_AREA 64 /* of a box in which each pixel is asked */
+#define SMALL_AREA 64 /* of a box in which each pixel is tested */
 
 struct walker {
     int64_t at, step;

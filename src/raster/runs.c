@@ -27,7 +27,7 @@ static inline bool is_unsure(int64_t difference)
     return (uint64_t)difference + DEPTH_UNSURE <= 2 * DEPTH_UNSURE;
 }
 
-/* The difference's sign bit tells, the other way round when nearer ones count. */
+/* The difference's sign bit decides, inverted when nearer pixels count. */
 static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t z)
 {
     const uint64_t *nearness = p->nearness;

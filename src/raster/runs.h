@@ -5,7 +5,7 @@
 
 #include "depth.h"
 
-/* What all runs of a polygon share. */
+/* Data that all runs of a polygon share. */
 struct raster_polygon {
     uint64_t *nearness; /* the target's */
     uint32_t *face, *count;

@@ -50,7 +50,7 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->stencil = (uint8_t *)memory;
 }
 
-/* What a caller hands over may end beyond 65535, which is the most where int has 16 bits. */
+/* A caller's tile may end beyond 65535, the most that a 16-bit unsigned int holds. */
 static bool is_inside(const struct tia_tile *area, const struct tia_tile *all)
 {
     return area->x >= all->x && area->y >= all->y && (uint32_t)area->x + area->width <= (uint32_t)all->x + all->width &&

@@ -22,7 +22,7 @@ static void locate(struct tia_reader *reader, struct tia_fault *fault, struct ti
         tia_locate_nff(reader, fault);
 }
 
-/* What follows `start` in a string that begins with it; NULL: it does not. */
+/* The rest of a string that begins with `start`; NULL: it does not. */
 static const char *after(const char *string, const char *start)
 {
     while (*start && *string == *start)

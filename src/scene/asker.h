@@ -1,4 +1,4 @@
-/* asker.h - who is asked, now and then, whether long work over a scene shall go on. */
+/* asker.h - the callback that is asked, now and then, whether to stop long work on a scene. */
 #ifndef TIA_SCENE_ASKER_H
 #define TIA_SCENE_ASKER_H
 

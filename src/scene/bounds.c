@@ -3,7 +3,7 @@
 
 #include "scene/shapes/description.h"
 
-/* What the scene's fine digits may add to a box, rounded up: half a unit each for a centre and a radius. */
+/* The most that the scene's fine digits can add to a box, rounded up: half a unit each for a centre and a radius. */
 static int64_t fine_margin(const struct tia_scene *scene)
 {
     return scene->fine ? 1 : 0;

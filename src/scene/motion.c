@@ -13,7 +13,7 @@ static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
         *direction = tia_normalise(to.x, to.y, to.z);
 }
 
-/* It stays a light of its kind, so that scenes of all times need the same memory. */
+/* A hidden light keeps its kind, so that scenes of all times need the same memory. */
 static void hide_light(struct tia_light *light)
 {
     const struct tia_vec3 none = {0, 0, 0};
@@ -37,7 +37,7 @@ static void set_colour(struct tia_material *material, enum tia_target target, st
     *colours[target - TIA_SETS_COLOUR] = (struct tia_rgb){channel(value.x), channel(value.y), channel(value.z)};
 }
 
-/* What moves, and so is copied, in the order of memory. */
+/* The arrays with moving elements, which are copied, in the order of memory. */
 struct moving {
     struct tia_camera camera;
     struct tia_light *lights;

@@ -121,7 +121,7 @@ static int64_t inverse(int64_t a, int *places)
     return wide_reciprocal((uint64_t)a << zeros);
 }
 
-/* What is seen, D/s; orthographic (D.x, D.y, s) 2^fraction/D.w. */
+/* The visible point: D/s; orthographic (D.x, D.y, s) 2^fraction/D.w. */
 static bool find_point(const struct tia_seen *seen, const struct tia_lattice *l, int64_t p[3])
 {
     int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};

@@ -1,5 +1,5 @@
-/* edges.h - which face lies across each edge of faces that share corners: where one of two neighbours faces the light
- * and the other does not, the edge is part of the silhouette. */
+/* edges.h - finds the face across each edge of faces that share corners. Where one of two neighbours faces the light
+ * and the other does not, their edge is part of the silhouette. */
 #ifndef TIA_SHADOW_EDGES_H
 #define TIA_SHADOW_EDGES_H
 

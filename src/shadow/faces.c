@@ -34,7 +34,7 @@ static struct counts count(const struct tia_scene *scene)
     return all;
 }
 
-/* What is needed only while the faces are found: the first point at each place and room for that, then room for the
+/* Memory needed only while the faces are found: the first point at each place and room for that, then room for the
  * edges. */
 static uint64_t room_size(struct counts n)
 {

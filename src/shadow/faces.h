@@ -38,7 +38,7 @@ bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_r
 /* Its three affine coordinates: x, y and w, orthographic x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
-/* How many faces a scene has that tia_scene_check accepts with shadows. */
+/* The number of faces of a scene that tia_scene_check accepts with shadows. */
 uint64_t tia_flat_face_count(const struct tia_scene *scene);
 
 /* Samples of a pixel: at least 1. */

@@ -32,13 +32,13 @@ struct tia_map {
     int coarse;        /* distances are in units of 2^(coarse - TIA_WORLD_BITS) */
 };
 
-/* What light there is for a map, see tia_flat_light_at. */
+/* The light of a map, see tia_flat_light_at. */
 struct tia_map_light {
     const struct tia_light *light;
     tia_flat_light at;
 };
 
-/* How many views the map of a light has. */
+/* The number of views in a light's map. */
 unsigned tia_map_views(const struct tia_light *light);
 
 /* A map without distances, whose views have `border` more texels on each side than the light needs. */
@@ -65,10 +65,10 @@ struct tia_map_plane {
 void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
                         const struct tia_raster_plane *given);
 
-/* In the middle of texel (i, j): to 2^-30 of itself, and rounded; 0 where the plane is not before the light. */
+/* In the middle of texel (i, j): to 2^-30 of itself, and rounded; 0 where the plane is not in front of the light. */
 uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j);
 
-/* Where a map has a point. */
+/* A point's place in a map. */
 struct tia_map_spot {
     const struct tia_map_view *view;
     int64_t u, v;     /* texels, Q.16, from the upper left corner; anything beyond the map is clamped to 2^40 */

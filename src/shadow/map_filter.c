@@ -70,7 +70,7 @@ static int64_t least(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/* What is nearer than the point among the texels up to `reach` away: the mean of its distances, or -1 where there is
+/* The mean distance of the blockers, texels up to `reach` away that are nearer than the point; -1 where there are
  * none. */
 static int64_t find_blocker(const struct tia_map_point *p, int64_t reach)
 {

@@ -5,7 +5,7 @@
 #include "map.h"
 #include "technique.h"
 
-/* How maps are made and asked: a scene's, without defaults. */
+/* How maps are made and read: the scene's settings, with defaults filled in. */
 struct tia_map_look {
     unsigned size;
     enum tia_bias bias;
@@ -15,7 +15,7 @@ struct tia_map_look {
 
 void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene);
 
-/* How far from a point's texel taps are, without those of TIA_FILTER_PCSS. */
+/* The largest distance of a tap from the point's texel, except with TIA_FILTER_PCSS. */
 unsigned tia_map_border(enum tia_filter filter);
 
 /* A point of a face that is turned to the light, and where the map has it. */
@@ -42,8 +42,8 @@ bool tia_map_tap(const struct tia_map_point *point, int64_t i, int64_t j);
 /* The distance that a tap reads, TIA_WORLD_BITS fraction bits. */
 int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j);
 
-/* How much of all light comes to the point: a share. The light's radius has TIA_WORLD_BITS fraction bits;
- * turn is anything that differs from pixel to pixel. */
+/* The share of the light that reaches the point. The light's radius has TIA_WORLD_BITS fraction bits; `turn` is any
+ * number that differs from pixel to pixel. */
 unsigned tia_map_share(const struct tia_map_point *point, enum tia_filter filter, int64_t radius, unsigned turn);
 
 #endif

@@ -1,4 +1,4 @@
-/* occluder.h - whether a face stands between what a pixel sees and a light, by the signs of integers.
+/* occluder.h - whether a face stands between a visible point and a light, by the signs of integers.
  *
  * Of a plane N.(x, y, w) = d h, a pixel that looks along D sees the point (D, s) with s = N.D/d, whatever the
  * projection, see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
@@ -7,18 +7,18 @@
  *
  * A face hides the light when the point is on one side of all planes through the light and an edge of the face, and
  * beyond the face's own plane. Where a sign is 0, D is moved as the rasteriser moves it, to the right, then down; a
- * face in the plane of what is seen does not hide it. These are the integers by which the depths of shadow volumes
- * are compared, for their sides lie in the same planes, so both find the same, and neither needs a bias.
+ * face in the plane of the visible face does not hide it. The depths of shadow volumes are compared by the same
+ * integers, since their sides lie in the same planes, so both find the same, and neither needs a bias.
  *
  * The products have up to 243 bits. A filter comes first: s with a relative error below 2^-58, m with one of 2^-61,
- * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. ranges.h has what the difference of both
- * is then off by, and tests/proofs/shadow_occluder.g proves it. */
+ * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. ranges.h has the resulting error of their
+ * difference, and tests/proofs/shadow_occluder.g proves it. */
 #ifndef TIA_SHADOW_OCCLUDER_H
 #define TIA_SHADOW_OCCLUDER_H
 
 #include "lights.h"
 
-/* The plane of a face that is seen. */
+/* The plane of a visible face. */
 struct tia_seen_face {
     const struct tia_raster_plane *plane;
     uint32_t face;
@@ -34,7 +34,7 @@ struct tia_seen {
     int exponent;
 };
 
-/* For the filter, at pixel (i, j): M.D is (x i + y j + c) 2^unit, m is m 2^m_unit. Differences up to `unsure` tell
+/* For the filter, at pixel (i, j): M.D is (x i + y j + c) 2^unit, m is m 2^m_unit. Differences up to `unsure` decide
  * nothing. */
 struct tia_occluder_plane {
     int64_t x, y, c, m;

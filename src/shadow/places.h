@@ -22,8 +22,8 @@ void tia_places_init(struct tia_places *p, const struct tia_flat_scene *flat, co
 void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_vertex *v, int64_t at[3]);
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3]);
 
-/* Where a place gets when all moves along the light to a plane across the axis. Those of corners are below
- * 2^ACROSS_BITS in size and off by less than ACROSS_OFF. */
+/* A place projected along the light onto a plane across the axis. Those of corners are below 2^ACROSS_BITS in size and
+ * off by less than ACROSS_OFF. */
 void tia_place_across(const struct tia_places *p, const int64_t at[3], int64_t out[2]);
 
 static inline int64_t place_size(int64_t a)

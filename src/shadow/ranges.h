@@ -3,13 +3,13 @@
 #ifndef TIA_SHADOW_RANGES_H
 #define TIA_SHADOW_RANGES_H
 
-/* Of the difference between M.D and m s, both below 2^62: what the products and shifts lose; and what M.D loses more
- * where its three numbers are cut, at columns and rows below 2^13. */
+/* Of the difference between M.D and m s, both below 2^62: the error of the products and shifts; and the further error
+ * of M.D where its three numbers are cut, at columns and rows below 2^13. */
 #define OCCLUDER_UNSURE 15
 #define OCCLUDER_CUT 16383
 
-/* What a pixel sees is off by less than SEEN_OFF in units of 2^-SEEN_BITS of a vertex's; places of more than SEEN_FAR
- * bits are not told. */
+/* A visible point is off by less than SEEN_OFF in units of 2^-SEEN_BITS of a vertex's; places of more than SEEN_FAR
+ * bits are not computed. */
 #define SEEN_BITS 8
 #define SEEN_OFF 5
 #define SEEN_FAR 52

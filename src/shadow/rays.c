@@ -4,7 +4,7 @@
 
 #define OCCLUDERS 16
 
-/* Where pixels next to each other are alike. */
+/* Coherence between neighbouring pixels. */
 struct rays {
     const struct tia_flat_scene *flat;
     const struct tia_casters *casters;

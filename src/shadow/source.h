@@ -24,7 +24,7 @@ struct tia_flat_source {
  * grids always. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
 
-/* How many points and faces one that has them has. */
+/* The number of points and faces of an object that has flat faces. */
 void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *points, uint64_t *faces);
 
 void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);

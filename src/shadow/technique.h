@@ -1,4 +1,5 @@
-/* technique.h - a technique for shadows: it tells which pixels light reaches, of what the rasteriser has drawn. */
+/* technique.h - the interface of a technique for shadows: which of the pixels that the rasteriser has drawn does light
+ * reach? */
 #ifndef TIA_SHADOW_TECHNIQUE_H
 #define TIA_SHADOW_TECHNIQUE_H
 
@@ -15,7 +16,7 @@ struct tia_shadow_view {
     void *own;                                          /* the technique's, aligned for uint64_t */
 };
 
-/* What is kept of each pixel of a tile. */
+/* The data kept for each pixel of a tile. */
 struct tia_shadow_tile {
     struct tia_raster_target target;
     uint64_t *lit; /* a bit for each sample; target.pitch pixels from one row to the next */
@@ -39,8 +40,8 @@ struct tia_shadow_technique {
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct asker *asker);
 
-    /* What most have not. How many shares a pixel has, at least a sample's each: 0 where bits are enough; and whether
-     * an area light has only one sample then, in its centre, whose share counts for all of its own. */
+    /* Few techniques have these. The number of shares of a pixel, at least one per sample: 0 where bits are enough; and
+     * whether an area light has only one sample then, in its centre, whose share counts for all of its own. */
     unsigned (*shares)(const struct tia_scene *scene);
     bool (*is_whole)(const struct tia_scene *scene);
 
@@ -52,7 +53,7 @@ struct tia_shadow_technique {
 /* NULL for TIA_SHADOWS_TRACED. */
 const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows technique);
 
-/* How many samples of its own a technique takes of a light. */
+/* The number of a light's samples that a technique uses. */
 unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_light *light);
 
 /* TIA_SHADOWS_RAYS. */

@@ -1,17 +1,17 @@
 /* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
- * the points that the pixels of a tile see. They are filed by the cell of the light's view that they fall into, faces
- * are drawn into it a cell too large, and a face is asked exactly about all that is filed where it comes: see
- * occluder.h. So the answer is that of exact rays, and the number of cells changes the cost only.
+ * the points that the pixels of a tile see. They are filed by the cell of the light's view that they fall into; faces
+ * are drawn into that view a cell too large, and each face is tested exactly (occluder.h) against all points in the
+ * cells that it covers. So the answer is that of exact rays, and the number of cells changes only the cost.
  *
  * Why no face is missed. Let a face hide the light from a point P that a pixel sees. The segment between them meets the
  * face, so seen from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is
  * filed by a rounded place; the centre of that cell is less than a column and a row from P
  * (tests/proofs/shadow_map_exact.g, with the numbers of ranges.h; larger cells are off by a smaller part of
  * themselves). A face is drawn with each edge moved outwards by a column and a row: what is e(x, y) >= 0 at P is at
- * least -(|e.x| + |e.y|) at the centre. So that is covered, and the face is asked about P. To a point light the image
- * is exact, and P too near is asked about all faces. To a direction, corners are rounded, and P's image with them,
- * being their mean; thin faces are a box; and P beyond all corners can be hidden by planes alone. Nor is anything
- * hidden that should not be: the integers that are asked are those of exact rays. */
+ * least -(|e.x| + |e.y|) at the centre. So that cell is covered, and the face is tested against P. To a point light the
+ * image is exact, and P too near is tested against all faces. To a direction, corners are rounded, and P's image with
+ * them, being their mean; thin faces are a box; and P beyond all corners can be hidden by planes alone. Nor is anything
+ * hidden that should not be: the test's integers are those of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
@@ -29,7 +29,7 @@ struct filed {
     uint32_t head, next;
 };
 
-/* What the light sees of the tile's points in one direction. */
+/* The light's view of the tile's points in one direction. */
 struct cells {
     uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 */
     unsigned shift;                       /* from cells of 2^-CELL_BITS */
@@ -220,7 +220,7 @@ static void file(struct exact *e, uint32_t number)
 
 /* ---- drawing ---- */
 
-/* Asks the face about all that is filed in some cells; who is hidden is asked about no more. */
+/* Tests the face against all points filed in some cells; hidden points are not tested again. */
 static void ask_run(void *ctx, int y, int x0, int x1)
 {
     struct exact *e = ctx;
@@ -286,7 +286,7 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
     *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
 }
 
-/* Corners in a direction's view are rounded. Where that could change the order of corners, their box is asked. False: a
+/* Corners in a direction's view are rounded. Where that could change the order of corners, their box is used. False: a
  * plane, which is everywhere. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {

@@ -2,7 +2,8 @@
 #include "math/align.h"
 #include "rays.h"
 
-/* How the volumes of a sample are counted: behind what is seen or before it. Where neither can tell, rays do. */
+/* How the volumes of a sample are counted: behind the visible point or in front of it. Where both are undecided, rays
+ * decide. */
 enum counts { BEHIND, BEFORE, NOT };
 
 struct counted {

@@ -1,10 +1,10 @@
-/* volume.h - shadow volumes: the space that a caster hides from a light, and how many of them hold what a pixel sees
- * (Crow 1977). Counting the volumes' surfaces behind the pixel's point tells (z-fail: Bilodeau and Songy 1999, Carmack
- * 2000), or those before it, when the eye's own count is added (z-pass: Heidmann 1991).
+/* volume.h - shadow volumes (Crow 1977): the space that a caster hides from a light. The number of volumes that hold a
+ * visible point is found by counting their surfaces behind it (z-fail: Bilodeau and Songy 1999, Carmack 2000), or in
+ * front of it, plus the eye's own count (z-pass: Heidmann 1991).
  *
- * Corners are rounded once, what comes after is exact, see raster.h. So a volume's surface closes without a gap: each
- * edge of a cap is the edge of a side, in the same integers. A face that is seen is equal in depth to its own cap,
- * which counts as behind: it does not shadow itself, and needs no bias. */
+ * Corners are rounded once; everything after is exact, see raster.h. So a volume's surface closes without a gap: each
+ * edge of a cap is the edge of a side, in the same integers. A visible face is equal in depth to its own cap, which
+ * counts as behind: it does not shadow itself, and needs no bias. */
 #ifndef TIA_SHADOW_VOLUME_H
 #define TIA_SHADOW_VOLUME_H
 
@@ -21,8 +21,8 @@ int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_fla
 /* Whether the side of a face that is seen is turned to the light. */
 bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light);
 
-/* Whether no way from a point that is seen to the light leads through the object: it is a plane, with the eye and the
- * light on the same side. */
+/* Whether the object cannot hide the light from any visible point: it is a plane, with the eye and the light on the
+ * same side. */
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light);
 
@@ -34,8 +34,8 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
                              const tia_flat_light *light);
 
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
- * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then neither
- * z-pass nor, in orthographic views, z-fail can tell. Once the asker is stopped, they mean nothing. */
+ * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then z-pass
+ * and, in orthographic views, z-fail are undecided. Once the asker is stopped, the counts are undefined. */
 bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
                           struct asker *asker);
 bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,

@@ -39,7 +39,7 @@ uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t 
     return (uint32_t)wide_down(product, (unsigned)shift);
 }
 
-/* How many thresholds the value has reached: 2^bits - 1 of them, in rising order. */
+/* The number of thresholds that the value has reached, of 2^bits - 1 in rising order. */
 static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t value)
 {
     unsigned level = 0;

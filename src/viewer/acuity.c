@@ -1,4 +1,4 @@
-/* acuity.c - the largest blocks that the eye cannot tell from what they stand for. */
+/* acuity.c - the largest blocks that the eye cannot distinguish from the pixels that they replace. */
 #include <tia/gaze.h>
 
 #include "math/integer.h"

@@ -6,7 +6,7 @@ static bool is_pointer(const struct tia_event *event)
     return event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE;
 }
 
-/* Those keys of the loop that lights have nothing to do with. */
+/* The loop's keys that do not concern lights. */
 static bool is_own(const struct loop *loop, uint16_t key)
 {
     return loop->viewer->control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
@@ -157,8 +157,8 @@ static bool are_alike(const struct tia_event *a, const struct tia_event *b)
     return a->kind == b->kind && a->drag == b->drag;
 }
 
-/* A pointer tells of every step, so the last of those that wait is enough; of a drag from place to place the first,
- * too, since it may be where it begins. */
+/* A pointer reports every step, so the last of the waiting events is enough; for a drag from place to place the first
+ * is needed, too, since it may be the drag's start. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event)
 {
     unsigned n = loop->queued, first = event->kind == TIA_EVENT_POINT && event->drag ? 2 : 1;

@@ -160,8 +160,8 @@ void tia_viewer_switch(struct loop *loop);
 int tia_viewer_play_begin(struct loop *loop);
 int tia_viewer_play(struct loop *loop);
 
-/* watch.c: before a frame; while it is drawn, on any thread, TIA_STOPPED or VIEWER_OUTDATED when it is to end; the
- * same for whoever asks whether to stop. */
+/* watch.c: before a frame; while it is drawn, on any thread, TIA_STOPPED or VIEWER_OUTDATED when it is to end; the same
+ * as a `stop` callback. */
 void tia_viewer_watch_begin(struct loop *loop);
 int tia_viewer_watch(struct loop *loop);
 bool tia_viewer_stops(void *loop);

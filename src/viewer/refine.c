@@ -46,7 +46,7 @@ static bool is_left(const struct loop *loop)
     return left;
 }
 
-/* How much of the frame is drawn, in 2^-16; so far at least a pixel of each block. */
+/* The share of the frame that is drawn, in 2^-16; at this point at least a pixel of each block. */
 static uint32_t share_done(const struct loop *loop)
 {
     uint64_t sum = 0;
@@ -152,7 +152,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
 
 /* ---- the frame ---- */
 
-/* A job that was told to stop may not have heard it when it asked again, since another one was asking. */
+/* A job asked to stop may have missed it, since another job was calling `stop` at that moment. */
 static int drawn(const struct loop *loop, int status)
 {
     if (status >= 0 && !loop->ends && (loop->gives_up || loop->queued == VIEWER_QUEUE))

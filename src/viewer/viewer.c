@@ -15,7 +15,7 @@ static int idle_ms(const struct loop *loop)
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
-/* Shows what is drawn, and tells. */
+/* Shows the picture and reports it. */
 static int show_frame(struct loop *loop, struct tia_frame *frame)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -217,7 +217,7 @@ static int press_first(struct loop *loop)
     return status;
 }
 
-/* An event that has ended the loop is told when the loop is over. */
+/* An event that has ended the loop is passed to the caller's control afterwards. */
 static void end(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

@@ -24,7 +24,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
         loop->queue[loop->queued++] = *event;
 }
 
-/* What does not fit stays with the input, so that no key is lost. */
+/* Events that do not fit stay with the input, so that no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

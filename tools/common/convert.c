@@ -74,7 +74,7 @@ static bool add_tile(struct request *request, const char *text)
     return true;
 }
 
-/* What --memory goes with. */
+/* Sets --memory or an option that goes with it. */
 static int set_memory(const struct converter *converter, struct request *request, int option, const char *text)
 {
     switch (option) {

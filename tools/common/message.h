@@ -2,7 +2,7 @@
 #ifndef TOOLS_COMMON_MESSAGE_H
 #define TOOLS_COMMON_MESSAGE_H
 
-/* What is kept of a message, its end included. */
+/* Bytes kept of a message, with the final 0. */
 #define MESSAGE_SIZE 1400
 
 /* Makes the text one line: control characters, as in odd file names, become '?'. */

@@ -85,7 +85,7 @@ static uint64_t technique_part(const struct layout *l, const struct tia_scene *s
     }
 }
 
-/* What differs between kinds of machines. */
+/* Sizes that differ between kinds of machines. */
 static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 {
     enum tia_integrator integrator = m->scene->integration.integrator;
@@ -123,7 +123,7 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 }
 
 /* What the viewer asks for first: a view, whole frames of hits, a canvas to refine pictures on, and a copy of what
- * moves. Without a limit of the display's a tile has so many rows. */
+ * moves. A tile has this many rows if the display sets no limit. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
     enum { ROWS = 16 };

@@ -61,7 +61,7 @@ bool links_try(const struct search *search, struct tia_radio_room *room, const s
 
 /* ---- rays ---- */
 
-/* What a ray has found: its number decides between equals, so that threads do not matter. */
+/* A ray's result. Between equal results the ray's number decides, so that threads do not matter. */
 struct find {
     struct sequence sequence;
     struct tia_radio_path path;

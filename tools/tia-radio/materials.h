@@ -28,7 +28,7 @@ extern const struct itu_row itu_rows[];
 /* Whether there is such a material. Blanks, '-' and '_' are the same, and an "itu" in front counts for nothing. */
 bool itu_has(const char *name);
 
-/* Of the named material; false: the frequency, in hertz, is out of its range, which *low and *high then are, in GHz. */
+/* The named material's values; false: the frequency, in hertz, is out of its range, *low to *high in GHz. */
 bool itu_medium(const char *name, double frequency, struct medium *medium, double *low, double *high);
 
 #endif

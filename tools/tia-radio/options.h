@@ -1,4 +1,4 @@
-/* options.h - what tia-radio is asked for. */
+/* options.h - tia-radio's options. */
 #ifndef TOOLS_RADIO_OPTIONS_H
 #define TOOLS_RADIO_OPTIONS_H
 

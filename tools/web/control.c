@@ -79,7 +79,7 @@ static bool has_rays(void)
            session.scene.integration.integrator == TIA_WHITTED;
 }
 
-/* While there is nothing else to do, samples are drawn. Whether to stop is asked in between, which takes events. */
+/* Draws samples while idle. In between it asks whether to stop, which takes events. */
 static int input_wait(void *ctx, int timeout_ms)
 {
     session.polled = false;

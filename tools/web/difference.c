@@ -109,7 +109,7 @@ static unsigned apart(unsigned a, unsigned b)
     return a > b ? a - b : b - a;
 }
 
-/* Where they agree a quarter of the brightness, grey. */
+/* Where they agree: grey, at a quarter of the brightness. */
 static tia_rgb565 verdict(tia_rgb565 a, tia_rgb565 b, bool other_path)
 {
     unsigned r = apart(a >> 11, b >> 11), g = apart(a >> 5 & 63, b >> 5 & 63), blue = apart(a & 31, b & 31);

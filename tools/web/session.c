@@ -21,7 +21,7 @@ static size_t lights_size(void)
     return session.lights.capacity * sizeof *session.lights.array;
 }
 
-/* What another worker goes on with. */
+/* The state that another worker continues from. */
 static void keep(struct web_frame *frame)
 {
     if (!session.kept)
@@ -157,7 +157,8 @@ static bool begin(bool goes_on)
 
 /* ---- what the script calls ---- */
 
-/* Reads the scene `name` and the files that it refers to; 0, or web_why tells why not: then the old one stays. */
+/* Reads the scene `name` and the files that it refers to; 0, or an error whose reason is in web_why: then the old one
+ * stays. */
 EXPORT("web_load") int web_load(const char *name);
 int web_load(const char *name)
 {

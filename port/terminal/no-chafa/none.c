@@ -1,4 +1,4 @@
-/* none.c - builds without libchafa: a terminal shows half blocks and is asked nothing. */
+/* none.c - builds without libchafa: the terminal shows half blocks and gets no queries. */
 #include <stddef.h>
 
 #include "terminal/pictures.h"

@@ -51,7 +51,7 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
     return tia_obj_forgive(o, part == PART_VERTEX ? TIA_WARN_FACE : TIA_WARN_CORNER);
 }
 
-/* What is known of the face whose corners are read. */
+/* The state of the face whose corners are being read. */
 struct obj_face {
     uint32_t count;
     bool has[PARTS]; /* each corner so far; without PART_VERTEX it is left out */
@@ -244,7 +244,7 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 }
 
 /* The most normals of all meshes together. When many materials are used all over the file, every mesh spans nearly
- * all of them, and whoever goes through all meshes takes a time quadratic in the size of the file. */
+ * all of them, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
 /* No face uses the normals without a direction any more, but a mesh may not have any: give them one. */

@@ -131,7 +131,8 @@ static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_te
     return status;
 }
 
-/* What is added to coordinates after the scale, as a place on the surface. Images repeat: only its fraction counts. */
+/* The offset added to coordinates after the scale, as a place on the surface. Images repeat: only its fraction
+ * counts. */
 static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
 {
     int64_t fraction = (int64_t)(added & (TIA_Q16_ONE - 1)) * TIA_Q16_ONE;

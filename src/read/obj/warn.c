@@ -1,7 +1,7 @@
 /* warn.c - mistakes that are tolerated. */
 #include "obj.h"
 
-/* What is done about each kind of mistake, and the pass that sees it: each is counted once. */
+/* The remedy for each kind of mistake, and the pass that reports it: each is counted once. */
 static const struct {
     const char *remedy;
     enum obj_pass pass;

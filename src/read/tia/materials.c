@@ -45,7 +45,7 @@ static int find_texture(struct tia_job *job, const struct tia_word *name, uint32
     return status;
 }
 
-/* Whoever wants to know a material's name is told of it in the last pass. */
+/* Reports a material's name to the caller's callback, in the last pass. */
 static int define(struct tia_job *job)
 {
     const struct tia_reader *reader = job->reader;

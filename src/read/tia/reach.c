@@ -200,7 +200,7 @@ void tia_reach_plane(struct tia_reach *r, const struct tia_plane *plane)
     }
 }
 
-/* All that is placed, around its places; and half the diagonal of its box over the least scale, see tia_transform. */
+/* A box around all instances; and half its diagonal over the least scale, see tia_transform. */
 static void add_placed(struct tia_reach *r)
 {
     int64_t largest = r->scale_largest < TIA_SCALE_MAX ? r->scale_largest : TIA_SCALE_MAX;

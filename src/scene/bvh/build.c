@@ -11,7 +11,7 @@
 #include "math/align.h"
 #include "scene/bounds.h"
 
-/* What a test costs beside a visit to two boxes: about twice as many instructions of a sphere, three times of a
+/* The cost of a test, relative to a visit to two boxes: about twice as many instructions of a sphere, three times of a
  * triangle, and of cylinders and cones five times, the many included that miss early. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 

@@ -18,8 +18,8 @@
 #define LEAST 16384   /* items of a tree worth it: it takes longer than to wake threads */
 #define SMALLEST 2048 /* items of a part that is not split further */
 
-/* What a chunk of a part's items comes to. It is kept in nodes, of which none is in use yet:
- * CHUNKS * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
+/* Totals of a chunk of a part's items. It is kept in nodes, of which none is in use yet: CHUNKS * sizeof(struct chunk)
+ * < LEAST * sizeof(struct tia_bvh_node). */
 struct chunk {
     struct tia_bvh_extent extent;
     struct tia_bvh_bins bins;

@@ -9,8 +9,8 @@
 #define SPLIT_ITEMS_MOST 8 /* more items are always split, whatever the heuristic finds */
 #define SPLIT_BINS 16
 
-/* boxes[i] is the box of items[i]; both are put into another order together, so that whoever goes through a node's
- * items goes through memory. Once the asker is stopped, what the functions return means nothing. */
+/* boxes[i] is the box of items[i]; both are reordered together, so that a node's items are consecutive in memory. Once
+ * the asker is stopped, the functions' results are undefined. */
 struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;

@@ -10,9 +10,9 @@
 /* Upper bound of the nodes for n items: each leaf has at least one. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
-/* What a tree is built of. Building reorders the items, and their boxes with them: boxes[i] is that of items[i], but in
- * leaves, where it is no more needed and items are in rising order. `cost` is what it costs to test an item, in visits
- * to a node's children, at least 1. */
+/* The input of a tree's construction. Building reorders the items, and their boxes with them: boxes[i] is that of
+ * items[i], but in leaves, where it is no more needed and items are in rising order. `cost` is what it costs to test an
+ * item, in visits to a node's children, at least 1. */
 struct bvh_items {
     uint32_t *items;
     struct tia_bounds *boxes;

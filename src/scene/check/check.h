@@ -82,7 +82,7 @@ int tia_check_light_field(struct check *check);
 /* Makes the box around the camera's eyes one around all of their lines. */
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
 
-/* How it is to be drawn; and what its technique for shadows asks of the whole scene. */
+/* How it is to be drawn; and its technique's requirements on the whole scene. */
 int tia_check_rendering(struct check *check);
 int tia_check_shadows(struct check *check);
 

@@ -57,7 +57,7 @@ int tia_check_grid(const struct check *check)
     return TIA_OK;
 }
 
-/* What the shapes that use a mesh or grid need to know of it: found once for all of them. */
+/* Properties of a mesh or grid that the shapes' checks need, found once for all shapes. */
 struct part {
     struct tia_bounds box; /* of a mesh */
     uint32_t materials;    /* how many it needs, from the shape's own on */

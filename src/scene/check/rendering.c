@@ -24,7 +24,7 @@ static int check_bright(const struct check *check, uint32_t bits)
     return TIA_OK;
 }
 
-/* What only integrators of samples ask of them. */
+/* Rules that apply only to integrators that draw samples. */
 static int check_emission(struct check *check)
 {
     const struct tia_scene *scene = check->scene;

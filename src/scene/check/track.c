@@ -47,7 +47,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
     return TIA_OK;
 }
 
-/* What the thing that changes must have besides. */
+/* Further requirements on the track's target. */
 static int check_target(const struct check *check, const struct tia_track *track)
 {
     bool needs_mesh = track->target == TIA_SHOWS_SHAPE || track->target >= TIA_SETS_SPECULAR;
@@ -65,7 +65,7 @@ static int check_target(const struct check *check, const struct tia_track *track
     return TIA_OK;
 }
 
-/* How many there are of what the track moves. */
+/* The number of things of the kind that the track moves. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
     if (target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT || target == TIA_SHOWS_LIGHT)

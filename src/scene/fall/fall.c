@@ -131,7 +131,7 @@ static void set_blocks(struct falling *f, const struct tia_scene *scene)
     }
 }
 
-/* What the ball has moved, rounded. */
+/* Adds the ball's displacement, rounded. */
 static void put(const struct fall_ball *ball, struct tia_vec3 *position)
 {
     tia_q16 *const to[3] = {&position->x, &position->y, &position->z};

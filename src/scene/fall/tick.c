@@ -117,7 +117,7 @@ static void push(int64_t vector[3], const int64_t normal[3], int64_t by, int64_t
         vector[i] += wide_round(wide_product(normal[i], amount), 62);
 }
 
-/* How fast, along the normal, the first goes away from the second, which may be NULL. */
+/* The speed along the normal at which the first ball moves away from the second, which may be NULL. */
 static int64_t parting(const int64_t first[3], const int64_t *second, const int64_t normal[3])
 {
     int64_t between[3];

@@ -6,7 +6,7 @@
 
 enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART, IMAGE_PFM };
 
-/* What the numbers of a picture stand for: what it does not say; light, or light by the transfer function of sRGB. */
+/* What a picture's numbers stand for: unspecified, linear light, or light by the transfer function of sRGB. */
 enum image_transfer { IMAGE_UNSAID, IMAGE_LINEAR, IMAGE_SRGB };
 
 /* The frames of a film that a file has, and the rows of each. A picture is a film of one frame. */

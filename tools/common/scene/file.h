@@ -10,7 +10,7 @@
 
 struct scene_part; /* a file that the scene refers to */
 
-/* What a scene is read for, if not for a picture. */
+/* How a scene is read, when not for a picture. */
 struct scene_wish {
     bool unscaled;    /* see tia/read.h */
     unsigned threads; /* that build the hierarchy of a large scene; 0 is 1 */

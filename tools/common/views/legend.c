@@ -97,7 +97,7 @@ static unsigned lines_of(const struct legend *legend, struct legend_line lines[L
     }
 }
 
-/* Dark colours are told on white. */
+/* Labels of dark colours are on white. */
 static tia_rgb565 paper_for(tia_rgb565 ink)
 {
     unsigned brightness = 2u * (ink >> 11) + 2u * (ink >> 5 & 63) + (ink & 31u);

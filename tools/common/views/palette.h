@@ -8,7 +8,7 @@
 /* From black over blue, red and yellow to white; t in 0..1. */
 tia_rgb565 palette_heat(double t);
 
-/* That of number n: neighbours differ most. */
+/* The colour of number n: neighbours differ most. */
 tia_rgb565 palette_number(uint32_t n);
 
 /* Each channel in 0..1, clamped. */

@@ -1,4 +1,4 @@
-/* seen.h - what the rays of a pixel tell, and its false colour. */
+/* seen.h - observations from a pixel's rays, and its false colour. */
 #ifndef TOOLS_VIEWS_SEEN_H
 #define TOOLS_VIEWS_SEEN_H
 

@@ -185,7 +185,7 @@ int views_point(const struct tia_view *view, unsigned x, unsigned y, const struc
     return status;
 }
 
-/* A camera that is told what it sees is not for spans: along -z, as without that. */
+/* Spans do not take a camera with a reference point: gives it one along -z, where it looks anyway. */
 void views_need_rays(struct tia_scene *scene)
 {
     struct tia_camera *c = &scene->camera;

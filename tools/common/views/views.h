@@ -1,5 +1,6 @@
-/* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws what another one's rays
- * tell (struct tia_observer), with a legend. There is one such core in a program, since a core has no context. */
+/* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws what it observes of
+ * another core's rays (struct tia_observer), with a legend. There is one such core in a program, since a core has no
+ * context. */
 #ifndef TOOLS_VIEWS_VIEWS_H
 #define TOOLS_VIEWS_VIEWS_H
 
