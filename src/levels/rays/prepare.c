@@ -37,10 +37,10 @@ struct places {
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count;
-    uint64_t nodes = tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count;
+    uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        nodes += scene->bvh->meshes[i].node_count;
+        nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
         faces += scene->meshes[i].face_count;
     }
     p->scene = take(room, 1, sizeof *p->scene);
@@ -80,18 +80,9 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view)
 
 static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
-    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tree->node_count};
+    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tia_sure_set_nodes(*nodes, tree)};
 
-    for (uint32_t i = 0; i < tree->node_count; i++) {
-        const struct tia_bvh_node *n = &tree->nodes[i];
-        const tia_q16 box[6] = {n->bounds.min.x, n->bounds.min.y, n->bounds.min.z,
-                                n->bounds.max.x, n->bounds.max.y, n->bounds.max.z};
-        for (int k = 0; k < 6; k++)
-            (*nodes)[i].box[k] = (double)box[k] * SURE_2(16);
-        (*nodes)[i].index = n->index;
-        (*nodes)[i].count = n->count;
-    }
-    *nodes += tree->node_count;
+    *nodes += t.node_count;
     return t;
 }
 
@@ -189,13 +180,16 @@ static void set_camera(struct sure_camera *to, const struct ray_camera *c)
     to->orthographic = c->projection == TIA_ORTHOGRAPHIC;
 }
 
-static void set_extent(struct sure_scene *s)
+static void set_extent(struct sure_scene *s, const struct tia_bvh_tree *objects)
 {
+    static const struct tia_bounds none;
+    const struct tia_bounds *b = objects->node_count ? &objects->nodes[0].bounds : &none;
+    const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
+
     s->extent = 0;
     for (int k = 0; k < 3; k++) {
-        const double *b = s->objects.node_count ? s->objects.nodes[0].box : NULL;
-        s->centre[k] = b ? (b[k] + b[k + 3]) / 2 : 0;
-        s->extent += b ? (b[k + 3] - b[k]) / 2 : 0;
+        s->centre[k] = ((double)least[k] + most[k]) / 2 * SURE_2(16);
+        s->extent += ((double)most[k] - least[k]) / 2 * SURE_2(16);
     }
 }
 
@@ -221,5 +215,5 @@ void tia_sure_prepare(struct tia_view *view)
     s->paths = NULL;
     sure_rgb(s->background, &scene->background);
     set_camera(&s->camera, &s->view->camera);
-    set_extent(s);
+    set_extent(s, &scene->bvh->objects);
 }
