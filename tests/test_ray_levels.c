@@ -11,6 +11,7 @@
 #include "corpus/corpus_rays.h"
 #include "level_frames.h"
 #include "levels/rays/sure.h"
+#include "reading.h"
 #include "with_hierarchy.h"
 
 static const struct tia_level *level;
@@ -116,6 +117,38 @@ TEST(tiles_and_turned_surfaces)
         draw_tiles(&balls.scene, sizes[i]);
 }
 
+static void compare_far(const struct tia_scene *scene, unsigned number)
+{
+    compare("spheres far out", number, scene, 160, 120, false);
+}
+
+/* Far from the origin a float's unit, 2^-10 at 9000, is not small beside small things: boxes have to have room for what
+ * floats round by. That shows where rays graze a box's face, so the eye looks along an axis; mirrors send rays all
+ * ways. */
+TEST(far_out)
+{
+    static const double ways[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    static struct reading reading;
+    char text[2048];
+
+    for (unsigned i = 0; i < 6; i++) {
+        const double *w = ways[i], c[3] = {9000.1337, i % 2 ? 8000.3719 : -8000.3719, -9500.7123};
+        int length = snprintf(text, sizeof text,
+                              "camera eye %.4f %.4f %.4f look %.4f %.4f %.4f up %.0f %.0f %.0f fov 1\n"
+                              "light point at %.2f %.2f %.2f emission 1 1 1\n"
+                              "material glass colour 0.4 0.5 0.6 mirror 0.5\n",
+                              c[0] - 2 * w[0], c[1] - 2 * w[1], c[2] - 2 * w[2], c[0], c[1], c[2], w[1], w[2], w[0],
+                              c[0] + 2, c[1] + 5, c[2] + 3);
+        for (int k = 0; k < 18; k++)
+            length += snprintf(text + length, sizeof text - (size_t)length,
+                               "sphere centre %.4f %.4f %.4f radius %.4f material glass\n", c[0] + .0101 * (k % 3 - 1),
+                               c[1] + .0103 * (k / 3 % 3 - 1), c[2] + .0107 * (k / 9), .003 + .0001 * k);
+        read_string(&reading, TIA_FORMAT_TIA, text);
+        CHECK_MSG(reading.status == TIA_OK, "%s", reading.reader.error.text);
+        with_hierarchy(&reading.scene, compare_far, i);
+    }
+}
+
 /* What is asked for beside pixels is the same too. */
 TEST(objects_hashes_and_lights)
 {
@@ -190,6 +223,7 @@ static void run_all(const struct tia_level *tested)
 #define RUN_LEVEL(test) ((void)snprintf(title, sizeof title, "%s: %s", tested->name, #test), check_run(title, test))
     RUN_LEVEL(random_corpus);
     RUN_LEVEL(scene_files);
+    RUN_LEVEL(far_out);
     RUN_LEVEL(tiles_and_turned_surfaces);
     RUN_LEVEL(objects_hashes_and_lights);
     RUN_LEVEL(lights_move);

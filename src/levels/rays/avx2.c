@@ -27,6 +27,20 @@ LANE_OP vm mof(unsigned bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), bit), bit));
 }
 
+typedef __m256 vp;
+#define vp_set(x) _mm256_set1_ps(x)
+#define vp_load(p) _mm256_castpd_ps(_mm256_set1_pd(two_floats(p)))
+#define vp_min(a, b) _mm256_min_ps(a, b)
+#define vp_max(a, b) _mm256_max_ps(a, b)
+#define vp_le(a, b) ((unsigned)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)))
+#define vp_swap(a) _mm256_permute_ps(a, 0xb1)
+
+LANE_OP vp vp_of(vd a)
+{
+    return _mm256_permutevar8x32_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(a)),
+                                    _mm256_set_epi32(3, 3, 2, 2, 1, 1, 0, 0));
+}
+
 #include "tracer.h"
 #include "walk_paths.h"
 

@@ -24,6 +24,20 @@ typedef __mmask8 vm;
     (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \
                                    _mm256_loadu_si256((const void *)((table) + 8)))
 
+typedef __m512 vp;
+#define vp_set(x) _mm512_set1_ps(x)
+#define vp_load(p) _mm512_castpd_ps(_mm512_set1_pd(two_floats(p)))
+#define vp_min(a, b) _mm512_min_ps(a, b)
+#define vp_max(a, b) _mm512_max_ps(a, b)
+#define vp_le(a, b) ((unsigned)_mm512_cmp_ps_mask(a, b, _CMP_LE_OQ))
+#define vp_swap(a) _mm512_permute_ps(a, 0xb1)
+
+LANE_OP vp vp_of(vd a)
+{
+    return _mm512_permutexvar_ps(_mm512_set_epi32(7, 7, 6, 6, 5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0),
+                                 _mm512_castps256_ps512(_mm512_cvtpd_ps(a)));
+}
+
 #include "tracer.h"
 #include "walk_paths.h"
 

@@ -25,6 +25,27 @@ LANE_OP vm mof(unsigned bits)
     return vcombine_u64(vcreate_u64(0 - (uint64_t)(bits & 1)), vcreate_u64(0 - (uint64_t)(bits >> 1 & 1)));
 }
 
+typedef float32x4_t vp;
+#define vp_set(x) vdupq_n_f32(x)
+#define vp_load(p) vreinterpretq_f32_f64(vdupq_n_f64(two_floats(p)))
+#define vp_min(a, b) vminq_f32(a, b)
+#define vp_max(a, b) vmaxq_f32(a, b)
+#define vp_swap(a) vrev64q_f32(a)
+
+LANE_OP unsigned vp_le(vp a, vp b)
+{
+    static const uint32_t bit[4] = {1, 2, 4, 8};
+
+    return vaddvq_u32(vandq_u32(vcleq_f32(a, b), vld1q_u32(bit)));
+}
+
+LANE_OP vp vp_of(vd a)
+{
+    float32x2_t f = vcvt_f32_f64(a);
+
+    return vcombine_f32(vdup_lane_f32(f, 0), vdup_lane_f32(f, 1));
+}
+
 #include "tracer.h"
 #include "walk_paths.h"
 

@@ -58,4 +58,34 @@ LANE_OP vm mof(unsigned bits)
     return bits & 1;
 }
 
+typedef float vp __attribute__((vector_size(8)));
+LANE_OP vp vp_set(float x)
+{
+    return (vp){x, x};
+}
+LANE_OP vp vp_of(vd a)
+{
+    return vp_set((float)a);
+}
+LANE_OP vp vp_load(const float *p)
+{
+    return (vp){p[0], p[1]};
+}
+LANE_OP vp vp_min(vp a, vp b)
+{
+    return (vp){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+}
+LANE_OP vp vp_max(vp a, vp b)
+{
+    return (vp){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+}
+LANE_OP unsigned vp_le(vp a, vp b)
+{
+    return (unsigned)(a[0] <= b[0]) | (unsigned)(a[1] <= b[1]) << 1;
+}
+LANE_OP vp vp_swap(vp a)
+{
+    return (vp){a[1], a[0]};
+}
+
 #include "tracer.h"

@@ -37,10 +37,10 @@ struct places {
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count;
-    uint64_t nodes = tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count;
+    uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        nodes += scene->bvh->meshes[i].node_count;
+        nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
         faces += scene->meshes[i].face_count;
     }
     p->scene = take(room, 1, sizeof *p->scene);
@@ -80,40 +80,34 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view)
 
 static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
-    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tree->node_count, {0, 0, 0}, 0};
+    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tia_sure_set_nodes(*nodes, tree), {0, 0, 0}, 0};
+    static const struct tia_bounds none;
+    const struct tia_bounds *b = tree->node_count ? &tree->nodes[0].bounds : &none;
+    const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
 
-    for (uint32_t i = 0; i < tree->node_count; i++) {
-        const struct tia_bvh_node *n = &tree->nodes[i];
-        const tia_q16 box[6] = {n->bounds.min.x, n->bounds.min.y, n->bounds.min.z,
-                                n->bounds.max.x, n->bounds.max.y, n->bounds.max.z};
-        for (int k = 0; k < 6; k++)
-            (*nodes)[i].box[k] = (double)box[k] * SURE_2(16);
-        (*nodes)[i].index = n->index;
-        (*nodes)[i].count = n->count;
+    for (int k = 0; k < 3; k++) {
+        t.centre[k] = ((double)least[k] + most[k]) / 2 * SURE_2(16);
+        t.extent += ((double)most[k] - least[k]) / 2 * SURE_2(16);
     }
-    for (int k = 0; k < 3 && t.node_count; k++) {
-        const double *b = t.nodes[0].box;
-        t.centre[k] = (b[k] + b[k + 3]) / 2;
-        t.extent += (b[k + 3] - b[k]) / 2;
-    }
-    *nodes += tree->node_count;
+    *nodes += t.node_count;
     return t;
 }
 
 /* A mesh of few faces is one leaf: to try them all takes less time than to find out which. */
 static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
-    struct sure_node *root = *nodes;
-    struct sure_tree t = tree_of(tree, nodes);
+    struct tia_bvh_tree whole = *tree;
+    struct tia_bvh_node leaf;
     uint32_t faces = 0;
 
-    for (uint32_t i = 0; i < t.node_count; i++)
-        faces += t.nodes[i].count;
+    for (uint32_t i = 0; i < tree->node_count; i++)
+        faces += tree->nodes[i].count;
     if (faces && faces <= SURE_LEAF) {
-        root->index = 0;
-        root->count = faces;
+        leaf = (struct tia_bvh_node){tree->nodes[0].bounds, 0, faces};
+        whole.nodes = &leaf;
+        whole.node_count = 1;
     }
-    return t;
+    return tree_of(&whole, nodes);
 }
 
 /* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */

@@ -4,6 +4,16 @@
 
 #include "vector.h"
 
+/* Rays as boxes know them, see slabs.h, in floats: 1/d and (o +- pad)/d. Of each lane there are two, side by side, one
+ * for each of two boxes. */
+struct slabs {
+    vp inv[3];
+    vp in[3],
+        out[3];   /* (o +- pad)/d: what the nearer planes need, and the farther ones; those of minima and of maxima, */
+    bool uniform; /* unless all lanes agree on which are nearer: */
+    int near[3];  /* rows 0 or 3 */
+};
+
 /* Where rays start, when that is an object's surface: b off it and surely moving away from it; -1: elsewhere.
  *
  * The integers' point may be eo from ours, but it lies on their surface: what they round by puts it off that by no more
@@ -21,10 +31,8 @@ struct pack {
     struct v3 o, d;
     vd eo, ed;
     struct origin from;
-    struct v3 inv, low, high; /* 1/d and (o +- pad)/d, pad being how far the ray is off anywhere in the scene */
-    int near[3];              /* of all lanes the nearer planes: 0 or 3 */
-    bool uniform;             /* all lanes agree on that; then in and out are what of low and high is for the nearer */
-    struct v3 in, out;        /* planes, and for the farther ones */
+    struct v3 inv; /* 1/d */
+    struct slabs slabs;
 };
 
 /* Rays as lines: their moments O x D about a centre, and by what the side of an edge is off, see triangle.h. */
@@ -90,61 +98,5 @@ struct report {
     vm sure, may;
     vd t, e, ep, low, element;
 };
-
-/* Makes a pack ready for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
- * False in lanes whose rays are too far off for a margin around them. Where the doubles' ray and the integers' differ
- * by `pad` everywhere in the scene, a box enlarged by pad is entered by the one if the box is by the other; taking (o
- * +- pad)/d in place of o/d does that. d is at least 2^-60 in size: a ray that is turned by so little is moved by
- * 2^-43, far less than pad's last term. That term is for the products with 1/d: b inv - c is off by u (|b| + |o|)
- * |inv|, which as a distance of the plane is u (|b| + |o|).
- *
- * What the integers round by when they meet a shape needs no room here: boxes are larger than what is in them by 2^-16
- * (tia_bounds_with_margin), and no shape is met 2^-30 beside itself. */
-LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm active)
-{
-    vd tiny = vset(SURE_2(60)), zero = vset(0);
-    struct v3 d = {vsel(vlt(vabs(p->d.x), tiny), tiny, p->d.x), vsel(vlt(vabs(p->d.y), tiny), tiny, p->d.y),
-                   vsel(vlt(vabs(p->d.z), tiny), tiny, p->d.z)};
-    vd size = v3_sum(p->o), reach = v3_sum(v3_sub(p->o, v3_set(centre))) + vset(extent);
-    vd pad = p->eo + reach * p->ed + (size + reach) * SURE_2(50);
-
-    p->inv = (struct v3){1 / d.x, 1 / d.y, 1 / d.z};
-    p->low = (struct v3){(p->o.x - pad) * p->inv.x, (p->o.y - pad) * p->inv.y, (p->o.z - pad) * p->inv.z};
-    p->high = (struct v3){(p->o.x + pad) * p->inv.x, (p->o.y + pad) * p->inv.y, (p->o.z + pad) * p->inv.z};
-    unsigned all = mbits(active);
-    unsigned back[3] = {mbits(vlt(d.x, zero)) & all, mbits(vlt(d.y, zero)) & all, mbits(vlt(d.z, zero)) & all};
-    p->uniform = true;
-    for (int i = 0; i < 3; i++) {
-        p->uniform = p->uniform && (back[i] == 0 || back[i] == all);
-        p->near[i] = back[i] ? 3 : 0;
-    }
-    p->in = (struct v3){back[0] ? p->low.x : p->high.x, back[1] ? p->low.y : p->high.y, back[2] ? p->low.z : p->high.z};
-    p->out =
-        (struct v3){back[0] ? p->high.x : p->low.x, back[1] ? p->high.y : p->low.y, back[2] ? p->high.z : p->low.z};
-    return vlt(pad, vset((extent + SURE_2(10)) * SURE_2(9)));
-}
-
-/* Lanes that may enter a box before their limit, and where. */
-LANE_OP vm box_enter(const struct query *q, const double box[6], vd *near)
-{
-    const struct pack *p = q->p;
-    vd in, out;
-
-    if (p->uniform) {
-        int x = p->near[0], y = p->near[1], z = p->near[2];
-        in = vmax(vmax(vset(box[x]) * p->inv.x - p->in.x, vset(box[y + 1]) * p->inv.y - p->in.y),
-                  vmax(vset(box[z + 2]) * p->inv.z - p->in.z, vset(0)));
-        out = vmin(vmin(vset(box[3 - x]) * p->inv.x - p->out.x, vset(box[4 - y]) * p->inv.y - p->out.y),
-                   vmin(vset(box[5 - z]) * p->inv.z - p->out.z, q->limit));
-    } else {
-        vd ax = vset(box[0]) * p->inv.x - p->high.x, bx = vset(box[3]) * p->inv.x - p->low.x;
-        vd ay = vset(box[1]) * p->inv.y - p->high.y, by = vset(box[4]) * p->inv.y - p->low.y;
-        vd az = vset(box[2]) * p->inv.z - p->high.z, bz = vset(box[5]) * p->inv.z - p->low.z;
-        in = vmax(vmax(vmin(ax, bx), vmin(ay, by)), vmax(vmin(az, bz), vset(0)));
-        out = vmin(vmin(vmax(ax, bx), vmax(ay, by)), vmin(vmax(az, bz), q->limit));
-    }
-    *near = in;
-    return mand(vle(in, out), q->active);
-}
 
 #endif

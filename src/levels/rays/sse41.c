@@ -25,6 +25,15 @@ LANE_OP vm mof(unsigned bits)
     return _mm_castsi128_pd(_mm_set_epi64x(-(int64_t)(bits >> 1 & 1), -(int64_t)(bits & 1)));
 }
 
+typedef __m128 vp;
+#define vp_set(x) _mm_set1_ps(x)
+#define vp_of(a) _mm_unpacklo_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(a))
+#define vp_load(p) _mm_castpd_ps(_mm_set1_pd(two_floats(p)))
+#define vp_min(a, b) _mm_min_ps(a, b)
+#define vp_max(a, b) _mm_max_ps(a, b)
+#define vp_le(a, b) ((unsigned)_mm_movemask_ps(_mm_cmple_ps(a, b)))
+#define vp_swap(a) _mm_shuffle_ps(a, a, 0xb1)
+
 #include "tracer.h"
 #include "walk_paths.h"
 

@@ -16,10 +16,17 @@
 
 #include "render/trace/trace.h"
 
+#define SURE_INNER UINT32_MAX
+
+/* Two children side by side. A child's box is the hierarchy's, in floats rounded outward. Where count is SURE_INNER the
+ * child is node `index`, else a leaf: items[index] .. items[index + count - 1]. A root that is a leaf is the only child
+ * of one; the other has no items, and is SURE_NOWHERE. */
 struct sure_node {
-    double box[6]; /* minimum, maximum: exact */
-    uint32_t index, count;
+    float box[6][2]; /* minimum x, y, z, maximum x, y, z */
+    uint32_t index[2], count[2];
 };
+
+#define SURE_NOWHERE 1e9f
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
@@ -221,6 +228,10 @@ struct sure_places {
     struct sure_grid *grids;
     struct sure_instance *instances;
 };
+
+/* How many nodes a hierarchy of so many has here; then they are made. */
+#define SURE_NODES(count) (((count) + 1) / 2)
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3]);

@@ -12,53 +12,106 @@
 #include "sphere.h"
 #include "triangle.h"
 
+struct child {
+    uint32_t index, count;
+    int place; /* 0 or 1 */
+};
+
+/* A child that waits, and which bits are its lanes. */
 struct waiting {
-    vd near;
-    uint32_t node;
+    vp near;
+    unsigned lanes;
+    struct child child;
 };
 
-/* Nodes yet to be visited. */
-struct nodes {
-    struct waiting stack[TIA_BVH_DEPTH_MAX + 2];
-    int depth;
-    vd near;
-    uint32_t node;
+/* A child that is visited. */
+struct visit {
+    struct child child;
+    const vp *near;
 };
 
-/* Goes to the child that more lanes enter first; the other one waits. False: none is entered. */
-LANE_OP bool descend(struct nodes *w, const struct sure_tree *tree, const struct query *q)
+/* What a packet still looks for. Of each lane there are two bits, as there are floats of a `vp`. */
+struct outlook {
+    vd farthest;
+    vp limit;
+    unsigned active;
+};
+
+#define EVEN 0x5555u
+
+LANE_OP unsigned twice(unsigned lanes)
 {
-    uint32_t first = w->node + 1, second = tree->nodes[w->node].index;
-    vd near_first, near_second;
-    vm a = box_enter(q, tree->nodes[first].box, &near_first), b = box_enter(q, tree->nodes[second].box, &near_second);
-    bool any_a = many(a), any_b = many(b), turn = !any_a;
-
-    if (!any_a && !any_b)
-        return false;
-    near_first = vsel(a, near_first, vset(NEVER));
-    near_second = vsel(b, near_second, vset(NEVER));
-    if (any_a && any_b) {
-        unsigned closer = mbits(vlt(near_first, near_second)), farther = mbits(vlt(near_second, near_first));
-        turn = __builtin_popcount(farther) > __builtin_popcount(closer);
-        w->stack[w->depth++] = (struct waiting){turn ? near_first : near_second, turn ? first : second};
-    }
-    w->node = turn ? second : first;
-    w->near = turn ? near_second : near_first;
-    return true;
+    lanes = (lanes | lanes << 4) & 0x0f0f;
+    lanes = (lanes | lanes << 2) & 0x3333;
+    return ((lanes | lanes << 1) & EVEN) * 3;
 }
 
-/* The next node that waits and is still of use; false: there is none. */
-LANE_OP bool resume(struct nodes *w, const struct query *q)
+LANE_OP void look(struct outlook *w, const struct query *q)
 {
-    while (w->depth > 0 && many(q->active)) {
-        const struct waiting *next = &w->stack[--w->depth];
-        if (many(mand(vle(next->near, q->limit), q->active))) {
-            w->node = next->node;
-            w->near = next->near;
-            return true;
+    w->farthest = q->limit;
+    w->limit = vp_of(up(q->limit));
+    w->active = twice(mbits(q->active));
+}
+
+/* After a leaf: what is farther than now known does not count. Mostly nothing is new, so that the branch is less than
+ * what it saves the next node from waiting for. */
+LANE_OP void look_again(struct outlook *w, const struct query *q)
+{
+    if (twice(mbits(q->active)) != w->active || many(vlt(q->limit, w->farthest)))
+        look(w, q);
+}
+
+/* Called for 0 or for 1, in branches: they are foreseen, where an index that is computed is waited for. */
+LANE_OP void visit(struct child *to, const struct sure_node *n, int place)
+{
+    *to = (struct child){n->index[place], n->count[place], place};
+}
+
+/* Goes to the child that more lanes enter first; the other one waits, at `other`, if it is entered. -1: none is, else
+ * whether one waits. */
+LANE_OP int descend(struct visit *v, const struct outlook *w, vp *near, struct waiting *other,
+                    const struct sure_tree *tree, const struct query *q)
+{
+    const struct sure_node *n = &tree->nodes[v->child.index];
+    vp in;
+    unsigned lanes = enter_two(&q->p->slabs, n, w->limit, &in) & w->active;
+    unsigned first = lanes & EVEN, second = lanes >> 1 & EVEN;
+    bool turn = !first;
+
+    if (!lanes)
+        return -1;
+    *near = in;
+    if (first && second) {
+        unsigned closer = vp_le(in, vp_swap(in)); /* of each two, which is */
+        turn = LANES == 1 ? !(closer & 1)
+                          : __builtin_popcount(second & (~first | closer >> 1)) >
+                                __builtin_popcount(first & (~second | closer));
+        other->near = in;
+        other->lanes = lanes & EVEN << !turn;
+        if (turn)
+            visit(&other->child, n, 0);
+        else
+            visit(&other->child, n, 1);
+    }
+    if (turn)
+        visit(&v->child, n, 1);
+    else
+        visit(&v->child, n, 0);
+    v->near = near;
+    return first && second;
+}
+
+/* The next child that waits and is still of use; returns how many wait behind it, -1: there is none. */
+LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waiting *stack, int depth)
+{
+    while (depth > 0 && w->active) {
+        const struct waiting *next = &stack[--depth];
+        if (next->lanes & w->active & vp_le(next->near, w->limit)) {
+            *v = (struct visit){next->child, &next->near};
+            return depth;
         }
     }
-    return false;
+    return -1;
 }
 
 /* Two walks of one shape: a mesh's is called from within the scene's. */
@@ -66,18 +119,23 @@ LANE_OP bool resume(struct nodes *w, const struct query *q)
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \
     {                                                                                                                  \
-        struct nodes w; /* not set to zero as a whole: it is large */                                                  \
+        struct waiting stack[TIA_BVH_DEPTH_MAX + 1];                                                                   \
+        struct visit v = {.child = {.count = SURE_INNER}};                                                             \
+        struct outlook w;                                                                                              \
+        int depth = 0, more = 0;                                                                                       \
+        vp near;                                                                                                       \
                                                                                                                        \
-        w.depth = 0;                                                                                                   \
-        w.node = 0;                                                                                                    \
-        if (!tree->node_count || !many(box_enter(q, tree->nodes[0].box, &w.near)))                                     \
+        if (!tree->node_count)                                                                                         \
             return;                                                                                                    \
+        look(&w, q);                                                                                                   \
         do {                                                                                                           \
-            while (!tree->nodes[w.node].count && descend(&w, tree, q)) {                                               \
+            while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
+                depth += more;                                                                                         \
+            if (v.child.count != SURE_INNER) {                                                                         \
+                leaf(s, tree, &v, q);                                                                                  \
+                look_again(&w, q);                                                                                     \
             }                                                                                                          \
-            if (tree->nodes[w.node].count)                                                                             \
-                leaf(s, tree, &tree->nodes[w.node], q, w.near);                                                        \
-        } while (resume(&w, q));                                                                                       \
+        } while ((depth = resume(&v, &w, stack, depth)) >= 0);                                                         \
     }
 
 /* Some of a leaf's faces: first which of them any line meets, without a branch for each, then where. */
@@ -99,14 +157,13 @@ LANE_OP void meet_some(const struct sure_tree *tree, const uint32_t *items, uint
     }
 }
 
-LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct sure_node *leaf,
-                        struct query *q, vd near)
+LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct visit *v,
+                        struct query *q)
 {
     (void)s;
-    (void)near;
-    for (uint32_t i = 0; i < leaf->count; i += SURE_LEAF) {
-        uint32_t left = leaf->count - i;
-        meet_some(tree, tree->items + leaf->index + i, left < SURE_LEAF ? left : SURE_LEAF, q);
+    for (uint32_t i = 0; i < v->child.count; i += SURE_LEAF) {
+        uint32_t left = v->child.count - i;
+        meet_some(tree, tree->items + v->child.index + i, left < SURE_LEAF ? left : SURE_LEAF, q);
     }
 }
 
@@ -124,7 +181,9 @@ LANE_OP void meet_unknown(struct query *q, vd near)
                               .element = vset(0)});
 }
 
-LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q, vd near)
+/* `scale`: how much longer distances are in the object's axes than those of its box. */
+LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
+                        const struct visit *at, vd scale)
 {
     switch (o->kind) {
     case SURE_SPHERE:
@@ -153,13 +212,13 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_grid(q, o->grid);
         break;
     case SURE_UNKNOWN:
-        meet_unknown(q, near);
+        meet_unknown(q, lanes_of(*at->near, at->child.place) * scale);
         break;
     }
 }
 
 static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, const struct sure_object *o,
-                                                  struct query *q, vd near)
+                                                  struct query *q, const struct visit *at)
 {
     struct placed placed;
     struct query inner;
@@ -167,7 +226,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, &placed);
     placed_query(q, &placed, &inner);
     if (many(inner.active))
-        meet_shape(s, o, &inner, near * placed.k);
+        meet_shape(s, o, &inner, at, placed.k);
     report_placed(q, &placed, &inner, o->placed->most);
 }
 
@@ -200,7 +259,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     filter_groups(q, &groups, o->transmission);
 }
 
-LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, vd near)
+LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, const struct visit *at)
 {
     const struct sure_object *o = &s->object[index];
 
@@ -213,31 +272,40 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
         return;
     }
     if (o->placed)
-        meet_placed(s, o, q, near);
+        meet_placed(s, o, q, at);
     else
-        meet_shape(s, o, q, near);
+        meet_shape(s, o, q, at, vset(1));
     if (q->any && !q->opaque)
         filter(q, o);
 }
 
-LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct sure_node *leaf,
-                          struct query *q, vd near)
+LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct visit *v,
+                          struct query *q)
 {
-    for (uint32_t i = leaf->index; i < leaf->index + leaf->count; i++)
-        meet_object(s, tree->items[i], q, near);
+    for (uint32_t i = v->child.index; i < v->child.index + v->child.count; i++)
+        meet_object(s, tree->items[i], q, v);
 }
 
 WALK(walk_objects, meet_objects)
 
+/* Objects that no box is around, or that are tried before their boxes. */
+LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
+{
+    static const vp zero;
+    const struct visit start = {{0, 0, 0}, &zero};
+
+    meet_object(s, object, q, &start);
+}
+
 static __attribute__((noinline)) void meet_unbounded(const struct sure_scene *s, struct query *q)
 {
     for (uint32_t i = 0; i < s->unbounded_count; i++)
-        meet_object(s, s->unbounded[i], q, vset(0));
+        meet_at_once(s, s->unbounded[i], q);
 }
 
 static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint32_t object, struct query *q)
 {
-    meet_object(s, object, q, vset(0));
+    meet_at_once(s, object, q);
 }
 
 /* Lights have no index among objects: light n is told as this and n. */

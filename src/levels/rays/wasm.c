@@ -25,6 +25,21 @@ LANE_OP vm mof(unsigned bits)
     return wasm_i64x2_make(-(int64_t)(bits & 1), -(int64_t)(bits >> 1 & 1));
 }
 
+typedef float vp __attribute__((vector_size(16)));
+#define vp_set(x) ((vp)wasm_f32x4_splat(x))
+#define vp_load(p) ((vp)wasm_v128_load64_splat(p))
+#define vp_min(a, b) ((vp)wasm_f32x4_pmin((v128_t)(a), (v128_t)(b)))
+#define vp_max(a, b) ((vp)wasm_f32x4_pmax((v128_t)(a), (v128_t)(b)))
+#define vp_le(a, b) ((unsigned)wasm_i32x4_bitmask(wasm_f32x4_le((v128_t)(a), (v128_t)(b))))
+#define vp_swap(a) ((vp)wasm_i32x4_shuffle((v128_t)(a), (v128_t)(a), 1, 0, 3, 2))
+
+LANE_OP vp vp_of(vd a)
+{
+    v128_t f = wasm_f32x4_demote_f64x2_zero((v128_t)a);
+
+    return (vp)wasm_i32x4_shuffle(f, f, 0, 0, 1, 1);
+}
+
 #include "tracer.h"
 #include "walk_paths.h"
 

@@ -1,0 +1,70 @@
+/* nodes.c - a hierarchy whose nodes have the boxes of their children, side by side, instead of their own. */
+#include <tia/bvh.h>
+
+#include "sure.h"
+
+/* In floats, no less or no more than it is. */
+static float outward(tia_q16 x, bool up)
+{
+    float f = (float)x;
+    double exact = x;
+    int32_t bits;
+
+    if (up ? (double)f < exact : (double)f > exact) {
+        __builtin_memcpy(&bits, &f, sizeof bits);
+        bits += (f > 0) == up ? 1 : -1; /* away from 0, or towards it: these are no small numbers */
+        __builtin_memcpy(&f, &bits, sizeof f);
+    }
+    return f * (float)SURE_2(16);
+}
+
+static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *from, uint32_t number)
+{
+    const tia_q16 least[3] = {from->bounds.min.x, from->bounds.min.y, from->bounds.min.z};
+    const tia_q16 most[3] = {from->bounds.max.x, from->bounds.max.y, from->bounds.max.z};
+
+    for (int k = 0; k < 3; k++) {
+        to->box[k][i] = outward(least[k], false);
+        to->box[k + 3][i] = outward(most[k], true);
+    }
+    to->index[i] = from->count ? from->index : number;
+    to->count[i] = from->count ? from->count : SURE_INNER;
+}
+
+/* A root that is a leaf. */
+static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from)
+{
+    set_child(to, 0, from, 0);
+    for (int k = 0; k < 6; k++)
+        to->box[k][1] = SURE_NOWHERE;
+    to->index[1] = to->count[1] = 0;
+    return 1;
+}
+
+/* A node that waits for the number of its second child. */
+struct waiting {
+    uint32_t node, second;
+};
+
+/* Inner nodes keep their order, in which a first child comes next, and a second one after all that is below the first.
+ */
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from)
+{
+    struct waiting stack[TIA_BVH_DEPTH_MAX + 1];
+    uint32_t made = 0;
+    int depth = 0;
+
+    if (from->node_count && from->nodes[0].count)
+        return set_single(to, from->nodes);
+    for (uint32_t i = 0; i < from->node_count; i++) {
+        const struct tia_bvh_node *n = &from->nodes[i];
+        if (depth && stack[depth - 1].second == i && to[stack[--depth].node].count[1] == SURE_INNER)
+            to[stack[depth].node].index[1] = made;
+        if (n->count)
+            continue;
+        set_child(&to[made], 0, n + 1, made + 1);
+        set_child(&to[made], 1, &from->nodes[n->index], 0);
+        stack[depth++] = (struct waiting){made++, n->index};
+    }
+    return made;
+}
