@@ -220,17 +220,8 @@ static void flight_open(struct flight *f, struct sure_gather *g)
 static void find_first(const struct sure_scene *s, struct query *q, struct pack *p, unsigned lanes, bool lights,
                        unsigned specular)
 {
-    vm active = mof(lanes), fine = pack_start(s->centre, s->extent, p, active), wild = mand(active, mnot(fine));
+    vm wild = begin_nearest(s, q, p, mof(lanes));
 
-    q->p = p;
-    q->active = mand(active, fine);
-    q->any = q->solid = false;
-    q->groups = NULL;
-    q->limit = q->t = q->low = vset(NEVER);
-    q->e = q->ep = vset(0);
-    q->id = q->element = vset(-1);
-    meet_unbounded(s, q);
-    walk_objects(s, &s->objects, q);
     for (uint32_t n = 0; lights && n < s->light_count; n++) {
         const struct sure_light *l = &s->lights[n];
         bool point = !(PATH_SURFACES >> l->from->kind & 1);
@@ -242,8 +233,7 @@ static void find_first(const struct sure_scene *s, struct query *q, struct pack 
         meet_light(l, q);
         q->active = all;
     }
-    q->low = vsel(wild, vset(-1), q->low);
-    q->t = vsel(wild, vset(0), q->t);
+    end_nearest(q, wild);
 }
 
 /* Light number n, in the lanes of rays that do not end there. */

@@ -329,10 +329,10 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
     }
 }
 
-/* The nearest, lights included; lanes that are too far off may have met anything. */
-static void find_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
+/* The nearest object, before lights are tried. Returns the lanes that are too far off, for end_nearest(). */
+LANE_OP vm begin_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
 {
-    vm fine = pack_start(s->centre, s->extent, p, active), wild = mand(active, mnot(fine));
+    vm fine = pack_start(s->centre, s->extent, p, active);
 
     q->p = p;
     q->active = mand(active, fine);
@@ -343,9 +343,23 @@ static void find_nearest(const struct sure_scene *s, struct query *q, struct pac
     q->id = q->element = vset(-1);
     meet_unbounded(s, q);
     walk_objects(s, &s->objects, q);
-    meet_lights(s, q);
+    return mand(active, mnot(fine));
+}
+
+/* Those may have met anything. */
+LANE_OP void end_nearest(struct query *q, vm wild)
+{
     q->low = vsel(wild, vset(-1), q->low);
     q->t = vsel(wild, vset(0), q->t);
+}
+
+/* The nearest, lights included. */
+static void find_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
+{
+    vm wild = begin_nearest(s, q, p, active);
+
+    meet_lights(s, q);
+    end_nearest(q, wild);
 }
 
 /* Shadow rays, and what is known of them. */
