@@ -2,16 +2,24 @@
  * alone: spans are never drawn pixel by pixel, and keys that move no light end the loop. */
 #include "loop.h"
 
-uint64_t tia_viewer_canvas_size(const struct loop *loop)
+uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
     (void)loop;
+    (void)sums;
     return 0;
 }
 
-uint64_t tia_viewer_sums_size(const struct loop *loop)
+void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
 {
     (void)loop;
-    return 0;
+    (void)memory;
+    (void)size;
+}
+
+uint64_t tia_viewer_patience_us(const struct loop *loop)
+{
+    (void)loop;
+    return VIEWER_PATIENCE_US;
 }
 
 bool tia_viewer_refines(const struct loop *loop)
@@ -47,6 +55,12 @@ uint64_t tia_viewer_period_us(const struct loop *loop)
 {
     (void)loop;
     return VIEWER_PERIOD_US;
+}
+
+uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame)
+{
+    (void)loop;
+    return frame->draw_us;
 }
 
 bool tia_viewer_is_moving(const struct loop *loop)

@@ -38,6 +38,15 @@ static uint64_t pass_pixels(const struct loop *loop)
     return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
 }
 
+/* A frame that is not finished is taken for one that takes as long as its pixels would, one after the other. */
+uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame)
+{
+    uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,
+             all = pixels * loop->cost_ns / 1000 * viewer_spp(loop);
+
+    return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
+}
+
 /* The picture must be shown, too, which takes as long as the last time. A pass less in doubt: an eighth to spare. */
 bool tia_viewer_has_time(const struct loop *loop)
 {

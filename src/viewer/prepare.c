@@ -14,11 +14,11 @@ static void set_tiles(struct loop *loop, unsigned height)
     loop->tiles = (uint32_t)loop->columns * ((m->height + loop->tile_height - 1) / loop->tile_height);
 }
 
-enum { PARTS = 10 };
+enum { PARTS = 9 };
 
 /* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, hits, the
- * level's constants, and a canvas and sums of so many bytes. */
-static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas, uint64_t sums)
+ * level's constants, and a canvas of so many bytes. */
+static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;
     uint64_t sizes[PARTS] = {loop->current_size,
@@ -29,8 +29,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas,
                              loop->level_size,
                              loop->tiles,
                              canvas,
-                             (uint64_t)loop->tiles * sizeof *loop->drawn,
-                             sums};
+                             (uint64_t)loop->tiles * sizeof *loop->drawn};
     size_t sum = 0;
     char *parts[PARTS] = {NULL}, *memory;
 
@@ -54,9 +53,8 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas,
     loop->hits_size = (size_t)sizes[4];
     loop->level_memory = parts[5];
     loop->passes = (uint8_t *)parts[6];
-    loop->canvas = canvas ? (tia_rgb565 *)(void *)parts[7] : NULL;
     loop->drawn = (uint32_t *)(void *)parts[8];
-    loop->sums = sums ? (struct tia_sum *)(void *)parts[9] : NULL;
+    tia_viewer_set_canvas(loop, parts[7], canvas);
     return true;
 }
 
@@ -65,18 +63,17 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas,
 static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
-    uint64_t canvas = tia_viewer_canvas_size(loop), sums = canvas ? tia_viewer_sums_size(loop) : 0;
 
     set_tiles(loop, VIEWER_STRIP);
     loop->last_us = 0;
-    loop->whole =
-        get_memory(loop, frame, canvas, sums) || get_memory(loop, frame, canvas, 0) || get_memory(loop, frame, 0, 0);
+    loop->whole = get_memory(loop, frame, tia_viewer_canvas_size(loop, true)) ||
+                  get_memory(loop, frame, tia_viewer_canvas_size(loop, false)) || get_memory(loop, frame, 0);
     if (loop->whole)
         return true;
     for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
         set_tiles(loop, rows);
         struct tia_tile tile = {0, 0, (uint16_t)loop->tile_width, (uint16_t)loop->tile_height};
-        if (get_memory(loop, tile, 0, 0))
+        if (get_memory(loop, tile, 0))
             return true;
     }
     return false;

@@ -5,6 +5,7 @@
  *
  * The picture so far is in loop->canvas: a display forgets what it was given before. */
 #include "loop.h"
+#include "math/align.h"
 
 #define REFINE_US 250000      /* between two looks at a pass that takes long; a scene that plays shows nothing sooner */
 #define WORTH_LINE_US 1000000 /* a frame that takes less has no line for its progress */
@@ -187,13 +188,33 @@ static bool is_rasterised(const struct loop *loop)
     return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pace[0];
 }
 
+static uint64_t pixels_size(const struct loop *loop)
+{
+    return ALIGN((uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565));
+}
+
 /* For frames that someone waits for, or looks at in one place, and that can be drawn pixel by pixel or row by row. */
-uint64_t tia_viewer_canvas_size(const struct loop *loop)
+uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
     bool refines = (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel &&
                    (!tia_viewer_by_rows(loop) || is_rasterised(loop));
 
-    return refines ? (uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565) : 0;
+    return refines ? pixels_size(loop) + (sums ? tia_viewer_sums_size(loop) : 0) : 0;
+}
+
+void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
+{
+    uint64_t pixels = pixels_size(loop);
+
+    loop->canvas = size ? memory : NULL;
+    loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
+}
+
+/* A frame that no key has asked for, one of a scene that plays, is not worth waiting for where the next one can be
+ * shown before it is complete. */
+uint64_t tia_viewer_patience_us(const struct loop *loop)
+{
+    return loop->plays && loop->canvas && !loop->key_us ? 0 : VIEWER_PATIENCE_US;
 }
 
 /* The rasteriser goes through all faces twice for a frame in rows, so only where that matters. */

@@ -48,15 +48,6 @@ static struct tia_frame new_frame(const struct loop *loop)
                               .level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain"};
 }
 
-/* A frame that is not finished is taken for one that takes as long as its pixels would, one after the other. */
-static uint64_t whole_us(const struct loop *loop, const struct tia_frame *frame)
-{
-    uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,
-             all = pixels * loop->cost_ns / 1000 * viewer_spp(loop);
-
-    return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
-}
-
 static int draw_frame(struct loop *loop)
 {
     struct tia_frame frame;
@@ -78,7 +69,7 @@ static int draw_frame(struct loop *loop)
         frame.draw_us = viewer_now(loop) - start;
     if (status)
         return status;
-    loop->last_us = whole_us(loop, &frame);
+    loop->last_us = tia_viewer_whole_us(loop, &frame);
     if (!refines)
         loop->traced = loop->whole ? VIEWER_PASSES : 0;
     return show_frame(loop, &frame);
