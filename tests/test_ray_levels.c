@@ -146,6 +146,7 @@ TEST(far_out)
         read_string(&reading, TIA_FORMAT_TIA, text);
         CHECK_MSG(reading.status == TIA_OK, "%s", reading.reader.error.text);
         with_hierarchy(&reading.scene, compare_far, i);
+        read_end(&reading);
     }
 }
 

@@ -52,7 +52,7 @@ uint32_t tia_viewer_share(const struct loop *loop, unsigned passes)
     unsigned left = passes < VIEWER_PASSES ? VIEWER_PASSES - passes : 0;
 
     if (!passes || tia_viewer_by_rows(loop))
-        return passes < ROW_PASSES ? passes * 65536 / FIRST_BLOCK : 65536;
+        return passes < ROW_PASSES ? passes * (UINT32_C(65536) / FIRST_BLOCK) : 65536;
     return (uint32_t)((UINT64_C(65536) >> 2 * left) * tia_viewer_samples(loop, passes) / viewer_spp(loop));
 }
 

@@ -206,7 +206,7 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
 {
     uint64_t pixels = pixels_size(loop);
 
-    loop->canvas = size ? memory : NULL;
+    loop->canvas = size ? (tia_rgb565 *)memory : NULL;
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
