@@ -374,6 +374,7 @@ TEST(sixel)
 
 int main(void)
 {
+    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols are there for UTF-8 alone */
     RUN(what_terminals_answer);
     RUN(terminals_are_asked);
     RUN(kittys_pictures);

@@ -239,6 +239,7 @@ int main(int argc, char **argv)
 {
     int status = 0;
 
+    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols are there for UTF-8 alone */
     if (argc == 1)
         run_all();
     for (int i = 1; i < argc; i++)

@@ -7,10 +7,9 @@
 #define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS 6 /* that are looked at, at a time */
 
-#define VIEWER_PERIOD_US 16666    /* of a display of 60 Hz */
-#define VIEWER_PATIENCE_US 250000 /* a frame that is done sooner is shown */
-#define VIEWER_PASSES 5           /* coarse to fine: blocks of 16, 8, 4, 2, 1; what comes after are more samples */
-#define VIEWER_QUEUE 8            /* events while a frame is drawn; a full queue ends it */
+#define VIEWER_PERIOD_US 16666 /* of a display of 60 Hz */
+#define VIEWER_PASSES 5        /* coarse to fine: blocks of 16, 8, 4, 2, 1; what comes after are more samples */
+#define VIEWER_QUEUE 8         /* events while a frame is drawn; a full queue ends it */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
 #define VIEWER_QUIT 10
@@ -187,12 +186,10 @@ bool tia_viewer_has_time(const struct loop *loop);
 void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame);
 
-/* refine.c: bytes for the picture so far, and for its sums of samples, if any, or 0; takes that memory; how long a
- * key lets a frame go on that is not shown; whether to draw the next frame coarse to fine; draws it, and sets
- * frame->draw_us. */
+/* refine.c: bytes for the picture so far, and for its sums of samples, if any, or 0; takes that memory; whether to draw
+ * the next frame coarse to fine; draws it, and sets frame->draw_us. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums);
 void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size);
-uint64_t tia_viewer_patience_us(const struct loop *loop);
 bool tia_viewer_refines(const struct loop *loop);
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 

@@ -16,12 +16,6 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     (void)size;
 }
 
-uint64_t tia_viewer_patience_us(const struct loop *loop)
-{
-    (void)loop;
-    return VIEWER_PATIENCE_US;
-}
-
 bool tia_viewer_refines(const struct loop *loop)
 {
     (void)loop;

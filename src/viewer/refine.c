@@ -210,13 +210,6 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
-/* A frame that no key has asked for, one of a scene that plays, is not worth waiting for where the next one can be
- * shown before it is complete. */
-uint64_t tia_viewer_patience_us(const struct loop *loop)
-{
-    return loop->plays && loop->canvas && !loop->key_us ? 0 : VIEWER_PATIENCE_US;
-}
-
 /* The rasteriser goes through all faces twice for a frame in rows, so only where that matters. */
 bool tia_viewer_refines(const struct loop *loop)
 {
@@ -262,7 +255,7 @@ static bool is_due(const struct loop *loop)
 }
 
 /* Draws the passes that there is time for; all of them, unless something moves. */
-static int draw_in_time(struct loop *loop, struct tia_frame *coarse)
+static int draw_in_time(struct loop *loop, struct tia_frame *frame)
 {
     bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pace[0];
     unsigned passes = tia_viewer_passes(loop);
@@ -274,28 +267,29 @@ static int draw_in_time(struct loop *loop, struct tia_frame *coarse)
             if (moving)
                 return TIA_OK;
             loop->pass--;
-            status = show_so_far(loop, coarse);
+            status = show_so_far(loop, frame);
             loop->pass++;
         }
         if (!status)
-            status = draw_pass(loop, coarse);
+            status = draw_pass(loop, frame);
         if (!status && is_due(loop))
-            status = show_so_far(loop, coarse);
+            status = show_so_far(loop, frame);
     }
     return status;
 }
 
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame)
 {
-    struct tia_frame coarse = *frame;
     int status;
 
     begin_passes(loop);
-    status = draw_in_time(loop, &coarse);
+    status = draw_in_time(loop, frame);
     loop->refining = false;
     if (!status && !loop->unfinished)
         status = tia_viewer_fill(loop);
     loop->complete = !status && !loop->unfinished;
+    frame->done = 0; /* and what else coarse pictures alone have */
+    frame->left_us = frame->key_us = 0;
     frame->block = loop->unfinished ? coarse_block(tia_viewer_block(loop->pass - 1)) : 1;
     frame->samples = loop->unfinished && loop->sums ? tia_viewer_samples(loop, loop->pass) : 0;
     frame->pixels = sum_drawn(loop);

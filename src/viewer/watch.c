@@ -4,7 +4,8 @@
  * tile, too, since more keys are waiting. */
 #include "loop.h"
 
-#define STEP_US 20000 /* between two looks */
+#define PATIENCE_US 250000 /* a frame that is done sooner is shown */
+#define STEP_US 20000      /* between two looks */
 
 static bool is_full(const struct loop *loop)
 {
@@ -44,6 +45,13 @@ static bool is_held_due(const struct loop *loop, uint64_t now)
     return next && now >= next;
 }
 
+/* A frame that no key has asked for, one of a scene that plays, is not worth waiting for where the next one can be
+ * shown before it is complete. */
+static uint64_t patience_us(const struct loop *loop)
+{
+    return loop->plays && loop->canvas && !loop->key_us ? 0 : PATIENCE_US;
+}
+
 /* Never gives up two frames in a row: while keys keep coming, some frames are still shown. */
 static void look(struct loop *loop)
 {
@@ -56,8 +64,8 @@ static void look(struct loop *loop)
     loop->ends = v->stop && v->stop(v->stop_ctx);
     poll_input(loop);
     loop->outdated = loop->outdated || (loop->answered && is_held_due(loop, now));
-    loop->gives_up = v->clock && loop->outdated &&
-                     (loop->answered || (!loop->gave_up && now >= loop->begun_us + tia_viewer_patience_us(loop)));
+    loop->gives_up =
+        v->clock && loop->outdated && (loop->answered || (!loop->gave_up && now >= loop->begun_us + patience_us(loop)));
 }
 
 void tia_viewer_watch_begin(struct loop *loop)

@@ -135,7 +135,7 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
         size = size - copy_part(&layouts[kind_here()], scene) + copy_part(&layouts[kind], scene);
     }
     size += view_size(m, kind) + ALIGN(hits_size(scene, frame, kind)) + 2 * ALIGN(tiles) + ALIGN(4 * tiles);
-    if (tia_draws_by_pixel(scene))
+    if (tia_draws_by_pixel(scene) || scene->shadows)
         size += ALIGN((uint64_t)frame.width * frame.height * sizeof(tia_rgb565));
     return size;
 }
