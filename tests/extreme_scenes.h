@@ -199,11 +199,29 @@ static void make_cut_radiance(void)
     lamp->emission_bits = 12;
 }
 
+/* A light as long as 5,200 and no wider than 2^-15: some of its places lie farther behind its plane than shadow rays
+ * end before it. */
+static void make_sliver(void)
+{
+    world_begin(TIA_PATHS);
+    world.integration.bounces = 1;
+    world_plane(0, -1, 0, 0, 1, 0);
+    (void)world_light(TIA_POINT_LIGHT, 1, 1, -1);
+    (void)world_light(TIA_POINT_LIGHT, -1, 1, -1);
+    struct tia_light *lamp = world_light(TIA_RECTANGLE_LIGHT, 0, 1300, -700);
+    lamp->side[0] = (struct tia_vec3){TIA_Q16(1300.3), TIA_Q16(154.2), TIA_Q16(0.7)};
+    lamp->side[1] = lamp->side[0];
+    lamp->side[1].z++;
+    lamp->emission_bits = TIA_EMISSION_BITS_MAX;
+    look_from(0, 0, 3, 40);
+}
+
 static const struct {
     const char *name;
     void (*make)(void);
 } bound_scenes[] = {{"cut throughputs", make_cut_throughput},
                     {"cut throughputs of layers", make_cut_layers},
-                    {"cut radiance", make_cut_radiance}};
+                    {"cut radiance", make_cut_radiance},
+                    {"places beside a light's plane", make_sliver}};
 
 #endif
