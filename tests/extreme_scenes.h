@@ -199,11 +199,51 @@ static void make_cut_radiance(void)
     lamp->emission_bits = 12;
 }
 
+/* A light as long as 5,200 and no wider than 2^-15: some of its places lie farther behind its plane than shadow rays
+ * end before it. */
+static void make_sliver(void)
+{
+    world_begin(TIA_PATHS);
+    world.integration.bounces = 1;
+    world_plane(0, -1, 0, 0, 1, 0);
+    (void)world_light(TIA_POINT_LIGHT, 1, 1, -1);
+    (void)world_light(TIA_POINT_LIGHT, -1, 1, -1);
+    struct tia_light *lamp = world_light(TIA_RECTANGLE_LIGHT, 0, 1300, -700);
+    lamp->side[0] = (struct tia_vec3){TIA_Q16(1300.3), TIA_Q16(154.2), TIA_Q16(0.7)};
+    lamp->side[1] = lamp->side[0];
+    lamp->side[1].z++;
+    lamp->emission_bits = TIA_EMISSION_BITS_MAX;
+    look_from(0, 0, 3, 40);
+}
+
+/* Rays that go on straight where they graze a sphere that is scaled: a unit of its own axes is 2^-35, and some start
+ * outside again, as they are 2^-26 times an angle behind its surface. */
+static void make_grazed(void)
+{
+    static const struct tia_transform large = {
+        {0, 0, 0}, {TIA_Q16(10.3), TIA_Q16(20.2), TIA_Q16(30.1)}, {TIA_Q16(1024), TIA_Q16(1024), TIA_Q16(1024)}};
+    struct tia_shape *ball;
+
+    world_begin(TIA_PATHS);
+    world_materials[1] = (struct tia_material){.refraction = GREY(0.5), .index = TIA_Q16(1)};
+    world.background = GREY(1);
+    world.transforms = &large;
+    world.transform_count = 1;
+    ball = world_shape(TIA_SPHERE, 1);
+    ball->sphere.radius = TIA_Q16(10);
+    ball->transform = 1;
+    world.camera.eye = (struct tia_vec3){0, TIA_Q16(10240), TIA_Q16(10500)};
+    world.camera.reference = (struct tia_vec3){0, TIA_Q16(10240), 0};
+    world.camera.window = (struct tia_window){-TIA_Q16(0.001), TIA_Q16(0.001), -TIA_Q16(0.06), TIA_Q16(0.1), 0};
+}
+
 static const struct {
     const char *name;
     void (*make)(void);
 } bound_scenes[] = {{"cut throughputs", make_cut_throughput},
                     {"cut throughputs of layers", make_cut_layers},
-                    {"cut radiance", make_cut_radiance}};
+                    {"cut radiance", make_cut_radiance},
+                    {"places beside a light's plane", make_sliver},
+                    {"straight on through a grazed sphere", make_grazed}};
 
 #endif

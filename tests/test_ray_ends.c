@@ -16,6 +16,7 @@
 static const struct end {
     const char *name, *shape;
     double o[3], d[3], off[3], eo, ed;
+    const char *behind; /* what else there is */
 } ends[] = {
     {"past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0.01, 0},
     {"turned past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0, 0.002},
@@ -50,6 +51,16 @@ static const struct end {
     {"under a grid", CELL, {-0.1, -0.0001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0.01, 0},
     {"turned under a grid", CELL, {-4, -0.00001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0, 0.00125},
     {"falling onto a grid", CELL, {-4, 0.103, 0.05}, {1, -0.00125, 0}, {0, 1, 0}, 0, 0.00125},
+    {"out of a grid, just before a plane",
+     CELL,
+     {0.03, 0.095, 0.05},
+     {1, 0.1, 0.1},
+     {0, -1, 0},
+     0.0004,
+     0,
+     "plane point 0.0805 0.10005 0.05505 normal 1 0.1 0.1 material plain\n"},
+    {"to a plane close by", "plane point 0 0 0 normal 0 1 0", {0, 0.001, 0}, {1, -1, 0}, {0, -1, 0}, 0.01, 0},
+    {"down to a plane", "plane point 0 0 0 normal 0 1 0", {0, 0.1, 0}, {1, -0.0001, 0}, {0, 1, 0}, 0, 0.0003},
 };
 
 static void open_text(const char *name, const char *text)
@@ -88,8 +99,8 @@ static void check_end(const struct end *end, struct used *distances)
     char text[500];
     struct hit hit;
 
-    (void)snprintf(text, sizeof text, "%s%s material plain\n%s\n", grid ? CELL : "", grid ? "instance g" : end->shape,
-                   far);
+    (void)snprintf(text, sizeof text, "%s%s material plain\n%s%s\n", grid ? CELL : "", grid ? "instance g" : end->shape,
+                   end->behind ? end->behind : "", far);
     open_text(end->name, text);
     struct ray ray = {place(real3_of(end->o, unit)), towards(real3_of(end->d, 1))};
     meet(&ray, &hit);

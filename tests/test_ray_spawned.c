@@ -2,6 +2,7 @@
  * of its bound (see ray_steps.h). */
 #include "levels/rays/one.h"
 
+#include "levels/rays/walk_paths.h"
 #include "ray_steps.h"
 
 enum { TRIES = 20000 };
@@ -321,16 +322,41 @@ static void try_straight(struct used *u)
     use(u, real_gap(real_along(point, viewer, -(long double)one->scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);
 }
 
+/* The same of a path, which starts less far behind the point. */
+static void try_pass(struct used *u)
+{
+    static const struct sure_scene scene = {.bias = SURE_2(26)};
+    static const struct media none[LANES];
+    static struct sure_gather gather = {.scene = &scene};
+    static struct flight f = {.gather = &gather};
+    struct real point = real_random(), viewer = real_random(), off = real_random();
+    struct shade h = {.point = v3_of(point), .viewer = v3_of(viewer), .ep = some_size(20, 40)};
+    struct paths p = {.specular = 0}, next;
+    const double *n = f.ray[0].number;
+
+    h.ev = some_size(4, 30);
+    p.r.p.d = v3_neg(h.viewer);
+    p.r.weight[0] = 1;
+    next = p;
+    pass_straight(&f, 1, &p, &next, &h, none);
+    CHECK_EQ(flight_pop(&f, &p), 1);
+    viewer = real_along(real_of(h.viewer), off, h.ev * WITHIN);
+    point = real_along(real_of(h.point), off, -h.ep * WITHIN);
+    use(u, real_gap(real_along(point, viewer, -(long double)scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);
+}
+
 TEST(bounces)
 {
     struct used directions = {.name = "refracted direction"}, parts = {.name = "Fresnel's part"},
                 totals = {.name = "total reflection"}, through = {.name = "throughput of refracted rays"},
-                back = {.name = "throughput of reflected rays"}, straight = {.name = "origin of rays straight on"};
+                back = {.name = "throughput of reflected rays"}, straight = {.name = "origin of rays straight on"},
+                passed = {.name = "origin of paths straight on"};
 
     for (int i = 0; i < 3 * TRIES; i++) {
         try_refraction(&directions, &parts, &totals);
         try_spawned(&through, &back);
         try_straight(&straight);
+        try_pass(&passed);
     }
     check_used(&directions);
     check_used(&parts);
@@ -338,11 +364,14 @@ TEST(bounces)
     check_used(&through);
     check_used(&back);
     check_used(&straight);
+    check_used(&passed);
 }
 
 int main(void)
 {
     (void)trace;
+    (void)occlude;
+    (void)walk_paths;
     RUN(surfaces);
     RUN(colours);
     RUN(bounces);

@@ -110,7 +110,7 @@ static bool number_of(struct num_density d, double *x)
 
 /* Whether places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, what their
  * directions round by turns the normal, and long ones leave the plane by more than the 2^-26 that shadow rays end
- * before it: those would meet it, see find_hidden. */
+ * before it: those would meet it, see find_hidden. Of those 2^-26 it takes a sixteenth, so that roundings have room. */
 static bool is_flat(const struct ray_light *l)
 {
     num_length off = 0;
