@@ -68,7 +68,7 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
-/* A machine without the directory has no keyboard; whatever else keeps us from it is to be told. */
+/* Without the directory the machine has no keyboard; any other failure to open it is reported. */
 static DIR *open_directory(struct evdev *evdev)
 {
     DIR *directory = opendir(DIRECTORY);

@@ -149,8 +149,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* Tells the console which modifiers are down, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held; but not which
- * other keys, such as F2, which it would take as typed. */
+/* Forwards the state of the modifiers to the console, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held. Other
+ * keys, such as F2, are not forwarded: the console would take them as typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;

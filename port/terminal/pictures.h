@@ -14,8 +14,8 @@ struct cell {
     unsigned width, height;
 };
 
-/* What the terminal can show, and the size of its cells. Only a terminal that reports this size is asked: without it a
- * picture's size is unknown. */
+/* Queries the terminal for the pictures that it can show, and sets the size of its cells. A terminal that does not
+ * report that size gets no query: a picture's size would be unknown. */
 enum pictures pictures_find(int fd, struct cell *cell);
 
 /* Sets the size of the cells for pictures that the user chose; NULL, or why they cannot be shown. */

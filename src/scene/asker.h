@@ -1,4 +1,4 @@
-/* asker.h - the callback that is asked, now and then, whether to stop long work on a scene. */
+/* asker.h - long work on a scene calls the caller's `stop` now and then, and ends early once it returns true. */
 #ifndef TIA_SCENE_ASKER_H
 #define TIA_SCENE_ASKER_H
 

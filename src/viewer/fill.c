@@ -36,7 +36,7 @@ static tia_rgb565 colour_at(const struct loop *loop, unsigned x, unsigned y)
 {
     struct sample s = sample_at(loop, x, y);
 
-    return loop->canvas[(size_t)s.y * loop->mode.width + s.x];
+    return *viewer_canvas_at(loop, s.x, s.y);
 }
 
 /* The colours at a block's corners. Beyond the picture's edge there is none: the one before. */
@@ -83,7 +83,7 @@ static void fill_row(const struct loop *loop, struct tia_tile tile, unsigned y)
         if (s.x != last.x || s.y != last.y || s.size != last.size)
             get_corners(loop, s, corners);
         last = s;
-        loop->canvas[(size_t)y * loop->mode.width + x] =
+        *viewer_canvas_at(loop, x, y) =
             loop->gaze.smooth ? mixed(corners, s.size, x - s.x, y - s.y) : nearest(corners, s.size, x - s.x, y - s.y);
     }
 }

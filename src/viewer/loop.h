@@ -111,6 +111,11 @@ static inline uint32_t viewer_spp(const struct loop *loop)
     return !loop->sums ? 1 : spp ? spp : TIA_SPP;
 }
 
+static inline tia_rgb565 *viewer_canvas_at(const struct loop *loop, unsigned x, unsigned y)
+{
+    return loop->canvas + (size_t)y * loop->mode.width + x;
+}
+
 /* Brings the viewer's state up to date. */
 static inline void viewer_tell(struct loop *loop)
 {

@@ -56,11 +56,6 @@ uint32_t tia_viewer_share(const struct loop *loop, unsigned passes)
     return (uint32_t)((UINT64_C(65536) >> 2 * left) * tia_viewer_samples(loop, passes) / viewer_spp(loop));
 }
 
-static tia_rgb565 *canvas_at(const struct loop *loop, unsigned x, unsigned y)
-{
-    return loop->canvas + (size_t)y * loop->mode.width + x;
-}
-
 static unsigned at_most(unsigned value, unsigned limit)
 {
     return value < limit ? value : limit;
@@ -71,7 +66,7 @@ static unsigned at_most(unsigned value, unsigned limit)
 /* Of the canvas. */
 static struct tia_surface surface_of(const struct loop *loop, struct tia_tile pixels)
 {
-    return (struct tia_surface){canvas_at(loop, pixels.x, pixels.y), sizeof(tia_rgb565),
+    return (struct tia_surface){viewer_canvas_at(loop, pixels.x, pixels.y), sizeof(tia_rgb565),
                                 (ptrdiff_t)(loop->mode.width * sizeof(tia_rgb565))};
 }
 
@@ -103,24 +98,24 @@ static int draw_pixels(struct loop *loop, struct tia_tile pixels)
 /* ---- blocks ---- */
 
 /* Pixels from `x`, `y` of the image on, dx and dy apart, and the size of the blocks that they stand for. */
-struct lattice {
+struct pixel_grid {
     unsigned x, y, dx, dy, size;
 };
 
-static void fill_block(struct loop *loop, struct tia_tile tile, struct lattice at)
+static void fill_block(struct loop *loop, struct tia_tile tile, struct pixel_grid at)
 {
     unsigned right = at_most(at.x + at.size, (unsigned)tile.x + tile.width),
              bottom = at_most(at.y + at.size, (unsigned)tile.y + tile.height);
-    tia_rgb565 colour = *canvas_at(loop, at.x, at.y);
+    tia_rgb565 colour = *viewer_canvas_at(loop, at.x, at.y);
 
     for (unsigned row = at.y; row < bottom; row++)
         for (unsigned column = at.x; column < right; column++)
-            *canvas_at(loop, column, row) = colour;
+            *viewer_canvas_at(loop, column, row) = colour;
 }
 
 /* How many pixels from (x, y) on are drawn together: neighbours in a row are. 0: there the eye is content with what is
  * drawn already. */
-static unsigned run_at(const struct loop *loop, struct lattice at, unsigned right)
+static unsigned run_at(const struct loop *loop, struct pixel_grid at, unsigned right)
 {
     unsigned run = 0;
 
@@ -132,7 +127,7 @@ static unsigned run_at(const struct loop *loop, struct lattice at, unsigned righ
     return run;
 }
 
-static int draw_row(struct loop *loop, struct tia_tile tile, struct lattice at, uint32_t *drawn)
+static int draw_row(struct loop *loop, struct tia_tile tile, struct pixel_grid at, uint32_t *drawn)
 {
     unsigned right = (unsigned)tile.x + tile.width, run;
     int status = TIA_OK;
@@ -150,7 +145,7 @@ static int draw_row(struct loop *loop, struct tia_tile tile, struct lattice at, 
     return status;
 }
 
-static int draw_lattice(struct loop *loop, struct tia_tile tile, struct lattice at, uint32_t *drawn)
+static int draw_grid(struct loop *loop, struct tia_tile tile, struct pixel_grid at, uint32_t *drawn)
 {
     unsigned bottom = (unsigned)tile.y + tile.height;
     int status = TIA_OK;
@@ -167,9 +162,9 @@ static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, u
     int status;
 
     if (size == FIRST_BLOCK)
-        return draw_lattice(loop, tile, (struct lattice){x, y, size, size, size}, drawn);
-    status = draw_lattice(loop, tile, (struct lattice){x + size, y, 2 * size, 2 * size, size}, drawn);
-    return status ? status : draw_lattice(loop, tile, (struct lattice){x, y + size, size, 2 * size, size}, drawn);
+        return draw_grid(loop, tile, (struct pixel_grid){x, y, size, size, size}, drawn);
+    status = draw_grid(loop, tile, (struct pixel_grid){x + size, y, 2 * size, 2 * size, size}, drawn);
+    return status ? status : draw_grid(loop, tile, (struct pixel_grid){x, y + size, size, 2 * size, size}, drawn);
 }
 
 /* More samples of the pixels that are drawn: all, or as many as the eye needs. */
@@ -179,7 +174,7 @@ static int draw_more(struct loop *loop, struct tia_tile tile)
     int status = TIA_OK;
 
     if (!loop->gazes)
-        return draw_lattice(loop, tile, (struct lattice){tile.x, tile.y, 1, 1, 1}, &counted);
+        return draw_grid(loop, tile, (struct pixel_grid){tile.x, tile.y, 1, 1, 1}, &counted);
     for (unsigned size = FIRST_BLOCK; size && !status; size /= 2)
         status = draw_blocks(loop, tile, size, &counted);
     return status;
@@ -191,7 +186,7 @@ static void repeat_row(struct loop *loop, struct tia_tile row, unsigned bottom)
 {
     for (unsigned y = row.y + 1u; y < bottom; y++)
         for (unsigned x = 0; x < row.width; x++)
-            *canvas_at(loop, row.x + x, y) = *canvas_at(loop, row.x + x, row.y);
+            *viewer_canvas_at(loop, row.x + x, y) = *viewer_canvas_at(loop, row.x + x, row.y);
 }
 
 /* First every 16th row, which those below it repeat, then all between two of them at once. */

@@ -86,7 +86,7 @@ static int copy_tile(struct loop *loop, struct tia_tile tile)
     int status = v->display->acquire(v->display_ctx, tile, &surface);
 
     for (unsigned y = 0; !status && y < tile.height; y++) {
-        const tia_rgb565 *from = loop->canvas + (size_t)(tile.y + y) * loop->mode.width + tile.x;
+        const tia_rgb565 *from = viewer_canvas_at(loop, tile.x, tile.y + y);
         char *row = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch;
         for (unsigned x = 0; x < tile.width; x++)
             *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface.step) = from[x];

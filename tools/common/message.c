@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <getopt.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,16 +13,23 @@ void message_clean(char *text)
             *at = '?';
 }
 
+int message_list(const char *tool, int status, const char *format, va_list values)
+{
+    char text[1400]; /* longer messages are cut */
+
+    (void)vsnprintf(text, sizeof text, format, values);
+    message_clean(text);
+    (void)fprintf(stderr, "%s: %s\n", tool, text);
+    return status;
+}
+
 int message(const char *tool, int status, const char *format, ...)
 {
-    char text[MESSAGE_SIZE];
     va_list values;
 
     va_start(values, format);
-    (void)vsnprintf(text, sizeof text, format, values);
+    (void)message_list(tool, status, format, values);
     va_end(values);
-    message_clean(text);
-    (void)fprintf(stderr, "%s: %s\n", tool, text);
     return status;
 }
 

@@ -2,14 +2,16 @@
 #ifndef TOOLS_COMMON_MESSAGE_H
 #define TOOLS_COMMON_MESSAGE_H
 
-/* Bytes kept of a message, with the final 0. */
-#define MESSAGE_SIZE 1400
+#include <stdarg.h>
 
 /* Makes the text one line: control characters, as in odd file names, become '?'. */
 void message_clean(char *text);
 
 /* Prints "TOOL: " and the text, cleaned. Returns `status`. */
 __attribute__((format(printf, 3, 4))) int message(const char *tool, int status, const char *format, ...);
+
+/* The same of a list of arguments. */
+int message_list(const char *tool, int status, const char *format, va_list values);
 
 /* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" where there is no why (""). Returns `status`. */
 int message_why(const char *tool, int status, const char *what, const char *why);

@@ -23,15 +23,13 @@ void fail_into(char *text, size_t size)
 
 static void say(const char *format, va_list values)
 {
-    char text[MESSAGE_SIZE];
-    (void)vsnprintf(text, sizeof text, format, values);
     if (into.text) {
-        message_clean(text);
-        (void)snprintf(into.text, into.size, "%s", text);
+        (void)vsnprintf(into.text, into.size, format, values);
+        message_clean(into.text);
         return;
     }
     (void)fflush(stdout);
-    (void)message("tia", 0, "%s", text);
+    (void)message_list("tia", 0, format, values);
 }
 
 int fail(int status, const char *format, ...)

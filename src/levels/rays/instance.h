@@ -16,6 +16,7 @@
 #define TIA_LEVELS_RAYS_INSTANCE_H
 
 #include "report.h"
+#include "slabs.h"
 
 struct placed {
     struct pack p;

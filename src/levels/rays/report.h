@@ -3,7 +3,6 @@
 #define TIA_LEVELS_RAYS_REPORT_H
 
 #include "groups.h"
-#include "slabs.h"
 
 LANE_OP void report_any(struct query *q, const struct report *r)
 {
