@@ -8,7 +8,8 @@
 
 #define COLUMNS 15
 
-/* A ray that waits, see struct bounce of whitted.c. Its numbers lie in the order of column_of. */
+/* A ray that waits, see struct bounce of whitted.c, or what one has met: its numbers lie in the order of ray_column, or
+ * of hit_column. */
 struct item {
     double number[COLUMNS];
     uint32_t slot, depth, layers;
@@ -18,13 +19,15 @@ struct item {
 #define ITEMS 256
 #define BLOCKERS 16
 
+/* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and
+ * shadows would leave their lanes empty. */
 struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];
     uint8_t class[SURE_SLOTS];
     double rays[SURE_SLOTS]; /* how many there are at most so far, once paths may have layers */
-    struct item items[ITEMS];
-    int count;
+    struct item items[ITEMS], hits[2 * LANES];
+    int count, hit_count;
 };
 
 /* Rays of a packet: their throughput is within ew. */
@@ -35,13 +38,50 @@ struct rays {
     struct media media[LANES];
 };
 
-LANE_OP vd *column_of(struct rays *r, int i)
+LANE_OP vd *ray_column(struct rays *r, int i)
 {
     vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,         &r->p.d.x,          &r->p.d.y,
                                  &r->p.d.z, &r->weight[0], &r->weight[1],     &r->weight[2],      &r->p.eo,
                                  &r->p.ed,  &r->ew,        &r->p.from.object, &r->p.from.element, &r->p.from.inside};
 
     return column[i];
+}
+
+/* What a surface needs of the ray and of the query. */
+LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
+{
+    vd *const column[COLUMNS] = {&r->p.o.x,     &r->p.o.y,     &r->p.o.z, &r->p.d.x, &r->p.d.y,
+                                 &r->p.d.z,     &r->weight[0], &r->weight[1], &r->weight[2], &r->p.ed,
+                                 &r->ew,        &q->t,         &q->ep,        &q->id,        &q->element};
+
+    return column[i];
+}
+
+LANE_OP void keep_item(struct item *to, double number[COLUMNS][LANES], const struct rays *r, int k)
+{
+    for (int i = 0; i < COLUMNS; i++)
+        to->number[i] = number[i][k];
+    to->slot = r->slot[k];
+    to->depth = r->depth[k];
+    to->layers = r->layers[k];
+    to->media = r->media[k];
+}
+
+/* Takes up to LANES items off the end of a list: all but their numbers, of which rows are told. Returns how many. */
+LANE_OP int take_items(const struct item *items, int *count, struct rays *r, const double *row[LANES])
+{
+    static const struct item none;
+    int taken = *count < LANES ? *count : LANES;
+
+    for (int k = 0; k < LANES; k++) {
+        const struct item *from = k < taken ? &items[--*count] : &none;
+        row[k] = from->number;
+        r->slot[k] = from->slot;
+        r->depth[k] = from->depth;
+        r->layers[k] = from->layers;
+        r->media[k] = from->media;
+    }
+    return taken;
 }
 
 LANE_OP void add_colour(struct work *w, unsigned lanes, const uint32_t slot[LANES], const vd rgb[3], vd error)
@@ -110,7 +150,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     (void)refracted; /* for the check alone */
     give_up(w, lanes & ~(yes | no), next, vset(1));
     for (int i = 0; i < COLUMNS; i++)
-        vstore(number[i], *column_of(next, i));
+        vstore(number[i], *ray_column(next, i));
     for (int k = 0; yes >> k; k++) {
         if (!(yes >> k & 1))
             continue;
@@ -120,41 +160,52 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
         }
         check_push(w->count, refracted);
         struct item *to = &w->items[w->count++];
-        for (int i = 0; i < COLUMNS; i++)
-            to->number[i] = number[i][k];
-        to->slot = next->slot[k];
-        to->depth = next->depth[k] + !straight;
-        to->layers = next->layers[k] + straight;
-        to->media = next->media[k];
+        keep_item(to, number, next, k);
+        to->depth += !straight;
+        to->layers += straight;
     }
 }
 
 /* Takes rays that wait; those of samples that are unsure by now are dropped. */
 static unsigned pop(struct work *w, struct rays *r)
 {
-    double number[COLUMNS][LANES] = {{0}};
+    const double *row[LANES];
+    int taken = take_items(w->items, &w->count, r, row);
     unsigned lanes = 0;
 
-    for (int k = 0; k < LANES; k++) {
-        r->slot[k] = r->depth[k] = r->layers[k] = 0;
-        r->media[k].count = 0;
-    }
-    for (int k = 0; k < LANES && w->count; k++) {
-        const struct item *from = &w->items[--w->count];
-        check_pop(w->count);
-        bool open = !(w->block->unsure >> from->slot & 1);
-        lanes |= (unsigned)open << k;
-        for (int i = 0; i < COLUMNS; i++)
-            number[i][k] = from->number[i];
-        r->slot[k] = from->slot;
-        r->depth[k] = from->depth;
-        r->layers[k] = from->layers;
-        r->media[k] = from->media;
-        if (open)
-            count_rays(w, from->slot, 1);
-    }
     for (int i = 0; i < COLUMNS; i++)
-        *column_of(r, i) = vload(number[i]);
+        *ray_column(r, i) = vgather(row, i);
+    for (int k = 0; k < taken; k++) {
+        bool open = !(w->block->unsure >> r->slot[k] & 1);
+        check_pop(w->count + taken - 1 - k);
+        lanes |= (unsigned)open << k;
+        if (open)
+            count_rays(w, r->slot[k], 1);
+    }
+    return lanes;
+}
+
+/* Hits to shade later. */
+static void push_hits(struct work *w, unsigned lanes, struct rays *r, struct query *q)
+{
+    double number[COLUMNS][LANES];
+
+    for (int i = 0; i < COLUMNS; i++)
+        vstore(number[i], *hit_column(r, q, i));
+    for (; lanes; lanes &= lanes - 1)
+        keep_item(&w->hits[w->hit_count++], number, r, __builtin_ctz(lanes));
+}
+
+static unsigned pop_hits(struct work *w, struct rays *r, struct query *q)
+{
+    const double *row[LANES];
+    int taken = take_items(w->hits, &w->hit_count, r, row);
+    unsigned lanes = 0;
+
+    for (int i = 0; i < COLUMNS; i++)
+        *hit_column(r, q, i) = vgather(row, i);
+    for (int k = 0; k < taken; k++)
+        lanes |= (unsigned)!(w->block->unsure >> r->slot[k] & 1) << k;
     return lanes;
 }
 

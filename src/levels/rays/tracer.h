@@ -40,10 +40,13 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     const struct sure_scene *s = w->block->scene;
     struct lit lit = {.unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
     uint8_t class[LANES];
-    bool apart = r->depth[__builtin_ctz(*lanes)] && on_several(h, *lanes);
+    bool bounced = false;
 
-    for (int k = 0; k < LANES; k++)
+    for (int k = 0; k < LANES; k++) {
         class[k] = w->class[r->slot[k]];
+        bounced = bounced || (*lanes >> k & 1 && r->depth[k]);
+    }
+    bool apart = bounced && on_several(h, *lanes);
     for (int c = 0; c < 3; c++)
         lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, vset(0));
     for (uint32_t n = 0; n < s->light_count; n++)
@@ -57,21 +60,12 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     add_colour(w, *lanes, r->slot, lit.own, lit.eown * (most3(r->weight) + r->ew) + top * r->ew + SURE_2(42));
 }
 
-static void follow(struct work *w, struct rays *r, unsigned lanes)
+/* What is sent from where rays end, and the rays that go on from there. */
+static void shade(struct work *w, struct rays *r, const struct query *q, unsigned lanes)
 {
-    const struct sure_scene *s = w->block->scene;
-    struct query q;
     struct shade h;
 
-    find_nearest(s, &q, &r->p, mof(lanes));
-    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
-    drop(&lanes, w, mnot(mor(sky, vlt(q.t + q.e, q.low))), r);
-    if (lanes)
-        check_met(r, &q);
-    add_far(w, &lanes, &q, r);
-    if (!lanes)
-        return;
-    find_surfaces(s, &r->p, &q, lanes, &h);
+    find_surfaces(w->block->scene, &r->p, q, lanes, &h);
     drop(&lanes, w, h.unsure, r);
     if (!lanes)
         return;
@@ -79,6 +73,34 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
     add_own(w, &lanes, &h, r);
     if (lanes)
         bounce(w, &h, lanes, r);
+}
+
+static void shade_hits(struct work *w, struct rays *r)
+{
+    struct query q; /* what a surface needs of it */
+    unsigned lanes = pop_hits(w, r, &q);
+
+    if (lanes)
+        shade(w, r, &q, lanes);
+}
+
+static void follow(struct work *w, struct rays *r, unsigned lanes)
+{
+    struct query q;
+
+    find_nearest(w->block->scene, &q, &r->p, mof(lanes));
+    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
+    drop(&lanes, w, mnot(mor(sky, vlt(q.t + q.e, q.low))), r);
+    if (lanes)
+        check_met(r, &q);
+    add_far(w, &lanes, &q, r);
+    if (lanes == (1u << LANES) - 1) {
+        shade(w, r, &q, lanes);
+        return;
+    }
+    push_hits(w, lanes, r, &q);
+    if (w->hit_count >= LANES)
+        shade_hits(w, r);
 }
 
 /* The rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit, the
@@ -154,7 +176,7 @@ static void trace(struct sure_block *b)
     struct rays r;
 
     w.block = b;
-    w.count = 0;
+    w.count = w.hit_count = 0;
     b->unsure = 0;
     for (int i = 0; i < BLOCKERS; i++)
         w.blocker[i] = TIA_NO_OBJECT;
@@ -167,7 +189,11 @@ static void trace(struct sure_block *b)
         unsigned lanes = first_rays(b, from, &r);
         follow(&w, &r, lanes);
     }
-    while (w.count && !view_stops(view)) {
+    while ((w.count || w.hit_count) && !view_stops(view)) {
+        if (w.hit_count > w.count) {
+            shade_hits(&w, &r);
+            continue;
+        }
         unsigned lanes = pop(&w, &r);
         if (lanes)
             follow(&w, &r, lanes);
