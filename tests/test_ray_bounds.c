@@ -135,7 +135,7 @@ static void check_block(struct sure_block *b)
     for (int i = 0; i < b->width * b->height * b->samples; i++) {
         int pixel = i / b->samples;
         num_length colour[3];
-        if (b->unsure >> i & 1)
+        if (b->unsure[i])
             continue;
         tia_sure_sample(view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
@@ -162,7 +162,7 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     tia_sure_set_lights(prepared);
     b.scene = tia_sure_scene(prepared);
     b.samples = view->camera.side * view->camera.side;
-    b.width = b.height = 8 / view->camera.side;
+    b.width = b.height = SURE_SIDE / 2 / view->camera.side;
     for (b.y = 0; b.y + b.height <= (int)height; b.y += b.height)
         for (b.x = 0; b.x + b.width <= (int)width; b.x += b.width)
             check_block(&b);

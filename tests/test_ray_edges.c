@@ -173,16 +173,16 @@ static void compare_bounces(const struct pack *p, const struct shade *h, const s
 {
     const struct media none = {.count = 0};
     static struct work w;
-    struct sure_block block = {.scene = scene, .unsure = 0};
+    struct sure_block block = {.scene = scene};
     struct rays r = {.p = *p, .weight = {1, 1, 1}, .ew = 0};
     struct bounces next;
 
     w.block = &block;
     w.count = 0;
     bounce(&w, h, 1, &r);
-    surely += !block.unsure;
-    open += block.unsure != 0;
-    if (block.unsure)
+    surely += !block.unsure[0];
+    open += block.unsure[0];
+    if (block.unsure[0])
         return;
     shade_bounce(view, shading, &none, &next);
     for (int i = 0; i < w.count; i++)
@@ -204,7 +204,7 @@ static struct num_dir grazing(struct v3 normal)
     return towards(d);
 }
 
-/* Rays that start at the point: which shapes they surely leave. */
+/* Rays that start at the point: which shapes they surely leave, and which faces they go back to. */
 static void compare_leaving(const struct shade *h, const struct shading *shading, double sign)
 {
     struct ray ray = {num_point_at(shading->point, shading->geometric, sign > 0 ? view->bias : -view->bias),
@@ -214,7 +214,7 @@ static void compare_leaving(const struct shade *h, const struct shading *shading
     struct hit hit;
 
     p.o = off_surface(scene, h, sign * scene->bias, &p.eo);
-    p.from = leaving(h, p.d, p.ed, sign, 0);
+    p.from = leaving_or_not(h, p.d, p.ed, sign, scene->bias);
     if (p.from.object >= 0)
         (void)compare_hit(&ray, &p, &q, &hit);
 }

@@ -25,8 +25,8 @@ static void count(struct sure_block *block)
 {
     kernels->trace(block);
     samples += (unsigned)(block->width * block->height * block->samples);
-    for (uint64_t bits = block->unsure; bits; bits &= bits - 1)
-        unsure++;
+    for (int i = 0; i < block->width * block->height * block->samples; i++)
+        unsure += block->unsure[i];
 }
 
 static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,

@@ -140,7 +140,7 @@ static struct one_ray *some_ray(double *theirs)
     static struct one_ray one;
     double weight = some_part();
 
-    one.scene = (struct sure_scene){.depth = 5, .bias = SURE_2(13), .brightest = 1, .generations = 6};
+    one.scene = (struct sure_scene){.depth = 5, .bias = SURE_2(13), .brightest = {1}, .generations = 6};
     one.block = (struct sure_block){.scene = &one.scene};
     one.work.block = &one.block;
     one.work.count = 0;
@@ -183,7 +183,7 @@ static void try_given_up(struct used *u)
     const struct sure_block *b = &one->block;
 
     give_up(&one->work, 1, &one->rays, SURE_2(9));
-    if (b->unsure) {
+    if (b->unsure[0]) {
         u->open++;
         return;
     }
@@ -202,7 +202,7 @@ static void try_faint(struct used *u)
         around + 1.5 * one->rays.ew * random_double() + SURE_2(42) * random_double();
     theirs = one->rays.weight[0] + (one->rays.ew + SURE_2(43)) * (double)WITHIN * some_sign();
     push(&one->work, 1, &one->rays, false, false);
-    if (one->block.unsure || one->block.error[0] > 0)
+    if (one->block.unsure[0] || one->block.error[0] > 0)
         u->open++;
     else
         use(u, (one->work.count == 1) == (theirs >= around) ? 0 : 2, 1);

@@ -121,7 +121,7 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.o = off_surface(s, h, -s->bias, &next.p.eo);
         next.p.d = f->to;
         next.p.ed = f->eto;
-        next.p.from = leaving(h, next.p.d, next.p.ed, -1, 0);
+        next.p.from = leaving_or_not(h, next.p.d, next.p.ed, -1, s->bias);
         push(w, bends, &next, true, false);
     }
     if (straight) {
@@ -138,9 +138,10 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
 static void push_reflected(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r,
                            const vd reflects[3], vd ereflects)
 {
+    const struct sure_scene *s = w->block->scene;
     struct rays next;
 
-    lanes &= may_bounce(w->block->scene, r) & mbits(vlt(vset(0), most3(reflects)));
+    lanes &= may_bounce(s, r) & mbits(vlt(vset(0), most3(reflects)));
     if (!lanes)
         return;
     keep_paths(&next, r, r->media);
@@ -151,7 +152,7 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     next.p.eo = h->eoutside;
     next.p.d =
         v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->en + h->ev + SURE_2(48), &next.p.ed);
-    next.p.from = leaving(h, next.p.d, next.p.ed, 1, 0);
+    next.p.from = leaving_or_not(h, next.p.d, next.p.ed, 1, s->bias);
     push(w, lanes, &next, false, false);
 }
 

@@ -51,7 +51,7 @@ static void replace(struct drawing *d, int slot, int x, int y)
     for (int c = 0; c < 3; c++)
         b->colour[slot][c] = sure_length(num_length_clamp(colour[c], 0, NUM_LENGTH_ONE));
     b->error[slot] = SURE_2(50);
-    b->unsure &= ~(UINT64_C(1) << slot);
+    b->unsure[slot] = false;
 }
 
 /* False: not all of mean +- error is one pixel. */
@@ -93,7 +93,7 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
 
         dither_thresholds(d->dither, y, threshold);
         for (int k = first; k < first + b->samples; k++)
-            if (b->unsure >> k & 1 && !view_stops(d->view))
+            if (b->unsure[k] && !view_stops(d->view))
                 replace(d, k, x, y);
         if (!pixel_of(b, first, (double)threshold[x & 7] * SURE_2(30), pixel) && !view_stops(d->view))
             *pixel = exact_pixel(b, x, y, threshold[x & 7]);
@@ -126,7 +126,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
 {
     const struct sure_scene *s = tia_sure_scene(view);
     struct drawing d = {.view = view, .kernels = view->level->sure, .dither = options->dither};
-    int side = s->camera.side, rows = STRIP / tile.width < 8 / side ? STRIP / tile.width : 8 / side;
+    int side = s->camera.side, most = SURE_SIDE / side;
+    int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
     tia_rgb565 pixels[STRIP];
 
     if (options->path_hash || options->lit) {

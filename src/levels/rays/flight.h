@@ -42,7 +42,7 @@ LANE_OP vd *flight_column(struct paths *p, int i)
     vd *const column[FLIGHT_COLUMNS] = {
         &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,        &ray->d.z,
         &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,         &p->r.ew,
-        &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.inside};
+        &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.side};
 
     return column[i];
 }

@@ -40,7 +40,8 @@ static void place_rays(const struct sure_instance *i, const struct pack *p, bool
     to->p.d = v3_unit(d, to->ek, &to->p.ed);
     to->p.from = p->from;
     if (!box && i->least < i->most)
-        to->p.from.object = vsel(vlt(vset(0.5), p->from.inside), vset(-1), p->from.object);
+        to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
+    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are others there */
     to->fine = mand(pack_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
 }
 

@@ -119,19 +119,20 @@ static struct brightness brightness_of(const struct sure_scene *s)
 }
 
 /* A ray's colour is at most the sum over its generations of own back^n, there being one for each bounce, and where
- * something refracts or lets pass up to TIA_LAYERS more. Attenuation may make lights brighter: then nothing is known.
+ * something refracts or lets pass up to TIA_LAYERS more; a ray that has bounced has so many fewer. Attenuation may make lights brighter: then nothing is known.
  */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);
-    double sum = 0, part = 1;
+    double sum = 0, part = 1, layers = most.refracts ? TIA_LAYERS : 0;
 
-    s->generations = s->depth + 1 + (most.refracts ? TIA_LAYERS : 0);
-    for (double i = 0; i < s->generations; i++) {
+    s->generations = s->depth + 1 + layers;
+    for (double i = 1; i <= s->generations; i++) {
         sum += part * most.own;
         part *= most.back;
+        if (i > layers)
+            s->brightest[(uint32_t)(s->generations - i)] = 1.0625 * sum + SURE_2(30);
     }
-    s->brightest = 1.0625 * sum + SURE_2(30);
     if (most.refracts && most.back > 1)
         s->generations = 0;
     for (uint32_t i = 0; i < s->light_count; i++)

@@ -17,6 +17,7 @@ struct item {
 };
 
 #define ITEMS 256
+#define MANY 24
 #define BLOCKERS 16
 
 /* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and
@@ -42,7 +43,7 @@ LANE_OP vd *ray_column(struct rays *r, int i)
 {
     vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,         &r->p.d.x,          &r->p.d.y,
                                  &r->p.d.z, &r->weight[0], &r->weight[1],     &r->weight[2],      &r->p.eo,
-                                 &r->p.ed,  &r->ew,        &r->p.from.object, &r->p.from.element, &r->p.from.inside};
+                                 &r->p.ed,  &r->ew,        &r->p.from.object, &r->p.from.element, &r->p.from.side};
 
     return column[i];
 }
@@ -102,7 +103,7 @@ LANE_OP void add_colour(struct work *w, unsigned lanes, const uint32_t slot[LANE
 
 LANE_OP void mark(struct work *w, uint32_t slot)
 {
-    w->block->unsure |= UINT64_C(1) << slot;
+    w->block->unsure[slot] = true;
 }
 
 /* The integers stop after TIA_RAYS rays of a sample, which only paths with layers can reach. */
@@ -125,7 +126,7 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
     vstore(weight, most3(r->weight) * factor);
     vstore(e, r->ew);
     for (int k = 0; lanes >> k; k++) {
-        double most = (weight[k] + e[k]) * s->brightest, half = most / 2;
+        double most = (weight[k] + e[k]) * s->brightest[r->depth[k]], half = most / 2;
         uint32_t slot = r->slot[k];
         if (!(lanes >> k & 1))
             continue;
@@ -176,7 +177,7 @@ static unsigned pop(struct work *w, struct rays *r)
     for (int i = 0; i < COLUMNS; i++)
         *ray_column(r, i) = vgather(row, i);
     for (int k = 0; k < taken; k++) {
-        bool open = !(w->block->unsure >> r->slot[k] & 1);
+        bool open = !w->block->unsure[r->slot[k]];
         check_pop(w->count + taken - 1 - k);
         lanes |= (unsigned)open << k;
         if (open)
@@ -205,7 +206,7 @@ static unsigned pop_hits(struct work *w, struct rays *r, struct query *q)
     for (int i = 0; i < COLUMNS; i++)
         *hit_column(r, q, i) = vgather(row, i);
     for (int k = 0; k < taken; k++)
-        lanes |= (unsigned)!(w->block->unsure >> r->slot[k] & 1) << k;
+        lanes |= (unsigned)!w->block->unsure[r->slot[k]] << k;
     return lanes;
 }
 

@@ -22,9 +22,13 @@ struct slabs {
  * start that far off, others 2^-20. A ray that goes on straight starts b behind the point along itself; it must move
  * away by 2^-2 of its length, or where b is 2^-20 by 2^-6, which leaves 2^-28 and 2^-26. So their ray does not meet the
  * same plane or face, nor, from outside, the same convex solid; from inside it meets that where it leaves. Without
- * this, nothing would be sure once eo is b. */
+ * this, nothing would be sure once eo is b.
+ *
+ * Where a normal is interpolated a mirrored ray may go into its face: the height that it comes from is known far better
+ * than where it starts, see meet_own_face. */
 struct origin {
-    vd object, element, inside; /* inside a solid: 1, else 0 */
+    vd object, element;
+    vd side; /* inside a solid 1, outside 0; less the height, where it surely goes back to the face */
 };
 
 /* Rays: the integers' origin is within eo of o, their direction within ed of d. */
@@ -76,22 +80,27 @@ struct query {
     uint32_t group;
 };
 
-/* Lanes whose rays start on the object that is looked at. */
-LANE_OP vm starts_here(const struct query *q)
+LANE_OP vm starts_on(const struct query *q)
 {
     vd here = vset(q->object);
 
     return mand(vle(q->p->from.object, here), vle(here, q->p->from.object));
 }
 
+/* Lanes whose rays start on the object that is looked at, and move away from it. */
+LANE_OP vm starts_here(const struct query *q)
+{
+    return mand(starts_on(q), vle(vset(0), q->p->from.side));
+}
+
 LANE_OP vm starts_outside(const struct query *q)
 {
-    return mand(starts_here(q), vlt(q->p->from.inside, vset(0.5)));
+    return mand(starts_here(q), vlt(q->p->from.side, vset(0.5)));
 }
 
 LANE_OP vm starts_inside(const struct query *q)
 {
-    return mand(starts_here(q), vlt(vset(0.5), q->p->from.inside));
+    return mand(starts_on(q), vlt(vset(0.5), q->p->from.side));
 }
 
 /* What a shape tells: it is surely met at t, within e, the point there within ep; or it may be met, not before low. */

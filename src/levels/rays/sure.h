@@ -146,7 +146,7 @@ struct sure_scene {
     double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
-    double brightest;         /* no ray has a colour above that */
+    double brightest[TIA_DEPTH_MAX + 1]; /* after so many bounces no ray has a colour above that */
     double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */
     double centre[3], extent; /* of all that has bounds: around centre, the sum of the axes' halves */
     double background[3], bias;
@@ -154,14 +154,15 @@ struct sure_scene {
     struct sure_camera camera;
 };
 
-#define SURE_SLOTS 64 /* samples of a block */
+#define SURE_SIDE 16 /* pixels of a block of one sample each, either way */
+#define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
 
 /* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
 struct sure_block {
     const struct sure_scene *scene;
     int x, y, width, height, samples;
     double colour[SURE_SLOTS][3], error[SURE_SLOTS];
-    uint64_t unsure; /* a bit for each slot */
+    bool unsure[SURE_SLOTS];
 };
 
 struct sure_gather;

@@ -137,14 +137,15 @@ LANE_OP void place_of_slot(const struct sure_block *b, int slot, double *px, dou
     *py = (double)(2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1) / (double)(2 * n * n * c->height);
 }
 
-/* In which order the slots of a block go into packets: of 8 x 2n pixels 4 x 2 neighbours together. */
+/* In which order the slots of a block go into packets: 4 x 2 neighbours together, or 2 x 2. */
 LANE_OP int packed(const struct sure_block *b, int i)
 {
-    int packet = i / 8, lane = i % 8;
+    const int across = LANES < 4 ? 1 : LANES / 2, packets = b->width / across;
+    int packet = i / LANES, lane = i % LANES;
 
-    if (b->samples != 1 || b->width != 8 || b->height % 2 || LANES != 8)
+    if (LANES < 4 || b->samples != 1 || b->width % across || b->height % 2)
         return i;
-    return (packet / 2 * 2 + lane / 4) * 8 + packet % 2 * 4 + lane % 4;
+    return (packet / packets * 2 + lane / across) * b->width + packet % packets * across + lane % across;
 }
 
 static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
@@ -168,6 +169,20 @@ static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
     return lanes;
 }
 
+/* Hits, or rays: of which more wait. */
+static void go_on_with(struct work *w, struct rays *r)
+{
+    unsigned lanes;
+
+    if (w->hit_count > w->count) {
+        shade_hits(w, r);
+        return;
+    }
+    lanes = pop(w, r);
+    if (lanes)
+        follow(w, r, lanes);
+}
+
 static void trace(struct sure_block *b)
 {
     const struct tia_view *view = b->scene->view->view;
@@ -177,27 +192,22 @@ static void trace(struct sure_block *b)
 
     w.block = b;
     w.count = w.hit_count = 0;
-    b->unsure = 0;
     for (int i = 0; i < BLOCKERS; i++)
         w.blocker[i] = TIA_NO_OBJECT;
     for (int i = 0; i < count; i++) {
         int pixel = i / b->samples;
         w.class[i] = (uint8_t)ray_pixel_class(b->x + pixel % b->width, b->y + pixel / b->width);
         b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w.rays[i] = 0;
+        b->unsure[i] = false;
     }
     for (int from = 0; from < count && !view_stops(view); from += LANES) {
         unsigned lanes = first_rays(b, from, &r);
         follow(&w, &r, lanes);
+        while (w.count > MANY)
+            go_on_with(&w, &r);
     }
-    while ((w.count || w.hit_count) && !view_stops(view)) {
-        if (w.hit_count > w.count) {
-            shade_hits(&w, &r);
-            continue;
-        }
-        unsigned lanes = pop(&w, &r);
-        if (lanes)
-            follow(&w, &r, lanes);
-    }
+    while ((w.count || w.hit_count) && !view_stops(view))
+        go_on_with(&w, &r);
 }
 
 #endif

@@ -47,13 +47,40 @@ LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, cons
     return (struct sides){mor(vlt(e, least), vlt(most, -e)), mor(none, mand(vlt(least, -e), vlt(e, most)))};
 }
 
+/* Lanes whose rays go back to the face they started on. */
+LANE_OP vm returns_to(const struct query *q, uint32_t face)
+{
+    vd element = vset((double)face);
+    vm same = mand(vle(element, q->p->from.element), vle(q->p->from.element, element));
+
+    return mand(mand(starts_on(q), same), vlt(q->p->from.side, vset(0)));
+}
+
+/* They do so from a height b that does not depend on where on the face they started, so that t is b/|D.N|, and eo is
+ * no part of what it is off by. What the integers' height is off by: corners were aside by 2^-46 + 2^-59 z, in two
+ * coordinates, z below 2^17, which is 2^-41.4 of the plane; t by some units, eight with the point's roundings, 2^-42;
+ * and b G by one: less than 2^-40. */
+LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)
+{
+    vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)), turn = q->p->ed + SURE_WAY * EPS;
+    vd t = -q->p->from.side / size, e = (SURE_2(40) + round + 2 * UNIT + t * turn) / (size - turn) + more;
+
+    f->t = vsel(back, t, f->t);
+    f->e = vsel(back, e, f->e);
+    *ep = vsel(back, q->p->eo + e + t * q->p->ed + 2 * UNIT, *ep);
+}
+
 LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
 {
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
-    vd l = v3_sum(a) + vset(f->extent);
-    struct flat flat = flat_meet(q->p, v3_set(f->normal), a, l * SURE_2(48), 4 * UNIT + l * SURE_2(50));
+    vd l = v3_sum(a) + vset(f->extent), round = l * SURE_2(48), more = 4 * UNIT + l * SURE_2(50);
+    struct flat flat = flat_meet(q->p, v3_set(f->normal), a, round, more);
+    vd ep = flat.e + UNIT;
+    vm back = returns_to(q, face);
 
-    flat_report(q, &flat, sides.inside, sides.outside, flat.e + UNIT, vset((double)face));
+    if (many(back))
+        return_to_face(q, v3_set(f->normal), round, more, &flat, &ep, back);
+    flat_report(q, &flat, sides.inside, sides.outside, ep, vset((double)face));
 }
 
 LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face)
