@@ -57,12 +57,12 @@ static void replace(struct drawing *d, int slot, int x, int y)
 /* False: not all of mean +- error is one pixel. */
 static bool pixel_of(const struct sure_block *b, int first, double threshold, tia_rgb565 *pixel)
 {
-    double mean[3] = {0, 0, 0}, error = SURE_2(40);
+    double mean[3] = {0, 0, 0}, error = SURE_2(40), part = 1.0 / b->samples;
 
     for (int i = first; i < first + b->samples; i++) {
         for (int c = 0; c < 3; c++)
-            mean[c] += clamped(b->colour[i][c]) / b->samples;
-        error += b->error[i] / b->samples;
+            mean[c] += clamped(b->colour[i][c]) * part;
+        error += b->error[i] * part;
     }
     return pack(mean, error, threshold, pixel);
 }
@@ -81,22 +81,28 @@ static tia_rgb565 exact_pixel(const struct sure_block *b, int x, int y, num_u th
                         num_levels(mean[2], 31, threshold));
 }
 
-static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
+static void draw_pixel(struct drawing *d, int x, int y, int first, num_u threshold, tia_rgb565 *pixel)
 {
     struct sure_block *b = &d->block;
+
+    for (int k = first; k < first + b->samples; k++)
+        if (b->unsure[k] && !view_stops(d->view))
+            replace(d, k, x, y);
+    if (!pixel_of(b, first, (double)threshold * SURE_2(30), pixel) && !view_stops(d->view))
+        *pixel = exact_pixel(b, x, y, threshold);
+}
+
+static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
+{
+    const struct sure_block *b = &d->block;
     num_u threshold[8];
+    int first = 0;
 
-    d->kernels->trace(b);
-    for (int i = 0; i < b->width * b->height; i++) {
-        int x = b->x + i % b->width, y = b->y + i / b->width, first = i * b->samples;
-        tia_rgb565 *pixel = &out[i / b->width * pitch + i % b->width];
-
+    d->kernels->trace(&d->block);
+    for (int y = b->y; y < b->y + b->height; y++, out += pitch) {
         dither_thresholds(d->dither, y, threshold);
-        for (int k = first; k < first + b->samples; k++)
-            if (b->unsure[k] && !view_stops(d->view))
-                replace(d, k, x, y);
-        if (!pixel_of(b, first, (double)threshold[x & 7] * SURE_2(30), pixel) && !view_stops(d->view))
-            *pixel = exact_pixel(b, x, y, threshold[x & 7]);
+        for (int x = 0; x < b->width; x++, first += b->samples)
+            draw_pixel(d, b->x + x, y, first, threshold[(b->x + x) & 7], &out[x]);
     }
 }
 

@@ -26,6 +26,8 @@ struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];
     uint8_t class[SURE_SLOTS];
+    uint16_t order[SURE_SLOTS];  /* in which slots go into packets */
+    double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
     double rays[SURE_SLOTS]; /* how many there are at most so far, once paths may have layers */
     struct item items[ITEMS], hits[2 * LANES];
     int count, hit_count;

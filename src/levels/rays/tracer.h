@@ -105,9 +105,9 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
 
 /* The rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit, the
  * window and the depth by as much. */
-static void camera_rays(const struct sure_camera *c, const double x[LANES], const double y[LANES], struct pack *p)
+static void camera_rays(const struct sure_camera *c, vd x, vd y, struct pack *p)
 {
-    vd h = vset(c->left) + vset(c->across) * vload(x), v = vset(c->top) - vset(c->upward) * vload(y);
+    vd h = vset(c->left) + vset(c->across) * x, v = vset(c->top) - vset(c->upward) * y;
     struct v3 aside = v3_add(v3_scale(v3_set(c->u), h), v3_scale(v3_set(c->v), v));
     double window = __builtin_fabs(c->left) + c->across + __builtin_fabs(c->top) + c->upward;
     vd size = vabs(h) + vabs(v) + vset(window);
@@ -126,46 +126,65 @@ static void camera_rays(const struct sure_camera *c, const double x[LANES], cons
                    (size + __builtin_fabs(c->away)) * SURE_2(49) + 4 * UNIT, &p->ed);
 }
 
-/* Where sample slot % n of pixel slot / n lies, see ray_camera_ray. */
-LANE_OP void place_of_slot(const struct sure_block *b, int slot, double *px, double *py)
+/* 4 x 2 neighbours are in a packet, or 2 x 2: which place in all packets a pixel has. */
+LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
 {
-    const struct sure_camera *c = &b->scene->camera;
-    int n = c->side, pixel = slot / b->samples, sample = slot % b->samples, i = sample % n, j = sample / n;
-    int x = b->x + pixel % b->width, y = b->y + pixel / b->width;
+    const int across = LANES < 4 ? 1 : LANES / 2;
 
-    *px = (double)(2 * n * n * x + 2 * n * i + 2 * j + 1) / (double)(2 * n * n * c->width);
-    *py = (double)(2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1) / (double)(2 * n * n * c->height);
+    if (LANES < 4 || b->width % across || b->height % 2)
+        return y * b->width + x;
+    return (y / 2 * (b->width / across) + x / across) * LANES + y % 2 * across + x % across;
 }
 
-/* In which order the slots of a block go into packets: 4 x 2 neighbours together, or 2 x 2. */
-LANE_OP int packed(const struct sure_block *b, int i)
+/* Where the samples of a pixel lie, see ray_camera_ray. */
+LANE_OP void place_samples(struct work *w, int slot, int x, int y)
 {
-    const int across = LANES < 4 ? 1 : LANES / 2, packets = b->width / across;
-    int packet = i / LANES, lane = i % LANES;
+    const int n = w->block->scene->camera.side;
 
-    if (LANES < 4 || b->samples != 1 || b->width % across || b->height % 2)
-        return i;
-    return (packet / packets * 2 + lane / across) * b->width + packet % packets * across + lane % across;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++, slot++) {
+            w->place[0][slot] = 2 * n * n * x + 2 * n * i + 2 * j + 1;
+            w->place[1][slot] = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+        }
 }
 
-static unsigned first_rays(const struct sure_block *b, int from, struct rays *r)
+/* A block, of which nothing is known. */
+static void work_open(struct work *w, struct sure_block *b)
 {
-    int count = b->width * b->height * b->samples;
-    double x[LANES], y[LANES];
+    w->block = b;
+    w->count = w->hit_count = 0;
+    for (int i = 0; i < BLOCKERS; i++)
+        w->blocker[i] = TIA_NO_OBJECT;
+    for (int i = 0, pixel = 0; pixel < b->width * b->height; pixel++) {
+        int x = pixel % b->width, y = pixel / b->width, place = b->samples == 1 ? place_in_packets(b, x, y) : i;
+        uint8_t class = (uint8_t)ray_pixel_class(b->x + x, b->y + y);
+        place_samples(w, i, b->x + x, b->y + y);
+        for (int end = i + b->samples; i < end; i++) {
+            w->order[place++] = (uint16_t)i;
+            w->class[i] = class;
+            b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w->rays[i] = 0;
+            b->unsure[i] = false;
+        }
+    }
+}
+
+static unsigned first_rays(const struct work *w, int from, int count, struct rays *r)
+{
+    const struct sure_camera *c = &w->block->scene->camera;
+    double x[LANES], y[LANES], parts = 2 * c->side * c->side;
     unsigned lanes = 0;
 
     for (int k = 0; k < LANES; k++) {
-        int slot = packed(b, from + k < count ? from + k : count - 1);
-        r->slot[k] = (uint32_t)slot;
-        r->depth[k] = r->layers[k] = 0;
-        r->media[k].count = 0;
-        place_of_slot(b, slot, &x[k], &y[k]);
+        r->slot[k] = w->order[from + k < count ? from + k : count - 1];
+        r->depth[k] = r->layers[k] = r->media[k].count = 0;
+        x[k] = w->place[0][r->slot[k]];
+        y[k] = w->place[1][r->slot[k]];
         lanes |= (unsigned)(from + k < count) << k;
     }
     r->weight[0] = r->weight[1] = r->weight[2] = vset(1);
     r->ew = vset(0);
-    camera_rays(&b->scene->camera, x, y, &r->p);
-    check_camera(b, r);
+    camera_rays(c, vload(x) / vset(parts * c->width), vload(y) / vset(parts * c->height), &r->p);
+    check_camera(w->block, r);
     return lanes;
 }
 
@@ -187,24 +206,18 @@ static void trace(struct sure_block *b)
 {
     const struct tia_view *view = b->scene->view->view;
     int count = b->width * b->height * b->samples;
+    bool stops = false;
     struct work w;
     struct rays r;
 
-    w.block = b;
-    w.count = w.hit_count = 0;
-    for (int i = 0; i < BLOCKERS; i++)
-        w.blocker[i] = TIA_NO_OBJECT;
-    for (int i = 0; i < count; i++) {
-        int pixel = i / b->samples;
-        w.class[i] = (uint8_t)ray_pixel_class(b->x + pixel % b->width, b->y + pixel / b->width);
-        b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w.rays[i] = 0;
-        b->unsure[i] = false;
-    }
-    for (int from = 0; from < count && !view_stops(view); from += LANES) {
-        unsigned lanes = first_rays(b, from, &r);
+    work_open(&w, b);
+    for (int from = 0; from < count && !stops; from += LANES) {
+        unsigned lanes = first_rays(&w, from, count, &r);
         follow(&w, &r, lanes);
-        while (w.count > MANY)
+        while (w.count > MANY && !stops) {
             go_on_with(&w, &r);
+            stops = view_stops(view);
+        }
     }
     while ((w.count || w.hit_count) && !view_stops(view))
         go_on_with(&w, &r);
