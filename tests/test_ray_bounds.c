@@ -139,7 +139,7 @@ static void check_block(struct sure_block *b)
             continue;
         tia_sure_sample(view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
-            use(COLOUR, fabs(sure_length(colour[c]) - b->colour[i][c]), b->error[i]);
+            use(COLOUR, fabs(sure_length(colour[c]) - b->colour[c][i]), b->error[i]);
     }
 }
 

@@ -214,7 +214,7 @@ TEST(lights_move)
 
 static void run_all(const struct tia_level *tested)
 {
-    const struct sure_kernels counting = {.trace = count};
+    const struct sure_kernels counting = {.trace = count, .set_pixels = tested->sure->set_pixels};
     struct tia_level mine = *tested;
     char title[80];
 

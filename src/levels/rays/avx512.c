@@ -39,6 +39,7 @@ LANE_OP vp vp_of(vd a)
 }
 
 #include "tracer.h"
+#include "pixels.h"
 #include "walk_paths.h"
 
 SURE(avx512);

@@ -14,57 +14,20 @@ struct drawing {
     struct sure_block block;
 };
 
-static double clamped(double c)
+/* Samples that are not sure by the integers: then they are off by no more than their conversion. */
+static void replace_samples(const struct tia_view *view, struct sure_block *b)
 {
-    return c < 0 ? 0 : c > 1 ? 1 : c;
-}
-
-/* A colour's level: floor(c n + threshold), see num_levels. False when mean +- error has several. 2^-40 is for the sums
- * here and the integers' division by the samples. */
-static bool level_of(double mean, double error, int levels, double threshold, unsigned *level)
-{
-    double low = clamped(mean - error) * levels + threshold - SURE_2(40);
-    double high = clamped(mean + error) * levels + threshold + SURE_2(40);
-
-    *level = (unsigned)(low < 0 ? 0 : low);
-    return *level == (unsigned)high;
-}
-
-static bool pack(const double mean[3], double error, double threshold, tia_rgb565 *pixel)
-{
-    unsigned r, g, b;
-    bool sure = error < 1 && level_of(mean[0], error, 31, threshold, &r) &&
-                level_of(mean[1], error, 63, threshold, &g) && level_of(mean[2], error, 31, threshold, &b);
-
-    if (sure)
-        *pixel = (tia_rgb565)(r << 11 | g << 5 | b);
-    return sure;
-}
-
-/* A sample by the integers: then it is off by no more than its conversion. */
-static void replace(struct drawing *d, int slot, int x, int y)
-{
-    struct sure_block *b = &d->block;
     num_length colour[3];
 
-    tia_sure_sample(b->scene->view, x, y, slot % b->samples, colour);
-    for (int c = 0; c < 3; c++)
-        b->colour[slot][c] = sure_length(num_length_clamp(colour[c], 0, NUM_LENGTH_ONE));
-    b->error[slot] = SURE_2(50);
-    b->unsure[slot] = false;
-}
-
-/* False: not all of mean +- error is one pixel. */
-static bool pixel_of(const struct sure_block *b, int first, double threshold, tia_rgb565 *pixel)
-{
-    double mean[3] = {0, 0, 0}, error = SURE_2(40), part = 1.0 / b->samples;
-
-    for (int i = first; i < first + b->samples; i++) {
+    for (int i = 0; i < b->width * b->height * b->samples; i++) {
+        int pixel = i / b->samples;
+        if (!b->unsure[i] || view_stops(view))
+            continue;
+        tia_sure_sample(b->scene->view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
-            mean[c] += clamped(b->colour[i][c]) * part;
-        error += b->error[i] * part;
+            b->colour[c][i] = sure_length(num_length_clamp(colour[c], 0, NUM_LENGTH_ONE));
+        b->error[i] = SURE_2(50);
     }
-    return pack(mean, error, threshold, pixel);
 }
 
 /* A pixel whose samples are all the integers'. */
@@ -81,29 +44,23 @@ static tia_rgb565 exact_pixel(const struct sure_block *b, int x, int y, num_u th
                         num_levels(mean[2], 31, threshold));
 }
 
-static void draw_pixel(struct drawing *d, int x, int y, int first, num_u threshold, tia_rgb565 *pixel)
-{
-    struct sure_block *b = &d->block;
-
-    for (int k = first; k < first + b->samples; k++)
-        if (b->unsure[k] && !view_stops(d->view))
-            replace(d, k, x, y);
-    if (!pixel_of(b, first, (double)threshold * SURE_2(30), pixel) && !view_stops(d->view))
-        *pixel = exact_pixel(b, x, y, threshold);
-}
-
 static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
 {
-    const struct sure_block *b = &d->block;
-    num_u threshold[8];
-    int first = 0;
+    struct sure_block *b = &d->block;
+    num_u threshold[SURE_SIDE][8];
 
-    d->kernels->trace(&d->block);
-    for (int y = b->y; y < b->y + b->height; y++, out += pitch) {
-        dither_thresholds(d->dither, y, threshold);
-        for (int x = 0; x < b->width; x++, first += b->samples)
-            draw_pixel(d, b->x + x, y, first, threshold[(b->x + x) & 7], &out[x]);
+    for (int y = 0; y < b->height; y++) {
+        dither_thresholds(d->dither, b->y + y, threshold[y]);
+        for (int x = 0; x < 16; x++)
+            b->threshold[y][x] = (double)threshold[y][x & 7] * SURE_2(30);
     }
+    d->kernels->trace(b);
+    replace_samples(d->view, b);
+    d->kernels->set_pixels(b);
+    for (int y = 0, i = 0; y < b->height; y++, out += pitch)
+        for (int x = 0; x < b->width; x++, i++)
+            out[x] = !b->open[i] || view_stops(d->view) ? b->pixels[i]
+                                                       : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
 }
 
 static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pixels)

@@ -47,6 +47,7 @@ LANE_OP vp vp_of(vd a)
 }
 
 #include "tracer.h"
+#include "pixels.h"
 #include "walk_paths.h"
 
 SURE(neon);

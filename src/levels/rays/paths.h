@@ -98,7 +98,7 @@ LANE_OP void add_colour(struct work *w, unsigned lanes, const uint32_t slot[LANE
         if (!(lanes >> k & 1))
             continue;
         for (int i = 0; i < 3; i++)
-            w->block->colour[slot[k]][i] += c[i][k];
+            w->block->colour[i][slot[k]] += c[i][k];
         w->block->error[slot[k]] += e[k];
     }
 }
@@ -137,7 +137,7 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
             continue;
         }
         for (int c = 0; c < 3; c++)
-            w->block->colour[slot][c] += half;
+            w->block->colour[c][slot] += half;
         w->block->error[slot] += half + SURE_2(42);
         count_rays(w, slot, 1 + (weight[k] + e[k]) * 65536 * s->generations);
     }

@@ -35,6 +35,7 @@ typedef __m128 vp;
 #define vp_swap(a) _mm_shuffle_ps(a, a, 0xb1)
 
 #include "tracer.h"
+#include "pixels.h"
 #include "walk_paths.h"
 
 SURE(sse41);

@@ -156,19 +156,24 @@ struct sure_scene {
 
 #define SURE_SIDE 16 /* pixels of a block of one sample each, either way */
 #define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
+#define SURE_ENDS (SURE_SLOTS + 8) /* whole packets may reach beyond the last one */
 
 /* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
 struct sure_block {
     const struct sure_scene *scene;
     int x, y, width, height, samples;
-    double colour[SURE_SLOTS][3], error[SURE_SLOTS];
+    double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];
+    double threshold[SURE_SIDE][16]; /* of each row's pixels by x mod 8, twice */
+    tia_rgb565 pixels[SURE_ENDS];    /* those that are open are not */
+    bool open[SURE_ENDS];
 };
 
 struct sure_gather;
 
 struct sure_kernels {
     void (*trace)(struct sure_block *block);
+    void (*set_pixels)(struct sure_block *block);
     void (*occlude)(struct sure_gather *gather);
     void (*walk)(struct sure_gather *gather);
 };

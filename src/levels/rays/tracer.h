@@ -148,6 +148,21 @@ LANE_OP void place_samples(struct work *w, int slot, int x, int y)
         }
 }
 
+/* Where they lie, in which order they go into packets, and the classes of their pixels. */
+static void place_pixels(struct work *w, const struct sure_block *b)
+{
+    for (int y = 0, i = 0; y < b->height; y++)
+        for (int x = 0; x < b->width; x++) {
+            int place = b->samples == 1 ? place_in_packets(b, x, y) : i;
+            uint8_t class = (uint8_t)ray_pixel_class(b->x + x, b->y + y);
+            place_samples(w, i, b->x + x, b->y + y);
+            for (int end = i + b->samples; i < end; i++) {
+                w->order[place++] = (uint16_t)i;
+                w->class[i] = class;
+            }
+        }
+}
+
 /* A block, of which nothing is known. */
 static void work_open(struct work *w, struct sure_block *b)
 {
@@ -155,35 +170,32 @@ static void work_open(struct work *w, struct sure_block *b)
     w->count = w->hit_count = 0;
     for (int i = 0; i < BLOCKERS; i++)
         w->blocker[i] = TIA_NO_OBJECT;
-    for (int i = 0, pixel = 0; pixel < b->width * b->height; pixel++) {
-        int x = pixel % b->width, y = pixel / b->width, place = b->samples == 1 ? place_in_packets(b, x, y) : i;
-        uint8_t class = (uint8_t)ray_pixel_class(b->x + x, b->y + y);
-        place_samples(w, i, b->x + x, b->y + y);
-        for (int end = i + b->samples; i < end; i++) {
-            w->order[place++] = (uint16_t)i;
-            w->class[i] = class;
-            b->colour[i][0] = b->colour[i][1] = b->colour[i][2] = b->error[i] = w->rays[i] = 0;
-            b->unsure[i] = false;
-        }
+    place_pixels(w, b);
+    for (int i = 0; i < SURE_SLOTS; i++) {
+        b->colour[0][i] = b->colour[1][i] = b->colour[2][i] = b->error[i] = w->rays[i] = 0;
+        b->unsure[i] = false;
     }
 }
 
 static unsigned first_rays(const struct work *w, int from, int count, struct rays *r)
 {
     const struct sure_camera *c = &w->block->scene->camera;
-    double x[LANES], y[LANES], parts = 2 * c->side * c->side;
+    const double parts = 2 * c->side * c->side;
     unsigned lanes = 0;
 
     for (int k = 0; k < LANES; k++) {
         r->slot[k] = w->order[from + k < count ? from + k : count - 1];
         r->depth[k] = r->layers[k] = r->media[k].count = 0;
-        x[k] = w->place[0][r->slot[k]];
-        y[k] = w->place[1][r->slot[k]];
         lanes |= (unsigned)(from + k < count) << k;
     }
     r->weight[0] = r->weight[1] = r->weight[2] = vset(1);
     r->ew = vset(0);
-    camera_rays(c, vload(x) / vset(parts * c->width), vload(y) / vset(parts * c->height), &r->p);
+#define PLACE_X(k) w->place[0][r->slot[k]]
+#define PLACE_Y(k) w->place[1][r->slot[k]]
+    camera_rays(c, (vd){EACH_LANE(PLACE_X)} / vset(parts * c->width), (vd){EACH_LANE(PLACE_Y)} / vset(parts * c->height),
+                &r->p);
+#undef PLACE_X
+#undef PLACE_Y
     check_camera(w->block, r);
     return lanes;
 }
