@@ -11,9 +11,9 @@
  *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta,
  *     G = (X + b).y',   |G| >= g = D - r ed - lambda,
  *
- * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 - (g/r)^2).
- * Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they surely meet it, and s^2 <= b^2 (r^2 - g^2 + eta/2)/T^2: the
- * hit moves by
+ * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 -
+ * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they surely meet it, and s^2 <= b^2 (r^2 - g^2 +
+ * eta/2)/T^2: the hit moves by
  *
  *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T,
  *
@@ -29,11 +29,12 @@
  * What doubles round by moves the ray: with l = |x| + |y| + |z| of the origin from the base, each of its coordinates in
  * the axes is off by 5 u l (the difference, the axis, a product, two sums), p x y and p.y by 2 u l f more: together
  * below 16 u l. Those of the direction are off by 4 u, and 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 8 u r^2
- * f^2 and D by u r f, as if r were by 5 u r. The integers' origin, moved along the ray, is half a unit off in each of its
- * coordinates, p again in each of two, the distance from the axis by one: 2.6 units across the ray, in any direction.
- * Along it the place nearest to the axis is off by a unit, the root by one and a half. What is across grows with 1/cos
- * v, what is along does not, so that they come to sqrt(2.6^2 + 2.6 2.5 sin 2 v + 2.5^2 cos^2 v) < 5 units before both
- * grow; t and the point are then rounded by 2 units together. All else is within 2^-55 of the shape's size. */
+ * f^2 and D by u r f, as if r were by 5 u r. The integers' origin, moved along the ray, is half a unit off in each of
+ * its coordinates, p again in each of two, the distance from the axis by one: 2.6 units across the ray, in any
+ * direction. Along it the place nearest to the axis is off by a unit, the root by one and a half. What is across grows
+ * with 1/cos v, what is along does not, so that they come to sqrt(2.6^2 + 2.6 2.5 sin 2 v + 2.5^2 cos^2 v) < 5 units
+ * before both grow; t and the point are then rounded by 2 units together. All else is within 2^-55 of the shape's size.
+ */
 #ifndef TIA_LEVELS_RAYS_CYLINDER_H
 #define TIA_LEVELS_RAYS_CYLINDER_H
 
@@ -61,8 +62,8 @@ LANE_OP vd eta_of(vd radius, vd lambda)
     return (2 * radius + lambda) * lambda * (1 + SURE_2(20));
 }
 
-/* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2 -
- * (p x y)^2/f^2. False: all miss. */
+/* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2
+ * - (p x y)^2/f^2. False: all miss. */
 LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct tube *b)
 {
     const struct pack *p = q->p;
@@ -120,7 +121,8 @@ LANE_OP struct tube_end side_end(const struct tube *b, vd t, vd stretch)
     return end;
 }
 
-/* With caps a ray that is not inside the length yet, or no more, enters or leaves by them, if it is at the other end. */
+/* With caps a ray that is not inside the length yet, or no more, enters or leaves by them, if it is at the other end.
+ */
 LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tube_end *other)
 {
     vd slope = vabs(b->rise) - b->turn, size = vsel(vlt(vset(0), slope), slope, vset(1));
@@ -136,8 +138,8 @@ LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tu
     end->none = mor(end->none, mand(end->hit, vlt(end->t, -end->e)));
 }
 
-/* From inside the first end lies behind. Where it is not known whether the second one is by a cap, it may be by one that
- * is met before. */
+/* From inside the first end lies behind. Where it is not known whether the second one is by a cap, it may be by one
+ * that is met before. */
 LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tube_end ends[2], vm known)
 {
     const struct tube_end *in = &ends[0], *out = &ends[1];

@@ -125,15 +125,15 @@ LANE_OP vd most3(const vd c[3])
 
 /* v/|v|, where the integers' v is within e, and the bound on its distance from theirs:
  *
- *     |v/|v| - w/|w|| <= 2 |v - w|/(|v| + |w|),
+ *     |v/|v| - w/|w|| <= 2 |v - w|/(|v| + |w|) <= x/(1 - x/2) <= x (1 + 17/32 x),   x = e/|v| < 1/16,
  *
- * so 1.0625 e/|v| for e < |v|/16, and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58.
- * Otherwise 4: two unit vectors are never farther apart, and nothing is ever sure. */
+ * and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58. Otherwise 4: two unit vectors are
+ * never farther apart, and nothing is ever sure. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
 
-    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * 1.0625 + vset(SURE_NORMAL * EPS), vset(4));
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + 0.53125 * relative) + vset(SURE_NORMAL * EPS), vset(4));
     return v3_scale(v, inverse);
 }
 
