@@ -41,6 +41,20 @@
 #include "render/geometry/round.h"
 #include "report.h"
 
+/* Whether any line passes the axis so close that it may meet the side, by what most packets tell that do not: (D x A).O
+ * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21 of
+ * pad at least. */
+LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
+{
+    const struct pack *p = q->p;
+    struct v3 across = v3_cross(p->d, v3_set(k->axis));
+    vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))), widest = vset(k->base_radius) + p->pad;
+    vd sure = vmax(aside - p->pad * SURE_2(24), vset(0));
+    vm passes = mor(starts_outside(q), vlt(widest * widest * v3_dot(across, across), sure * sure));
+
+    return many(mand(q->active, mnot(passes)));
+}
+
 /* Where in the shape's box the ray may be inside the side, `from` before `to`; nothing of it is hit elsewhere. */
 struct tube {
     const struct sure_round *k;

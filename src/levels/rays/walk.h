@@ -79,10 +79,10 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_disc(q, o);
         break;
     case SURE_ROUND:
-        if (o->round->sine == 0)
-            meet_cylinder(q, o->round);
-        else
+        if (o->round->sine != 0)
             meet_round(q, o->round);
+        else if (comes_near(q, o->round))
+            meet_cylinder(q, o->round);
         break;
     case SURE_BOX:
         meet_box(q, o->at, o->normal);
