@@ -26,14 +26,14 @@
  *
  * A plane across the axis is met lambda/(|d| - ed) away, along the ray as in space, by the same triangle.
  *
- * What doubles round by moves the ray: with l = |x| + |y| + |z| of the origin from the base, each of its coordinates in
- * the axes is off by 5 u l (the difference, the axis, a product, two sums), p x y and p.y by 2 u l f more: together
- * below 16 u l. Those of the direction are off by 4 u, and 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 8 u r^2
- * f^2 and D by u r f, as if r were by 5 u r. The integers' origin, moved along the ray, is half a unit off in each of
- * its coordinates, p again in each of two, the distance from the axis by one: 2.6 units across the ray, in any
- * direction. Along it the place nearest to the axis is off by a unit, the root by one and a half. What is across grows
- * with 1/cos v, what is along does not, so that they come to sqrt(2.6^2 + 2.6 2.5 sin 2 v + 2.5^2 cos^2 v) < 5 units
- * before both grow; t and the point are then rounded by 2 units together. All else is within 2^-55 of the shape's size.
+ * What either side rounds by is taken for a move of the ray, by which it counts no less. Doubles: with l = |x| + |y| +
+ * |z| of the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a
+ * product, two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and
+ * 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The integers'
+ * origin, moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from
+ * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
+ * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
+ * else is within 2^-55 of the reach, of which 8 u are added.
  */
 #ifndef TIA_LEVELS_RAYS_CYLINDER_H
 #define TIA_LEVELS_RAYS_CYLINDER_H
@@ -42,8 +42,8 @@
 #include "report.h"
 
 /* Whether any line passes the axis so close that it may meet the side, by what most packets tell that do not: (D x A).O
- * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21 of
- * pad at least. */
+ * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21
+ * of pad at least. */
 LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 {
     const struct pack *p = q->p;
@@ -63,6 +63,7 @@ struct tube {
     vd off, turn; /* lambda(t) is off + |t| turn */
     vd over;      /* 1/f^2 */
     vd from, to;
+    vm slanted; /* not along the axis, so that f^2 is a divisor */
     vm miss;
 };
 
@@ -92,7 +93,7 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->square = y0 * y0 + y1 * y1;
     b->towards = -(p0 * y0 + p1 * y1);
     b->level = r * r * b->square - aside * aside;
-    b->off = p->eo + l1 * (SURE_TUBE * EPS) + reach * (8 * EPS) + SURE_TUBE_UNITS * UNIT;
+    b->off = p->eo + l1 * (SURE_TUBE * EPS) + reach * (8 * EPS) + 5.25 * UNIT;
     b->turn = p->ed + SURE_TUBE * EPS;
     vd start = b->towards - b->height * b->rise, estart = b->off + l1 * b->turn;
     vd lambda = lambda_at(b, vabs(start) + reach + estart), most = b->level + eta_of(r, lambda) * b->square;
@@ -102,11 +103,11 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     if (!many(mand(q->active, mnot(b->miss))))
         return false;
-    vm flat = vlt(vset(SURE_2(50)), b->square);
-    b->over = 1 / vsel(flat, b->square, vset(1));
+    b->slanted = vlt(vset(SURE_2(60)), b->square);
+    b->over = 1 / vsel(b->slanted, b->square, vset(1));
     vd half = vsqrt(vmax(most, vset(0))) * (1 + SURE_2(20)), margin = lambda + 3 * UNIT;
-    b->from = vsel(flat, vmax(b->from, (b->towards - half) * b->over - 2 * UNIT), b->from);
-    b->to = vsel(flat, vmin(b->to, (b->towards + half) * b->over + 2 * UNIT), b->to);
+    b->from = vsel(b->slanted, vmax(b->from, (b->towards - half) * b->over - 2 * UNIT), b->from);
+    b->to = vsel(b->slanted, vmin(b->to, (b->towards + half) * b->over + 2 * UNIT), b->to);
     vd z0 = b->height + b->from * b->rise, z1 = b->height + b->to * b->rise;
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     b->miss = mor(b->miss, mor(vlt(vmax(z0, z1), -margin), vlt(vset(k->length) + margin, vmin(z0, z1))));
@@ -183,7 +184,7 @@ static __attribute__((noinline)) void meet_cylinder(struct query *q, const struc
     vd t0 = (b.towards - d) * b.over, t1 = (b.towards + d) * b.over;
     vd lambda = lambda_at(&b, vmax(vabs(t0), vabs(t1))), g = d - r * b.turn - lambda;
     vd rest = g * g * (1 - SURE_2(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
-    vm known = mand(vlt(vset(0), g), vlt(vset(0), rest));
+    vm known = mand(b.slanted, mand(vlt(vset(0), g), vlt(vset(0), rest)));
     vd stretch = (r + lambda) * (1 + SURE_2(20)) / vsqrt(vsel(known, rest, vset(1)));
     struct tube_end ends[2] = {side_end(&b, t0, stretch), side_end(&b, t1, stretch)};
 
