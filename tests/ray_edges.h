@@ -44,6 +44,8 @@ static const struct world {
      "box min -0.4 -0.3 -0.5 max 0.5 0.4 0.2 material squares\nbox min -1 -0.2 0.1 max -0.7 0.8 0.2 material mirror\n"},
     {"cylinders", "cylinder base -0.4 -0.1 0 top 0.5 0.5 0.2 radius 0.3 capped material squares\n"
                   "cylinder base 0 -0.9 0.2 top 0.1 0.7 0.1 radius 0.6 material mirror\n"},
+    {"upright cylinders", "cylinder base 0.3 -0.5 0 top 0.3 0.6 0 radius 0.7 capped material squares\n"
+                          "cylinder base 0 0 -1.3 top 0 0 1.3 radius 0.9 material mirror\n"},
     {"cones", "cone base -0.4 -0.1 0 top 0.5 0.5 0.2 radii 0.5 0.2 capped material squares\n"
               "cone base 0.6 -0.7 0 top 0.6 0.2 0.1 radii 0.1 0.7 capped material thin\n"
               "cone base -0.2 -0.9 0.2 top 0 0.7 0.1 radii 0.8 0 material mirror\n"},
@@ -180,6 +182,13 @@ static struct ray edge_ray(struct real3 origin, long double gap)
         int i = (int)(random_bits() % 3);
         a.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
         b.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
+    }
+    if (random_bits() % 16 == 0) { /* nearly along an axis */
+        int along = (int)(random_bits() % 3);
+        for (int i = 0; i < 3; i++) {
+            a.v[i] = i == along ? 0 : origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 64));
+            b.v[i] = i == along ? 0 : origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 64));
+        }
     }
     for (int i = 0; i < 3; i++) {
         a.v[i] -= origin.v[i];

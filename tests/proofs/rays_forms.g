@@ -14,15 +14,19 @@ way = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4) - 1;
 slab = (1 + e0) * (1 + e1) * (1 + e2) - 1;
 # v/|v|: three squares' roundings under the root, the root, 1/x, the product
 unit = (1 + e3) * (1 + e4) / ((1 + root) * (1 + e5)) - 1;
-# how far unit vectors are apart; a distance back in the world; a root that moves: see vector.h, instance.h, round.h
-turned = 1 / (1 - 0.5 * relative);
+# a ray in a cylinder's axes: of three coordinates each the difference, the axis, a product and two sums, then two
+# products and their sum across; of the direction's the axis, a product and two sums, then f^2, 1/f^2 and t
+tube = 1.7321 * ((1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4) - 1) + 1.4143 * ((1 + e5) * (1 + e6) - 1);
+tubed = 1.7321 * ((1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) - 1)
+        + ((1 + e4) * (1 + e5) * (1 + e6) * (1 + e7) * (1 + e8) - 1);
+# how far unit vectors are apart; a distance back in the world: see vector.h, instance.h
+turned = sqrt(2 / (1 + sqrt(1 - relative * relative)));
 scaled = 1 / (1 - ratio);
-moved = 1 / (1 + sqrt(1 - part));
 
 { e0 in [-1b-53,1b-53] /\ e1 in [-1b-53,1b-53] /\ e2 in [-1b-53,1b-53] /\ e3 in [-1b-53,1b-53]
   /\ e4 in [-1b-53,1b-53] /\ e5 in [-1b-53,1b-53] /\ e6 in [-1b-53,1b-53] /\ e7 in [-1b-53,1b-53]
   /\ e8 in [-1b-53,1b-53]
-  /\ relative in [0,0.0625] /\ ratio in [0,0.0625] /\ part in [0,0.25] /\ root in [-1.69e-16,1.69e-16]
+  /\ relative in [0,0.0625] /\ ratio in [0,0.0625] /\ root in [-1.69e-16,1.69e-16]
   -> tca in [-SURE_ALONGb-53,SURE_ALONGb-53]
   /\ aside + along in [-SURE_ASIDEb-53,SURE_ASIDEb-53]
   /\ area in [-SURE_FACEb-53,SURE_FACEb-53]
@@ -30,4 +34,5 @@ moved = 1 / (1 + sqrt(1 - part));
   /\ slab in [-SURE_SLABb-53,SURE_SLABb-53]
   /\ unit in [-SURE_NORMALb-53,SURE_NORMALb-53]
   /\ sqrt(1 + slab) - 1 in [-1.69e-16,1.69e-16]
-  /\ turned in [0,1.0625] /\ scaled in [0,1.07] /\ 0.5 * moved in [0,0.27] }
+  /\ tube in [-SURE_TUBEb-53,SURE_TUBEb-53] /\ tubed in [-SURE_TUBEb-53,SURE_TUBEb-53]
+  /\ turned in [0,1.0009765625] /\ scaled in [0,1.07] }

@@ -134,7 +134,6 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
     }
 }
 
-/* Two mirrors whose normals differ by dn differ by 2 dn in norm. */
 static void push_reflected(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r,
                            const vd reflects[3], vd ereflects)
 {
@@ -150,8 +149,7 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     next.ew = r->ew + ereflects * most3(r->weight) + SURE_2(42);
     next.p.o = h->outside;
     next.p.eo = h->eoutside;
-    next.p.d =
-        v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->en + h->ev + SURE_2(48), &next.p.ed);
+    next.p.d = mirrored_at(h, &next.p.ed);
     next.p.from = leaving_or_not(h, next.p.d, next.p.ed, 1, s->bias);
     push(w, lanes, &next, false, false);
 }

@@ -11,5 +11,6 @@
 #define SURE_WAY 16    /* (P - O).N and D.N: |P - O|, and 1 */
 #define SURE_SLAB 4    /* a plane across an axis: t */
 #define SURE_NORMAL 8  /* v/|v|: 1 */
+#define SURE_TUBE 16   /* a ray in a cylinder's axes: |L|, and 1 */
 
 #endif

@@ -34,7 +34,7 @@ struct origin {
 /* Rays: the integers' origin is within eo of o, their direction within ed of d. */
 struct pack {
     struct v3 o, d;
-    vd eo, ed;
+    vd eo, ed, pad; /* pad: how far they are apart anywhere in the scene, see slabs.h */
     struct origin from;
     struct v3 inv; /* 1/d */
     struct slabs slabs;

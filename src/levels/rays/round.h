@@ -1,10 +1,4 @@
-/* round.h - cylinders and cones: geometry/round.c in numbers with bounds.
- *
- * Of a cylinder those bounds have only the roundings of either side in them, for the ray as it is here; how far the
- * integers' ray is from it comes in at the roots. The root x from the start of |O + t D|^2 = r^2 across the axis, O and
- * D being off by lambda in all: the left side is off by eta = 2 r lambda + lambda^2, its slope, 2 pace thc, by 2
- * (lambda + r ed). So with g = pace thc - lambda - r ed and 4 eta <= g^2 the root moves by 1.08 eta/(2 g) at most. The
- * planes of the ends move by lambda/(|rise| - 2 ed). */
+/* round.h - cones: geometry/round.c in numbers with bounds. */
 #ifndef TIA_LEVELS_RAYS_ROUND_H
 #define TIA_LEVELS_RAYS_ROUND_H
 
@@ -18,10 +12,9 @@
  */
 struct beam {
     const struct sure_round *k;
-    bool cylinder;
     vm fine, miss;
     struct v3 near; /* the moved origin, relative to the anchor */
-    vd start, estart, enear, l1, flat, lambda;
+    vd start, estart, enear, l1, flat;
     struct ve d0, d1, height, rise, pace, nearest, passing;
 };
 
@@ -33,14 +26,13 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     vd reach = vset(k->reach);
 
     b->k = k;
-    b->cylinder = k->sine == 0;
     b->fine = mof((1u << LANES) - 1);
     b->l1 = v3_sum(o);
     b->start = -v3_dot(o, p->d);
     b->estart = p->eo + b->l1 * (p->ed + 8 * EPS) + UNIT;
     b->near = v3_along(o, p->d, b->start);
     b->enear = p->eo + b->l1 * (2 * p->ed + 16 * EPS) + 2 * UNIT;
-    b->lambda = p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * SURE_2(49);
+    vd lambda = p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * SURE_2(49);
     vd square = v3_dot(b->near, b->near), out = reach + b->enear;
     b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - SURE_2(40))));
     b->miss = mor(b->miss, vlt(b->start + reach + b->estart, vset(0)));
@@ -52,7 +44,7 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
     vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * SURE_2(48);
-    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + SURE_2(38)) + b->lambda;
+    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + SURE_2(38)) + lambda;
     vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + SURE_2(40));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
     return many(mand(q->active, mnot(b->miss)));
@@ -62,14 +54,7 @@ LANE_OP void beam_of(const struct pack *p, struct beam *b)
 {
     const struct sure_round *k = b->k;
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]), axis = v3_set(k->axis);
-    vd enear = b->enear, edir = p->ed + vset(SURE_2(44));
-
-    if (b->cylinder) {
-        b->estart = b->l1 * (10 * EPS) + UNIT;
-        enear = b->l1 * (20 * EPS) + 2 * UNIT;
-        edir = vset(2 * EPS + SURE_2(44));
-    }
-    vd epos = enear + v3_sum(b->near) * (8 * EPS) + UNIT;
+    vd edir = p->ed + vset(SURE_2(44)), epos = b->enear + v3_sum(b->near) * (8 * EPS) + UNIT;
     b->d0 = ve_of(v3_dot(p->d, a0), edir);
     b->d1 = ve_of(v3_dot(p->d, a1), edir);
     b->flat = vsqrt(b->d0.v * b->d0.v + b->d1.v * b->d1.v);
@@ -101,19 +86,14 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
     const struct sure_round *k = b->k;
     struct ve c = ve_set(k->cosine), s = ve_set(k->sine);
     struct ve radius = ve_set(k->anchored > 0 ? k->top_radius : k->base_radius);
-    struct quadratic u = {.n0 = ve_of(vset(1), vset(SURE_2(44))), .n1 = ve_of(vset(0), vset(SURE_2(44)))};
+    struct ve fx = ve_mul(b->pace, c), fy = ve_mul(b->rise, s);
+    vd f = vsqrt(fx.v * fx.v + fy.v * fy.v), ef = fx.e + fy.e;
+    vm good = vlt(32 * ef, f);
+    vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + SURE_2(48);
+    struct quadratic u = {.n0 = ve_of(fx.v * inverse, en), .n1 = ve_of(fy.v * inverse, en)};
 
-    u.length = b->pace;
-    if (!b->cylinder) {
-        struct ve fx = ve_mul(b->pace, c), fy = ve_mul(b->rise, s);
-        vd f = vsqrt(fx.v * fx.v + fy.v * fy.v), ef = fx.e + fy.e;
-        vm good = vlt(32 * ef, f);
-        b->fine = mand(b->fine, good);
-        vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + SURE_2(48);
-        u.n0 = ve_of(fx.v * inverse, en);
-        u.n1 = ve_of(fy.v * inverse, en);
-        u.length = ve_of(f, ef + SURE_2(44));
-    }
+    b->fine = mand(b->fine, good);
+    u.length = ve_of(f, ef + SURE_2(44));
     u.g = ve_add(ve_mul(radius, c), ve_mul(b->height, s));
     u.m = ve_mul(b->nearest, c);
     u.w = ve_mul(b->passing, c);
@@ -127,44 +107,24 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
 /* D of the roots, and whether there are any. */
 LANE_OP struct ve discriminant(struct beam *b, const struct quadratic *u, struct ve e)
 {
-    const vd radius = vset(b->k->base_radius);
     struct ve root = ve_sqrt(ve_of(vabs(u->ab.v), u->ab.e), &b->fine), wr = ve_mul(u->w, root);
     struct ve e2 = ve_mul(e, e), w2 = ve_mul(wr, wr);
-    struct ve rest = ve_sel(u->steeper, ve_add(e2, w2), ve_sub(e2, w2)), plain = rest;
+    struct ve rest = ve_sel(u->steeper, ve_add(e2, w2), ve_sub(e2, w2));
 
-    if (b->cylinder) /* the line's distance from the axis, where it is within reach, is off by lambda */
-        rest.e = 2 * rest.e + (2 * radius + b->lambda) * b->lambda;
     vm none = mand(u->flatter, mor(vlt(rest.v, -rest.e), vlt(e.v, -e.e)));
     b->miss = mor(b->miss, mand(none, b->fine));
     b->fine = mand(b->fine, mor(u->steeper, vlt(e.e, e.v)));
-    if (b->cylinder) {
-        b->fine = mand(b->fine, vlt(rest.e, rest.v));
-        plain.e = e2.e + w2.e;
-    }
-    return ve_sqrt(plain, &b->fine);
+    return ve_sqrt(rest, &b->fine);
 }
 
-LANE_OP struct ve root_moved(struct beam *b, const struct pack *p, struct ve x, vd slope)
-{
-    vd r = vset(b->k->base_radius), lambda = p->eo + vabs(b->start + x.v) * p->ed + b->l1 * SURE_2(49);
-    vd eta = (2 * r + lambda) * lambda, g = slope * (1 - SURE_2(20)) - lambda - r * p->ed - 2 * UNIT;
-    vm good = mand(vlt(vset(0), g), vle(4 * eta, g * g));
-
-    b->fine = mand(b->fine, good);
-    return ve_of(x.v, 2 * x.e + 0.54 * eta / vsel(good, g, vset(1)));
-}
-
-LANE_OP struct reach side_reach(struct beam *b, const struct pack *p)
+LANE_OP struct reach side_reach(struct beam *b)
 {
     struct quadratic u = quadratic_of(b);
     struct ve h = ve_add(ve_mul(u.m, u.n0), ve_mul(u.g, u.n1)), e = ve_add(ve_mul(u.g, u.n0), ve_mul(u.m, u.n1));
     struct ve d = discriminant(b, &u, e), most = ve_of(vset(MOST), vset(0)), least = ve_of(vset(-MOST), vset(0));
     vm down = vlt(h.v, -h.e), up = vlt(h.e, h.v);
 
-    if (!b->cylinder) /* its roots are the same either way */
-        b->fine = mand(b->fine, mor(down, up));
-    else
-        down = vlt(h.v, vset(0));
+    b->fine = mand(b->fine, mor(down, up));
     struct ve k = ve_sel(down, ve_sub(h, d), ve_add(h, d));
     struct ve c = ve_sub(ve_add(ve_mul(u.m, u.m), ve_mul(u.w, u.w)), ve_mul(u.g, u.g));
     struct ve one = ve_div(k, u.ab, &b->fine), other = ve_div(c, k, &b->fine);
@@ -173,27 +133,13 @@ LANE_OP struct reach side_reach(struct beam *b, const struct pack *p)
     low.e = high.e = vmax(one.e, other.e);
     low = ve_div(low, u.length, &b->fine);
     high = ve_div(high, u.length, &b->fine);
-    if (b->cylinder) {
-        low = root_moved(b, p, low, b->flat * d.v);
-        high = root_moved(b, p, high, b->flat * d.v);
-    }
     vm grows = vlt(u.n1.e, u.n1.v);
     b->fine = mand(b->fine, mor(u.flatter, mor(grows, vlt(u.n1.v, -u.n1.e))));
     return (struct reach){ve_sel(u.steeper, ve_sel(grows, high, least), low),
                           ve_sel(u.steeper, ve_sel(grows, most, low), high)};
 }
 
-LANE_OP struct ve plane_moved(struct beam *b, const struct pack *p, struct ve x)
-{
-    vd lambda = p->eo + vabs(b->start + x.v) * p->ed + b->l1 * SURE_2(49);
-    vd size = vabs(b->rise.v) - 2 * p->ed - SURE_2(40);
-    vm good = vlt(vset(0), size);
-
-    b->fine = mand(b->fine, good);
-    return ve_of(x.v, 2 * x.e + lambda / vsel(good, size, vset(1)));
-}
-
-LANE_OP struct reach height_reach(struct beam *b, const struct pack *p, vm rises)
+LANE_OP struct reach height_reach(struct beam *b, vm rises)
 {
     const struct sure_round *k = b->k;
     struct ve most = ve_of(vset(MOST), vset(0)), anchored = ve_set(k->anchored);
@@ -201,17 +147,14 @@ LANE_OP struct reach height_reach(struct beam *b, const struct pack *p, vm rises
     struct ve top = k->top_radius > 0 ? ve_sub(ve_sub(ve_set(k->length), anchored), b->height) : most;
     struct ve to_base = ve_div(base, b->rise, &b->fine), to_top = ve_div(top, b->rise, &b->fine);
 
-    if (b->cylinder) {
-        to_base = plane_moved(b, p, to_base);
-        to_top = plane_moved(b, p, to_top);
-    }
     return (struct reach){ve_sel(rises, to_base, to_top), ve_sel(rises, to_top, to_base)};
 }
 
 /* Which end of what is inside both counts: an end is taken when it is ahead, and without caps when it is the side's.
  *
- * From inside a cylinder the first end lies behind. Not so of a cone: close to a sharp edge b may lead out of it again,
- * and from there a ray may enter it although it moves away from the surface that it started on. */
+ * From inside a cylinder the first end lies behind, see cylinder.h. Not so here: close to a cone's sharp edge b may
+ * lead out of it again, and from there a ray may enter it although it moves away from the surface that it started on.
+ */
 LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *side, const struct reach *height,
                          vm rises)
 {
@@ -221,8 +164,7 @@ LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *si
         mand(b->fine, mand(mor(enters, ve_less(side->in, height->in)), mor(leaves, ve_less(height->out, side->out))));
     struct ve t1 = ve_add(begin, ve_sel(enters, side->in, height->in));
     struct ve t2 = ve_add(begin, ve_sel(leaves, side->out, height->out));
-    vm own = b->cylinder ? starts_inside(q) : mnone(), behind1 = mor(own, ve_less(t1, zero)), take2 = ve_less(zero, t2);
-    vm take1 = mand(ve_less(zero, t1), mnot(own));
+    vm take1 = ve_less(zero, t1), behind1 = ve_less(t1, zero), take2 = ve_less(zero, t2);
     b->fine = mand(b->fine, mand(mor(take1, behind1), mor(take2, ve_less(t2, zero))));
     if (!b->k->capped) {
         take1 = mand(take1, enters);
@@ -251,7 +193,7 @@ static __attribute__((noinline)) void meet_round(struct query *q, const struct s
         return;
     beam_of(q->p, &b);
     vm rises = vlt(vset(0), b.rise.v);
-    struct reach side = side_reach(&b, q->p), height = height_reach(&b, q->p, rises);
+    struct reach side = side_reach(&b), height = height_reach(&b, rises);
     vm apart = mor(ve_less(side.out, side.in), mor(ve_less(height.out, side.in), ve_less(side.out, height.in)));
     vm meets = mand(vlt(side.in.v + side.in.e, side.out.v - side.out.e),
                     mand(ve_less(side.in, height.out), ve_less(height.in, side.out)));

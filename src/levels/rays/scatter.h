@@ -79,8 +79,7 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
 /* Two mirrors whose normals differ by dn differ by 2 dn. */
 LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
 {
-    l->mirrored =
-        v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->en + h->ev + SURE_2(48), &l->emirrored);
+    l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
 /* What is reflected, the cosine included, and the density of going there. */

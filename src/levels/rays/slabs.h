@@ -30,6 +30,7 @@ LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm 
     struct slabs *s = &p->slabs;
     unsigned all = mbits(active);
 
+    p->pad = pad;
     s->uniform = true;
     for (int i = 0; i < 3; i++) {
         unsigned back = mbits(vlt(d[i], zero)) & all;

@@ -8,6 +8,7 @@
 struct shade {
     struct v3 point, local, outside, geometric, normal, viewer;
     vd ep, elocal, eoutside, eg, en, ev, facing, efacing;
+    vd across; /* how long the part of the ray is that may lie in the plane where the normal is off */
     vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
     vm glossy, refracts, fresnel, back;
     vm unsure;
@@ -187,26 +188,35 @@ static void round_normals(struct shade *h, unsigned lanes)
 #define ROUND_AT(field) (int)(offsetof(struct sure_round, field) / sizeof(double))
 
 /* The side of a cylinder or cone: the direction from the axis, turned by the slope. Its parts are at right angles and
- * of lengths cosine and sine, so the sum is of length 1 within the roundings. */
+ * of lengths cosine and sine, so the sum is of length 1 within the roundings.
+ *
+ * Of a ray that has the part f across the axis, a cylinder's point moves across by f ep at most, see cylinder.h: where
+ * theirs has f', it is f' <= f + ed. That bound on the point has 4 u t to spare there; what doubles round the point and
+ * its way from the base by otherwise is 2 u of the one and 4 u of the other. The normal is off
+ * across the axis, but for 2^-48. */
 static void side_normals(struct shade *h, unsigned lanes)
 {
     static const struct sure_round none;
     const double *at[LANES];
-    unsigned side = 0;
+    unsigned side = 0, straight = 0;
     vd e;
 
     for (int k = 0; k < LANES; k++) {
         bool is = lanes >> k & 1 && h->object[k]->kind == SURE_ROUND && h->element[k] == ROUND_SIDE;
+        const struct sure_round *round = is ? h->object[k]->round : &none;
         side |= (unsigned)is << k;
-        at[k] = (const double *)(const void *)(is ? h->object[k]->round : &none);
+        straight |= (unsigned)(is && round->sine == 0 && !h->object[k]->placed) << k;
+        at[k] = (const double *)(const void *)round;
     }
     if (!side)
         return;
     struct v3 axis = v3_gather(at, 0), a0 = v3_gather(at, ROUND_AT(across)), a1 = v3_gather(at, ROUND_AT(across) + 3);
     struct v3 v = v3_sub(h->local, v3_gather(at, ROUND_AT(base)));
     vd cosine = vgather(at, ROUND_AT(cosine)), sine = vgather(at, ROUND_AT(sine));
+    vd y0 = v3_dot(h->viewer, a0), y1 = v3_dot(h->viewer, a1);
+    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + SURE_2(50), vset(1)), vset(1));
     struct v3 out = {v3_dot(v, a0), v3_dot(v, a1), vset(0)};
-    out = v3_unit(out, h->elocal + v3_sum(v) * SURE_2(50) + 2 * UNIT, &e);
+    out = v3_unit(out, h->across * h->elocal + (v3_sum(h->local) + 2 * v3_sum(v)) * SURE_2(51) + 2 * UNIT, &e);
     struct v3 n = v3_sub(v3_add(v3_scale(a0, out.x * cosine), v3_scale(a1, out.y * cosine)), v3_scale(axis, sine));
     h->geometric = v3_sel(mof(side), n, h->geometric);
     h->eg = vsel(mof(side), e + SURE_2(48), h->eg);
@@ -304,6 +314,7 @@ static void find_normals(struct shade *h, unsigned lanes)
     if (back)
         h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
     h->eg = vset(SURE_2(51));
+    h->across = vset(1);
     h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
     side_normals(h, lanes);
@@ -324,6 +335,14 @@ LANE_OP void turn(struct shade *h)
     h->normal = v3_sel(h->back, v3_neg(h->normal), h->normal);
     h->facing = v3_dot(h->normal, h->viewer);
     h->efacing = h->en + h->ev + SURE_2(49);
+}
+
+/* Mirrored rays: (R' - R) D for two mirrors, whose normals differ by dn and thus by no less than the sine of the angle
+ * between them, turns what of D lies in the plane of the normals by twice that angle: it is 2 dn |that part| long. */
+LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
+{
+    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->across * h->en + h->ev + SURE_2(46),
+                   ed);
 }
 
 /* P + b G, or P - b G: where rays start. */

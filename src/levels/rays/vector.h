@@ -123,17 +123,18 @@ LANE_OP vd most3(const vd c[3])
     return vmax(vmax(c[0], c[1]), c[2]);
 }
 
-/* v/|v|, where the integers' v is within e, and the bound on its distance from theirs:
+/* v/|v|, where the integers' v is within e, and the bound on its distance from theirs: the angle between them is at
+ * most that whose sine is x = e/|v|, and the chord of it is
  *
- *     |v/|v| - w/|w|| <= 2 |v - w|/(|v| + |w|),
+ *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16,
  *
- * so 1.0625 e/|v| for e < |v|/16, and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58.
- * Otherwise 4: two unit vectors are never farther apart, and nothing is ever sure. */
+ * and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58. Otherwise 4: two unit vectors are
+ * never farther apart, and nothing is ever sure. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
 
-    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * 1.0625 + vset(SURE_NORMAL * EPS), vset(4));
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + SURE_2(10)) + vset(SURE_NORMAL * EPS), vset(4));
     return v3_scale(v, inverse);
 }
 

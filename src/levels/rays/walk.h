@@ -5,6 +5,7 @@
 
 #include "box.h"
 #include "check.h"
+#include "cylinder.h"
 #include "descend.h"
 #include "flat.h"
 #include "grid.h"
@@ -78,7 +79,10 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_disc(q, o);
         break;
     case SURE_ROUND:
-        meet_round(q, o->round);
+        if (o->round->sine != 0)
+            meet_round(q, o->round);
+        else if (comes_near(q, o->round))
+            meet_cylinder(q, o->round);
         break;
     case SURE_BOX:
         meet_box(q, o->at, o->normal);
