@@ -40,6 +40,8 @@ struct pack {
 struct line {
     struct v3 moment;
     vd e, each;
+    vp way[3], about[3], off, by;
+    const double *centre;
 };
 
 /* Nearest: t, e are those of the best hit; `low` is the least t - e of every other hit, and of what may be hit. The

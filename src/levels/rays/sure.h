@@ -32,16 +32,31 @@ struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
     double extent;        /* of the edges: the most of |x| + |y| + |z| */
     double bend;          /* how far the smooth normals are apart */
-    double edge[3][2][3]; /* A x B and B - A, from a centre: of the tree, or of a single one its first corner */
     bool any, smoothed;
 };
 
+/* Of each edge from A to B, A and B being seen from a centre: A x B and B - A. */
+struct sure_edges {
+    double edge[3][2][3];
+};
+
+/* The edges of two faces side by side, in floats, of the mesh's centre. Of a leaf of an odd number, the last one is
+ * alone. See pairs.h. */
+struct sure_pair {
+    float edge[3][2][3][2];
+    float size[2];    /* 0 or more: what the edges' roundings are measured by; SURE_NONE: this one is never met */
+    uint32_t face[2];
+};
+
+#define SURE_NONE -1e30f
 #define SURE_LEAF 16 /* faces that are tried at once, and of which a mesh has no hierarchy */
+#define SURE_FEW 6
 
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
     const struct sure_face *faces; /* of a mesh */
+    const struct sure_pair *pairs; /* what its leaves have for items */
     const uint32_t *groups;        /* and those of its faces, or NULL */
     uint32_t node_count;
     double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
@@ -214,6 +229,24 @@ static inline double sure_most3(const double c[3])
     return most > c[2] ? most : c[2];
 }
 
+/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
+static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
+{
+    struct sure_edges e;
+
+    for (int i = 0; i < 3; i++) {
+        const double *from = f->at[i], *to = f->at[i < 2 ? i + 1 : 0];
+        const double a[3] = {from[0] - centre[0], from[1] - centre[1], from[2] - centre[2]};
+        const double b[3] = {to[0] - centre[0], to[1] - centre[1], to[2] - centre[2]};
+        for (int k = 0; k < 3; k++) {
+            int x = k < 2 ? k + 1 : 0, y = k > 0 ? k - 1 : 2;
+            e.edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
+            e.edge[i][1][k] = to[k] - from[k];
+        }
+    }
+    return e;
+}
+
 /* Bytes for a scene; then the scene in them, and its lights whenever they change. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 struct sure_scene *tia_sure_scene(const struct tia_view *view);
@@ -231,10 +264,14 @@ struct sure_places {
 
 /* How many nodes a hierarchy of so many has here; then they are made. */
 #define SURE_NODES(count) (((count) + 1) / 2)
-uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from);
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
+
+/* No more pairs than this has a mesh; then they are made, and their number. */
+#define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
+uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3]);
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
 /* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);

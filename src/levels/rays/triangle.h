@@ -32,15 +32,21 @@ LANE_OP struct line line_of(const struct pack *p, const double centre[3], double
     vd far = v3_sum(o) + vset(extent) + p->eo;
     vd e = far * (SURE_2(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
 
-    return (struct line){v3_cross(o, p->d), e, each};
+    struct line l;
+    l.moment = v3_cross(o, p->d);
+    l.e = e;
+    l.each = each;
+    l.centre = centre;
+    return l;
 }
 
 LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, const struct sure_face *f)
 {
+    struct sure_edges edges = sure_edges_of(f, l->centre);
     vd w[3], e = l->e + l->each * vset(f->extent);
 
     for (int i = 0; i < 3; i++)
-        w[i] = v3_dot(p->d, v3_set(f->edge[i][0])) + v3_dot(l->moment, v3_set(f->edge[i][1]));
+        w[i] = v3_dot(p->d, v3_set(edges.edge[i][0])) + v3_dot(l->moment, v3_set(edges.edge[i][1]));
     vd least = vmin(vmin(w[0], w[1]), w[2]), most = vmax(vmax(w[0], w[1]), w[2]);
     vm none = mof(f->any ? 0 : (1u << LANES) - 1);
 
@@ -49,11 +55,14 @@ LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, cons
 
 LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
 {
+    vd element = vset((double)face);
+    if (!many(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
+        return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
     vd l = v3_sum(a) + vset(f->extent);
     struct flat flat = flat_meet(q->p, v3_set(f->normal), a, l * SURE_2(48), 4 * UNIT + l * SURE_2(50));
 
-    flat_report(q, &flat, sides.inside, sides.outside, flat.e + UNIT, vset((double)face));
+    flat_report(q, &flat, sides.inside, sides.outside, flat.e + UNIT, element);
 }
 
 LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face)
