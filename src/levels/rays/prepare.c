@@ -1,6 +1,5 @@
 /* prepare.c - a scene in double precision, from the one that the integers have prepared. */
 #include <tia/motion.h>
-#include <stdlib.h>
 
 #include "render/geometry/triangle.h"
 #include "scene/bvh/tree.h"
@@ -28,7 +27,7 @@ struct places {
     struct sure_node *nodes;
     struct sure_tree *meshes;
     struct sure_face *faces; /* of meshes one after the other, then one for each shape */
-    struct sure_pair *pairs;
+    struct sure_pair *pairs; /* of meshes */
     struct sure_places of;
     struct sure_material *materials;
     struct sure_light *lights;
@@ -111,7 +110,7 @@ static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sur
         whole.nodes = &leaf;
         whole.node_count = 1;
     }
-    return tree_of(&whole, nodes, getenv("K") ? (uint32_t)atoi(getenv("K")) : SURE_FEW);
+    return tree_of(&whole, nodes, SURE_FEW);
 }
 
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
@@ -156,13 +155,14 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
 
     s->objects = tree_of(&scene->bvh->objects, &nodes, 0);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct sure_node *own = nodes;
         p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
         p->meshes[i].faces = faces;
         p->meshes[i].groups = scene->meshes[i].groups;
         for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
             set_mesh_face(faces++, &scene->meshes[i], k);
         p->meshes[i].pairs = pairs;
-        pairs += tia_sure_set_pairs(pairs, (struct sure_node *)p->meshes[i].nodes, &p->meshes[i]);
+        pairs += tia_sure_set_pairs(pairs, own, &p->meshes[i]);
     }
     s->meshes = p->meshes;
     p->of.faces = faces;

@@ -39,9 +39,8 @@ struct pack {
 /* Rays as lines: their moments O x D about a centre, and by what the side of an edge is off, see triangle.h. */
 struct line {
     struct v3 moment;
-    vd e, each;
-    vp way[3], about[3], off, by;
     const double *centre;
+    vd e, each;
 };
 
 /* Nearest: t, e are those of the best hit; `low` is the least t - e of every other hit, and of what may be hit. The
@@ -59,9 +58,11 @@ struct group_list {
     unsigned full; /* lanes with more than GROUPS */
 };
 
+struct lines;
+
 struct query {
     const struct pack *p;
-    struct line line; /* about the centre of a mesh */
+    const struct lines *lines; /* about the centre of a mesh */
     vm active;
     vd limit; /* what is farther does not count, for sure */
     bool any;

@@ -19,8 +19,8 @@
 #define SURE_INNER UINT32_MAX
 
 /* Two children side by side. A child's box is the hierarchy's, in floats rounded outward. Where count is SURE_INNER the
- * child is node `index`, else a leaf: items[index] .. items[index + count - 1]. A root that is a leaf is the only child
- * of one; the other has no items, and is SURE_NOWHERE. */
+ * child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index] .. A root that
+ * is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
 struct sure_node {
     float box[6][2]; /* minimum x, y, z, maximum x, y, z */
     uint32_t index[2], count[2];
@@ -30,27 +30,26 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent;        /* of the edges: the most of |x| + |y| + |z| */
-    double bend;          /* how far the smooth normals are apart */
+    double extent; /* of the edges: the most of |x| + |y| + |z| */
+    double bend;   /* how far the smooth normals are apart */
     bool any, smoothed;
 };
 
-/* Of each edge from A to B, A and B being seen from a centre: A x B and B - A. */
+/* Of each edge, from A to B as seen from a centre: A x B and B - A. */
 struct sure_edges {
     double edge[3][2][3];
 };
 
-/* The edges of two faces side by side, in floats, of the mesh's centre. Of a leaf of an odd number, the last one is
- * alone. See pairs.h. */
+/* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
+ * pairs.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
 struct sure_pair {
-    float edge[3][2][3][2];
-    float size[2];    /* 0 or more: what the edges' roundings are measured by; SURE_NONE: this one is never met */
+    float edge[2][2][3][2], whole[3][2], size[2];
     uint32_t face[2];
 };
 
-#define SURE_NONE -1e30f
-#define SURE_LEAF 16 /* faces that are tried at once, and of which a mesh has no hierarchy */
-#define SURE_FEW 6
+#define SURE_NONE -1e30f /* so that a line is always outside */
+#define SURE_LEAF 16     /* faces that are tried at once, and of which a mesh has no hierarchy */
+#define SURE_FEW 8       /* of a mesh, below a node that is made a leaf: pairs take less time than nodes */
 
 struct sure_tree {
     const struct sure_node *nodes;
@@ -262,11 +261,12 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* How many nodes a hierarchy of so many has here; then they are made. */
+/* How many nodes a hierarchy of so many has here; then they are made, leaves of those with `few` items at most. */
 #define SURE_NODES(count) (((count) + 1) / 2)
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
 
-/* No more pairs than this has a mesh; then they are made, and their number. */
+/* No more pairs than this has a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
+ * most. Then they are made, and leaves have pairs for items; returns how many. */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 

@@ -32,12 +32,7 @@ LANE_OP struct line line_of(const struct pack *p, const double centre[3], double
     vd far = v3_sum(o) + vset(extent) + p->eo;
     vd e = far * (SURE_2(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
 
-    struct line l;
-    l.moment = v3_cross(o, p->d);
-    l.e = e;
-    l.each = each;
-    l.centre = centre;
-    return l;
+    return (struct line){v3_cross(o, p->d), centre, e, each};
 }
 
 LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, const struct sure_face *f)
@@ -56,6 +51,7 @@ LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, cons
 LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
 {
     vd element = vset((double)face);
+
     if (!many(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
         return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);

@@ -14,29 +14,30 @@
 #include "sphere.h"
 #include "triangle.h"
 
-/* One of two faces that some lanes' lines may meet; `maybe` and `inside`: bit 2k is lane k. */
+/* One of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those that are inside for
+ * sure. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
     const struct sure_face *f = &tree->faces[face];
     struct sides sides;
 
     if (maybe & ~inside & EVEN)
-        sides = face_sides(q->p, &q->line, f);
+        sides = face_sides(q->p, &q->lines->line, f);
     else
-        sides = (struct sides){mof(half(inside & EVEN)), mnot(mof(half(maybe & EVEN)))};
+        sides = (struct sides){mof(half(inside)), mnot(mof(half(maybe)))};
     q->group = q->groups ? tree->groups[face] : 0;
     meet_plane_of(q, f, face, sides);
 }
 
-/* Some of a leaf's faces: first which of them any line meets, without a branch for each, then where. */
+/* Some of a leaf's faces: first which of them any line may meet, without a branch for each, then where. */
 LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
 {
     unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
 
     for (uint32_t i = 0; i < count; i++) {
-        struct both both = pair_sides(&q->line, &pairs[i]);
-        inside[i] = both.inside;
-        maybe[i] = active & ~both.outside;
+        struct passes passes = pair_passes(q->lines, &pairs[i]);
+        inside[i] = passes.inside;
+        maybe[i] = active & ~passes.outside;
         met |= (unsigned)(maybe[i] != 0) << i;
     }
     for (; met; met &= met - 1) {
@@ -72,6 +73,15 @@ LANE_OP void meet_unknown(struct query *q, vd near)
                               .element = vset(0)});
 }
 
+LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
+{
+    struct lines lines;
+
+    lines_of(&lines, q->p, o->mesh);
+    q->lines = &lines;
+    walk_faces(s, o->mesh, q);
+}
+
 /* `scale`: how much longer distances are in the object's axes than those of its box. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
                         const struct visit *at, vd scale)
@@ -81,8 +91,7 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_sphere(q, o->at, o->radius);
         break;
     case SURE_MESH:
-        q->line = line_of_mesh(q->p, o->mesh);
-        walk_faces(s, o->mesh, q);
+        meet_mesh(s, o, q);
         break;
     case SURE_TRIANGLE:
         meet_face(q, o->face, 0);
@@ -144,8 +153,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     for (int k = 0; k < LANES; k++)
         groups.count[k] = 0;
     q->groups = &groups;
-    q->line = line_of_mesh(q->p, o->mesh);
-    walk_faces(s, o->mesh, q);
+    meet_mesh(s, o, q);
     q->groups = NULL;
     filter_groups(q, &groups, o->transmission);
 }
