@@ -17,7 +17,8 @@
  * most: off + by c. Rounding that in floats takes less than 8 v of it. Products below 2^-126 may become 0; that is less
  * than what l.e has of R, 2^-17 or more, as boxes are larger than what is in them.
  *
- * A face that a line may meet but that floats are not sure of is for the doubles: one in a hundred, or less. */
+ * A face that a line may meet is for the doubles where floats are not sure: of a mesh of 3000 faces one in a hundred of
+ * those that are met, of one of 300000 one in 40. */
 #ifndef TIA_LEVELS_RAYS_PAIRS_H
 #define TIA_LEVELS_RAYS_PAIRS_H
 
