@@ -39,6 +39,15 @@ LANE_OP unsigned twice(unsigned lanes)
     return ((lanes | lanes << 1) & EVEN) * 3;
 }
 
+/* Each second bit, from the first one on. */
+LANE_OP unsigned half(unsigned bits)
+{
+    bits &= EVEN;
+    bits = (bits | bits >> 1) & 0x3333;
+    bits = (bits | bits >> 2) & 0x0f0f;
+    return (bits | bits >> 4) & 0xff;
+}
+
 LANE_OP void look(struct outlook *w, const struct query *q)
 {
     w->farthest = q->limit;

@@ -24,11 +24,17 @@ LANE_OP struct flat flat_meet(const struct pack *p, struct v3 n, struct v3 way, 
     return f;
 }
 
+/* Lanes whose rays start there: the object's plane, or that face. */
+LANE_OP vm starts_on(const struct query *q, vd element)
+{
+    return mand(starts_here(q), from_element(q, element));
+}
+
 /* `inside` and `outside`: of the plane's area, as far as that is sure. Along the plane the point slides no farther than
  * t is off, and off the plane it is by no more than the integers round. */
 LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm outside, vd ep, vd element)
 {
-    vm own = mand(starts_here(q), mand(vle(element, q->p->from.element), vle(q->p->from.element, element)));
+    vm own = starts_on(q, element);
     vm not = mor(mor(own, outside), mand(f->steep, vlt(f->t + f->e, vset(0))));
     vm sure = mand(mand(mand(f->steep, inside), vlt(f->e, f->t)), mnot(not ));
 

@@ -18,8 +18,23 @@ static float outward(tia_q16 x, bool up)
     return f * (float)SURE_2(16);
 }
 
-static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *from, uint32_t number)
+/* How many items are below a node, if no more than `most`, else 0; *first: the first one's index, as all of a node's
+ * lie side by side. */
+static uint32_t items_below(const struct tia_bvh_node *n, uint32_t most, uint32_t *first)
 {
+    uint32_t count = 0;
+
+    for (uint32_t ends = most > 0; ends && count <= most; n++) {
+        *first = n->count && !count ? n->index : *first;
+        count += n->count;
+        ends = n->count ? ends - 1 : ends + 1;
+    }
+    return count <= most ? count : 0;
+}
+
+static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *from, uint32_t number, uint32_t few)
+{
+    uint32_t first = from->index, count = from->count ? from->count : items_below(from, few, &first);
     const tia_q16 least[3] = {from->bounds.min.x, from->bounds.min.y, from->bounds.min.z};
     const tia_q16 most[3] = {from->bounds.max.x, from->bounds.max.y, from->bounds.max.z};
 
@@ -27,14 +42,14 @@ static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *fr
         to->box[k][i] = outward(least[k], false);
         to->box[k + 3][i] = outward(most[k], true);
     }
-    to->index[i] = from->count ? from->index : number;
-    to->count[i] = from->count ? from->count : SURE_INNER;
+    to->index[i] = count ? first : number;
+    to->count[i] = count ? count : SURE_INNER;
 }
 
 /* A root that is a leaf. */
 static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from)
 {
-    set_child(to, 0, from, 0);
+    set_child(to, 0, from, 0, 0);
     for (int k = 0; k < 6; k++)
         to->box[k][1] = SURE_NOWHERE;
     to->index[1] = to->count[1] = 0;
@@ -46,25 +61,38 @@ struct waiting {
     uint32_t node, second;
 };
 
+/* Goes on to the next node that stays one: below a leaf there is none. */
+static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct waiting *stack, int *depth,
+                          uint32_t end)
+{
+    while (*depth && stack[*depth - 1].second == i) {
+        struct sure_node *parent = &to[stack[--*depth].node];
+        if (parent->count[1] == SURE_INNER) {
+            parent->index[1] = made;
+            return i;
+        }
+        i = *depth ? stack[*depth - 1].second : end;
+    }
+    return i;
+}
+
 /* Inner nodes keep their order, in which a first child comes next, and a second one after all that is below the first.
  */
-uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from)
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few)
 {
     struct waiting stack[TIA_BVH_DEPTH_MAX + 1];
-    uint32_t made = 0;
+    uint32_t made = 0, i = 0;
     int depth = 0;
 
     if (from->node_count && from->nodes[0].count)
         return set_single(to, from->nodes);
-    for (uint32_t i = 0; i < from->node_count; i++) {
+    while (i < from->node_count) {
         const struct tia_bvh_node *n = &from->nodes[i];
-        if (depth && stack[depth - 1].second == i && to[stack[--depth].node].count[1] == SURE_INNER)
-            to[stack[depth].node].index[1] = made;
-        if (n->count)
-            continue;
-        set_child(&to[made], 0, n + 1, made + 1);
-        set_child(&to[made], 1, &from->nodes[n->index], 0);
-        stack[depth++] = (struct waiting){made++, n->index};
+        set_child(&to[made], 0, n + 1, made + 1, few);
+        set_child(&to[made], 1, &from->nodes[n->index], 0, few);
+        stack[depth++] = (struct waiting){made, n->index};
+        i = to[made++].count[0] == SURE_INNER ? i + 1 : n->index;
+        i = next_node(i, to, made, stack, &depth, from->node_count);
     }
     return made;
 }

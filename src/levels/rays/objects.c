@@ -68,7 +68,7 @@ static void set_kind(const struct sure_scene *s, struct sure_object *o, const st
         break;
     case TIA_TRIANGLE:
         o->kind = SURE_TRIANGLE;
-        tia_sure_set_face(face, given->triangle.corner, NULL);
+        tia_sure_set_face(face, given->triangle.corner);
         o->face = face;
         break;
     default:

@@ -27,6 +27,7 @@ struct places {
     struct sure_node *nodes;
     struct sure_tree *meshes;
     struct sure_face *faces; /* of meshes one after the other, then one for each shape */
+    struct sure_pair *pairs; /* of meshes */
     struct sure_places of;
     struct sure_material *materials;
     struct sure_light *lights;
@@ -36,17 +37,19 @@ struct places {
 /* Where things move, enough for the hierarchy of any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
-    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count;
+    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count, pairs = 0;
     uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
         faces += scene->meshes[i].face_count;
+        pairs += SURE_PAIRS((uint64_t)scene->bvh->meshes[i].item_count, scene->bvh->meshes[i].node_count);
     }
     p->scene = take(room, 1, sizeof *p->scene);
     p->nodes = take(room, nodes, sizeof *p->nodes);
     p->meshes = take(room, scene->mesh_count, sizeof *p->meshes);
     p->faces = take(room, faces, sizeof *p->faces);
+    p->pairs = take(room, pairs, sizeof *p->pairs);
     p->of.objects = take(room, objects, sizeof *p->of.objects);
     p->of.rounds = take(room, scene->shape_count, sizeof *p->of.rounds);
     p->of.grids = take(room, scene->shape_count, sizeof *p->of.grids);
@@ -78,9 +81,9 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view)
     return (struct sure_scene *)(void *)aligned(view->level_memory);
 }
 
-static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
+static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes, uint32_t few)
 {
-    struct sure_tree t = {*nodes, tree->items, NULL, NULL, tia_sure_set_nodes(*nodes, tree), {0, 0, 0}, 0};
+    struct sure_tree t = {*nodes, tree->items, NULL, NULL, NULL, tia_sure_set_nodes(*nodes, tree, few), {0, 0, 0}, 0};
     static const struct tia_bounds none;
     const struct tia_bounds *b = tree->node_count ? &tree->nodes[0].bounds : &none;
     const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
@@ -107,28 +110,10 @@ static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sur
         whole.nodes = &leaf;
         whole.node_count = 1;
     }
-    return tree_of(&whole, nodes);
+    return tree_of(&whole, nodes, SURE_FEW);
 }
 
-/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
-static void set_edges(struct sure_face *f, const double centre[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const double *from = f->at[i], *to = f->at[(i + 1) % 3];
-        double a[3], b[3];
-        for (int k = 0; k < 3; k++) {
-            a[k] = from[k] - centre[k];
-            b[k] = to[k] - centre[k];
-            f->edge[i][1][k] = to[k] - from[k];
-        }
-        for (int k = 0; k < 3; k++) {
-            int x = (k + 1) % 3, y = (k + 2) % 3;
-            f->edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
-        }
-    }
-}
-
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3])
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
 {
     const struct triangle_corners corners = {{corner[0], corner[1], corner[2]}};
     struct num_dir normal;
@@ -145,16 +130,15 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], co
             extent += __builtin_fabs(to->at[i][k] - to->at[0][k]);
         to->extent = extent > to->extent ? extent : to->extent;
     }
-    set_edges(to, centre ? centre : to->at[0]);
 }
 
-static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face, const double centre[3])
+static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face)
 {
     const struct tia_corner *c = mesh->faces[face].corner;
     const struct tia_vec3 at[3] = {mesh->vertices[c[0].vertex], mesh->vertices[c[1].vertex],
                                    mesh->vertices[c[2].vertex]};
 
-    tia_sure_set_face(to, at, centre);
+    tia_sure_set_face(to, at);
     to->smoothed = c[0].normal != TIA_NO_INDEX;
     for (int i = 0; i < 3 && to->smoothed; i++)
         sure_dir(to->smooth[i], num_dir_of(mesh->normals[c[i].normal]));
@@ -167,14 +151,18 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
 {
     struct sure_node *nodes = p->nodes;
     struct sure_face *faces = p->faces;
+    struct sure_pair *pairs = p->pairs;
 
-    s->objects = tree_of(&scene->bvh->objects, &nodes);
+    s->objects = tree_of(&scene->bvh->objects, &nodes, 0);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct sure_node *own = nodes;
         p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
         p->meshes[i].faces = faces;
         p->meshes[i].groups = scene->meshes[i].groups;
         for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
-            set_mesh_face(faces++, &scene->meshes[i], k, p->meshes[i].centre);
+            set_mesh_face(faces++, &scene->meshes[i], k);
+        p->meshes[i].pairs = pairs;
+        pairs += tia_sure_set_pairs(pairs, own, &p->meshes[i]);
     }
     s->meshes = p->meshes;
     p->of.faces = faces;

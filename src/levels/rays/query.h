@@ -43,6 +43,7 @@ struct pack {
 /* Rays as lines: their moments O x D about a centre, and by what the side of an edge is off, see triangle.h. */
 struct line {
     struct v3 moment;
+    const double *centre;
     vd e, each;
 };
 
@@ -61,9 +62,11 @@ struct group_list {
     unsigned full; /* lanes with more than GROUPS */
 };
 
+struct lines;
+
 struct query {
     const struct pack *p;
-    struct line line; /* about the centre of a mesh */
+    const struct lines *lines; /* about the centre of a mesh */
     vm active;
     vd limit; /* what is farther does not count, for sure */
     bool any;
@@ -80,17 +83,23 @@ struct query {
     uint32_t group;
 };
 
-LANE_OP vm starts_on(const struct query *q)
+/* Lanes whose rays start on the object that is looked at, or on this part of one. */
+LANE_OP vm from_object(const struct query *q)
 {
     vd here = vset(q->object);
 
     return mand(vle(q->p->from.object, here), vle(here, q->p->from.object));
 }
 
-/* Lanes whose rays start on the object that is looked at, and move away from it. */
+LANE_OP vm from_element(const struct query *q, vd element)
+{
+    return mand(vle(element, q->p->from.element), vle(q->p->from.element, element));
+}
+
+/* Lanes whose rays start on the object and move away from it. */
 LANE_OP vm starts_here(const struct query *q)
 {
-    return mand(starts_on(q), vle(vset(0), q->p->from.side));
+    return mand(from_object(q), vle(vset(0), q->p->from.side));
 }
 
 LANE_OP vm starts_outside(const struct query *q)
@@ -100,7 +109,7 @@ LANE_OP vm starts_outside(const struct query *q)
 
 LANE_OP vm starts_inside(const struct query *q)
 {
-    return mand(starts_on(q), vlt(vset(0.5), q->p->from.side));
+    return mand(from_object(q), vlt(vset(0.5), q->p->from.side));
 }
 
 /* What a shape tells: it is surely met at t, within e, the point there within ep; or it may be met, not before low. */

@@ -19,8 +19,8 @@
 #define SURE_INNER UINT32_MAX
 
 /* Two children side by side. A child's box is the hierarchy's, in floats rounded outward. Where count is SURE_INNER the
- * child is node `index`, else a leaf: items[index] .. items[index + count - 1]. A root that is a leaf is the only child
- * of one; the other has no items, and is SURE_NOWHERE. */
+ * child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index] .. A root that
+ * is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
 struct sure_node {
     float box[6][2]; /* minimum x, y, z, maximum x, y, z */
     uint32_t index[2], count[2];
@@ -30,18 +30,32 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent;        /* of the edges: the most of |x| + |y| + |z| */
-    double bend;          /* how far the smooth normals are apart */
-    double edge[3][2][3]; /* A x B and B - A, from a centre: of the tree, or of a single one its first corner */
+    double extent; /* of the edges: the most of |x| + |y| + |z| */
+    double bend;   /* how far the smooth normals are apart */
     bool any, smoothed;
 };
 
-#define SURE_LEAF 16 /* faces that are tried at once, and of which a mesh has no hierarchy */
+/* Of each edge, from A to B as seen from a centre: A x B and B - A. */
+struct sure_edges {
+    double edge[3][2][3];
+};
+
+/* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
+ * pairs.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
+struct sure_pair {
+    float edge[2][2][3][2], whole[3][2], size[2];
+    uint32_t face[2];
+};
+
+#define SURE_NONE -1e30f /* so that a line is always outside */
+#define SURE_LEAF 16     /* faces that are tried at once, and of which a mesh has no hierarchy */
+#define SURE_FEW 8       /* of a mesh, below a node that is made a leaf: pairs take less time than nodes */
 
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
     const struct sure_face *faces; /* of a mesh */
+    const struct sure_pair *pairs; /* what its leaves have for items */
     const uint32_t *groups;        /* and those of its faces, or NULL */
     uint32_t node_count;
     double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
@@ -220,6 +234,24 @@ static inline double sure_most3(const double c[3])
     return most > c[2] ? most : c[2];
 }
 
+/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
+static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
+{
+    struct sure_edges e;
+
+    for (int i = 0; i < 3; i++) {
+        const double *from = f->at[i], *to = f->at[i < 2 ? i + 1 : 0];
+        const double a[3] = {from[0] - centre[0], from[1] - centre[1], from[2] - centre[2]};
+        const double b[3] = {to[0] - centre[0], to[1] - centre[1], to[2] - centre[2]};
+        for (int k = 0; k < 3; k++) {
+            int x = k < 2 ? k + 1 : 0, y = k > 0 ? k - 1 : 2;
+            e.edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
+            e.edge[i][1][k] = to[k] - from[k];
+        }
+    }
+    return e;
+}
+
 /* Bytes for a scene; then the scene in them, and its lights whenever they change. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 struct sure_scene *tia_sure_scene(const struct tia_view *view);
@@ -235,12 +267,17 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* How many nodes a hierarchy of so many has here; then they are made. */
+/* How many nodes a hierarchy of so many has here; then they are made, leaves of those with `few` items at most. */
 #define SURE_NODES(count) (((count) + 1) / 2)
-uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from);
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
+
+/* No more pairs than this has a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
+ * most. Then they are made, and leaves have pairs for items; returns how many. */
+#define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
+uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3], const double centre[3]);
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
 /* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);

@@ -32,15 +32,16 @@ LANE_OP struct line line_of(const struct pack *p, const double centre[3], double
     vd far = v3_sum(o) + vset(extent) + p->eo;
     vd e = far * (SURE_2(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
 
-    return (struct line){v3_cross(o, p->d), e, each};
+    return (struct line){v3_cross(o, p->d), centre, e, each};
 }
 
 LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, const struct sure_face *f)
 {
+    struct sure_edges edges = sure_edges_of(f, l->centre);
     vd w[3], e = l->e + l->each * vset(f->extent);
 
     for (int i = 0; i < 3; i++)
-        w[i] = v3_dot(p->d, v3_set(f->edge[i][0])) + v3_dot(l->moment, v3_set(f->edge[i][1]));
+        w[i] = v3_dot(p->d, v3_set(edges.edge[i][0])) + v3_dot(l->moment, v3_set(edges.edge[i][1]));
     vd least = vmin(vmin(w[0], w[1]), w[2]), most = vmax(vmax(w[0], w[1]), w[2]);
     vm none = mof(f->any ? 0 : (1u << LANES) - 1);
 
@@ -48,12 +49,9 @@ LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, cons
 }
 
 /* Lanes whose rays go back to the face they started on. */
-LANE_OP vm returns_to(const struct query *q, uint32_t face)
+LANE_OP vm returns_to(const struct query *q, vd element)
 {
-    vd element = vset((double)face);
-    vm same = mand(vle(element, q->p->from.element), vle(q->p->from.element, element));
-
-    return mand(mand(starts_on(q), same), vlt(q->p->from.side, vset(0)));
+    return mand(mand(from_object(q), from_element(q, element)), vlt(q->p->from.side, vset(0)));
 }
 
 /* They do so from a height b that does not depend on where on the face they started, so that t is b/|D.N|, and eo is
@@ -72,15 +70,19 @@ LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd mor
 
 LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
 {
+    vd element = vset((double)face);
+
+    if (!many(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
+        return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
     vd l = v3_sum(a) + vset(f->extent), round = l * SURE_2(48), more = 4 * UNIT + l * SURE_2(50);
     struct flat flat = flat_meet(q->p, v3_set(f->normal), a, round, more);
     vd ep = flat.e + UNIT;
-    vm back = returns_to(q, face);
+    vm back = returns_to(q, element);
 
     if (many(back))
         return_to_face(q, v3_set(f->normal), round, more, &flat, &ep, back);
-    flat_report(q, &flat, sides.inside, sides.outside, ep, vset((double)face));
+    flat_report(q, &flat, sides.inside, sides.outside, ep, element);
 }
 
 LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face)

@@ -10,26 +10,43 @@
 #include "flat.h"
 #include "grid.h"
 #include "instance.h"
+#include "pairs.h"
 #include "round.h"
 #include "sphere.h"
 #include "triangle.h"
 
-/* Some of a leaf's faces: first which of them any line meets, without a branch for each, then where. */
-LANE_OP void meet_some(const struct sure_tree *tree, const uint32_t *items, uint32_t count, struct query *q)
+/* One of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those that are inside for
+ * sure. */
+LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
-    vm inside[SURE_LEAF], outside[SURE_LEAF];
-    unsigned met = 0;
+    const struct sure_face *f = &tree->faces[face];
+    struct sides sides;
+
+    if (maybe & ~inside & EVEN)
+        sides = face_sides(q->p, &q->lines->line, f);
+    else
+        sides = (struct sides){mof(half(inside)), mnot(mof(half(maybe)))};
+    q->group = q->groups ? tree->groups[face] : 0;
+    meet_plane_of(q, f, face, sides);
+}
+
+/* Some of a leaf's faces: first which of them any line may meet, without a branch for each, then where. */
+LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
+{
+    unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
 
     for (uint32_t i = 0; i < count; i++) {
-        struct sides sides = face_sides(q->p, &q->line, &tree->faces[items[i]]);
-        inside[i] = sides.inside;
-        outside[i] = sides.outside;
-        met |= (unsigned)many(mand(mnot(sides.outside), q->active)) << i;
+        struct passes passes = pair_passes(q->lines, &pairs[i]);
+        inside[i] = passes.inside;
+        maybe[i] = active & ~passes.outside;
+        met |= (unsigned)(maybe[i] != 0) << i;
     }
     for (; met; met &= met - 1) {
         int i = __builtin_ctz(met);
-        q->group = q->groups ? tree->groups[items[i]] : 0;
-        meet_plane_of(q, &tree->faces[items[i]], items[i], (struct sides){inside[i], outside[i]});
+        if (maybe[i] & EVEN)
+            meet_one_of(tree, pairs[i].face[0], maybe[i], inside[i], q);
+        if (maybe[i] >> 1 & EVEN)
+            meet_one_of(tree, pairs[i].face[1], maybe[i] >> 1, inside[i] >> 1, q);
     }
 }
 
@@ -37,9 +54,9 @@ LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree
                         struct query *q)
 {
     (void)s;
-    for (uint32_t i = 0; i < v->child.count; i += SURE_LEAF) {
+    for (uint32_t i = 0; i < v->child.count; i += SURE_LEAF / 2) {
         uint32_t left = v->child.count - i;
-        meet_some(tree, tree->items + v->child.index + i, left < SURE_LEAF ? left : SURE_LEAF, q);
+        meet_some(tree, tree->pairs + v->child.index + i, left < SURE_LEAF / 2 ? left : SURE_LEAF / 2, q);
     }
 }
 
@@ -57,6 +74,15 @@ LANE_OP void meet_unknown(struct query *q, vd near)
                               .element = vset(0)});
 }
 
+LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
+{
+    struct lines lines;
+
+    lines_of(&lines, q->p, o->mesh);
+    q->lines = &lines;
+    walk_faces(s, o->mesh, q);
+}
+
 /* `scale`: how much longer distances are in the object's axes than those of its box. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
                         const struct visit *at, vd scale)
@@ -66,8 +92,7 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_sphere(q, o->at, o->radius);
         break;
     case SURE_MESH:
-        q->line = line_of(q->p, o->mesh->centre, o->mesh->extent);
-        walk_faces(s, o->mesh, q);
+        meet_mesh(s, o, q);
         break;
     case SURE_TRIANGLE:
         meet_face(q, o->face, 0);
@@ -132,8 +157,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     for (int k = 0; k < LANES; k++)
         groups.count[k] = 0;
     q->groups = &groups;
-    q->line = line_of(q->p, o->mesh->centre, o->mesh->extent);
-    walk_faces(s, o->mesh, q);
+    meet_mesh(s, o, q);
     q->groups = NULL;
     filter_groups(q, &groups, o->transmission);
 }
