@@ -52,33 +52,42 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
     }
 }
 
+/* The columns of one material in its lanes; `groups`: those that any lane needs. */
+LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_t groups, vm lanes)
+{
+    for (int i = 0; i < SURE_COLUMNS; i++)
+        if (groups >> i / 3 & 1)
+            *shade_column(h, i) = vsel(lanes, vset(m->column[i]), *shade_column(h, i));
+}
+
 /* Returns the lanes whose materials have a texture. */
 static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
 {
-    const struct sure_material *first = &s->materials[h->material[__builtin_ctz(lanes)]];
-    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0;
+    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0, same;
     uint32_t groups = 0;
-    const double *row[LANES];
-    bool same = true;
 
-    for (int k = 0; k < LANES; k++) {
-        const struct sure_material *m = h->object[k] ? &s->materials[h->material[k]] : first;
-        row[k] = m->column;
-        groups |= m->groups;
-        same = same && m == first;
-        glossy |= (unsigned)m->is_specular << k;
-        refracts |= (unsigned)m->refracts << k;
-        fresnel |= (unsigned)m->fresnel << k;
-        unknown |= (unsigned)!m->known << k;
-        textured |= (unsigned)(m->texture != NULL) << k;
-    }
+    for (int k = 0; k < LANES; k++)
+        groups |= lanes >> k & 1 ? s->materials[h->material[k]].groups : 0;
     for (int i = 0; i < SURE_COLUMNS; i++)
-        *shade_column(h, i) = !(groups >> i / 3 & 1) ? vset(0) : same ? vset(first->column[i]) : vgather(row, i);
+        *shade_column(h, i) = vset(0);
+    for (unsigned left = lanes; left; left &= ~same) {
+        uint32_t material = h->material[__builtin_ctz(left)];
+        const struct sure_material *m = &s->materials[material];
+        same = 0;
+        for (int k = 0; k < LANES; k++)
+            same |= (unsigned)(h->material[k] == material) << k & left;
+        set_columns(h, m, groups, mof(same));
+        glossy |= m->is_specular ? same : 0;
+        refracts |= m->refracts ? same : 0;
+        fresnel |= m->fresnel ? same : 0;
+        unknown |= m->known ? 0 : same;
+        textured |= m->texture ? same : 0;
+    }
     h->glossy = mof(glossy);
     h->refracts = mof(refracts);
     h->fresnel = mof(fresnel);
-    h->unsure = mof(unknown & lanes);
-    return textured & lanes;
+    h->unsure = mof(unknown);
+    return textured;
 }
 
 static void add_texture(const struct sure_scene *s, struct shade *h, int k)
