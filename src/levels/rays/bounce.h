@@ -103,6 +103,17 @@ LANE_OP unsigned may_pass(const struct rays *r)
     return on;
 }
 
+/* Of rays that start `height` off a surface, in any direction: whether they surely leave it, or surely come back. */
+LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
+{
+    struct origin from = leaving(h, d, ed, sign, 0);
+    vm back = vlt(v3_dot(h->geometric, d) * sign, -(h->eg + ed + vset(SURE_2(49))));
+
+    from.object = vsel(back, h->id, from.object);
+    from.side = vsel(back, vset(-height), from.side);
+    return from;
+}
+
 /* A ray that is bent starts behind the surface, one that goes straight on behind the point, along itself. */
 static void push_refracted(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r,
                            const struct refraction *f)

@@ -372,17 +372,6 @@ LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
-/* The same of rays that start `height` off it, in any direction: they may also surely come back. */
-LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
-{
-    struct origin from = leaving(h, d, ed, sign, 0);
-    vm back = vlt(v3_dot(h->geometric, d) * sign, -(h->eg + ed + vset(SURE_2(49))));
-
-    from.object = vsel(back, h->id, from.object);
-    from.side = vsel(back, vset(-height), from.side);
-    return from;
-}
-
 /* All of the points that the rays of these lanes meet. */
 static void find_surfaces(const struct sure_scene *s, const struct pack *p, const struct query *q, unsigned lanes,
                           struct shade *h)
