@@ -309,7 +309,7 @@ static void run_all(const struct tia_level *tested)
 
 int main(int argc, char **argv)
 {
-    static const struct sure_kernels here = {trace, occlude, walk_paths};
+    static const struct sure_kernels here = {.trace = trace, .occlude = occlude, .walk = walk_paths};
 
     (void)here;
     if (argc > 1)
