@@ -72,8 +72,9 @@ static const struct world {
     {"areas", "light sphere at -0.3 0.2 0.1 radius 0.5 emission 0.9 samples 4\n"
               "plane point 0 -0.5 0 normal 0.1 1 0 material matte\ndisc centre 0.1 0.2 0 normal 1 0.3 0.2 radius 0.3 "
               "material matte\n"},
-    {"hindered", "light ambient emission 0.5 occlusion 0.5 samples 3\nplane point 0 -0.5 0 normal 0.1 1 0 material matte\n"
-                 "sphere centre 0 0 0 radius 0.5 material matte\n"},
+    {"hindered",
+     "light ambient emission 0.5 occlusion 0.5 samples 3\nplane point 0 -0.5 0 normal 0.1 1 0 material matte\n"
+     "sphere centre 0 0 0 radius 0.5 material matte\n"},
     {"lights",
      "light rectangle at 0 0.6 0 sides 0.5 0 0  0 0.2 0.5 emission 0.3 samples 5\n"
      "light disc at 0.4 0.3 0 direction -1 -1 0 radius 0.4 emission 0.3 samples 3\n"

@@ -59,8 +59,9 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
     d->kernels->set_pixels(b);
     for (int y = 0, i = 0; y < b->height; y++, out += pitch)
         for (int x = 0; x < b->width; x++, i++)
-            out[x] = !b->open[i] || view_stops(d->view) ? b->pixels[i]
-                                                       : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
+            out[x] = !b->open[i] || view_stops(d->view)
+                         ? b->pixels[i]
+                         : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
 }
 
 static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pixels)
