@@ -81,6 +81,18 @@ static const struct world {
      "light point at -1 2 1 emission 0.6 attenuation 1 0.2 0.4\n"
      "plane point 0 -0.5 0 normal 0.1 1 0 material squares\nsphere centre 0.6 -0.3 0.1 radius 0.4 material plain\n"
      "box min -0.9 -0.5 -0.4 max -0.5 0.1 -0.1 material mirror\n"},
+    {"hindered",
+     "light ambient emission 0.5 occlusion 0.5 samples 3\nplane point 0 -0.5 0 normal 0.1 1 0 material matte\n"
+     "sphere centre 0 0 0 radius 0.5 material matte\n"},
+    {"long cylinders", "cylinder base -30000 -20 1 top 30000 20 -1 radius 0.3 capped material squares\n"
+                       "cylinder base -2 -20000 1 top 3 20000 -1 radius 0.4 material thin\n"},
+    {"flat cylinders", "sphere centre 20000 0 0 radius 1 material plain\n"
+                       "cylinder base 0.3 0.2 0 top 0.31 0.201 0 radius 0.4 capped material thin\n"
+                       "cylinder base -0.3 0.2 0 top -0.3 0.201 0 radius 0.4 material thin\n"},
+    {"large faces",
+     "instance floor name floor material mirror\nmesh floor\nvertex 10000 0 0.2\nvertex -10000 0 10000\n"
+     "vertex -10000 0.5 -10000\nnormal 0.9 0.4 0\nnormal -0.9 0.4 0.8\nnormal -0.5 -0.4 -0.8\nface 1//1 2//2 3//3\n"
+     "end\n"},
 };
 
 static void open_world(const struct world *world)

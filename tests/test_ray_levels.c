@@ -150,6 +150,26 @@ TEST(far_out)
     }
 }
 
+static void compare_hindered(const struct tia_scene *scene, unsigned number)
+{
+    compare("ambient light that objects hinder", number, scene, 40, 30, false);
+}
+
+/* It is the integers', wherever it shines from among the lights. */
+TEST(ambient_light_is_hindered)
+{
+    static const char text[] = "camera eye 0 1 5 look 0 0 0 fov 40\nmaterial plain colour 0.7 0.6 0.5 mirror 0.2\n"
+                               "light point at 1 3 2 emission 0.4\nlight ambient emission 0.6 occlusion 1 samples 4\n"
+                               "plane point 0 -0.5 0 normal 0 1 0 material plain\n"
+                               "sphere centre 0 0 0 radius 0.5 material plain\n";
+    static struct reading reading;
+
+    read_string(&reading, TIA_FORMAT_TIA, text);
+    CHECK_MSG(reading.status == TIA_OK, "%s", reading.reader.error.text);
+    with_hierarchy(&reading.scene, compare_hindered, 0);
+    read_end(&reading);
+}
+
 /* What is asked for beside pixels is the same too. */
 TEST(objects_hashes_and_lights)
 {
@@ -226,6 +246,7 @@ static void run_all(const struct tia_level *tested)
     RUN_LEVEL(scene_files);
     RUN_LEVEL(far_out);
     RUN_LEVEL(tiles_and_turned_surfaces);
+    RUN_LEVEL(ambient_light_is_hindered);
     RUN_LEVEL(objects_hashes_and_lights);
     RUN_LEVEL(lights_move);
     level = tested; /* threads do not count */

@@ -59,8 +59,9 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
     d->kernels->set_pixels(b);
     for (int y = 0, i = 0; y < b->height; y++, out += pitch)
         for (int x = 0; x < b->width; x++, i++)
-            out[x] = !b->open[i] || view_stops(d->view) ? b->pixels[i]
-                                                       : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
+            out[x] = !b->open[i] || view_stops(d->view)
+                         ? b->pixels[i]
+                         : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
 }
 
 static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pixels)
@@ -84,6 +85,16 @@ static void write_strip(struct tia_tile strip, const tia_rgb565 *pixels, char *o
             *(tia_rgb565 *)(void *)(out + x * surface->step) = *pixels++;
 }
 
+/* Whether objects keep an ambient light from places: then doubles know nothing of any point. */
+static bool has_occlusion(const struct sure_scene *s)
+{
+    bool found = false;
+
+    for (uint32_t i = 0; i < s->light_count; i++)
+        found = found || (s->lights[i].from->kind == TIA_AMBIENT_LIGHT && s->lights[i].radius > 0);
+    return found;
+}
+
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options)
 {
@@ -93,7 +104,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
     tia_rgb565 pixels[STRIP];
 
-    if (options->path_hash || options->lit) {
+    if (options->path_hash || options->lit || has_occlusion(s)) {
         tia_level_light_plain(view, tile, surface, options);
         return;
     }

@@ -40,8 +40,8 @@ LANE_OP vd *flight_column(struct paths *p, int i)
 {
     struct pack *ray = &p->r.p;
     vd *const column[FLIGHT_COLUMNS] = {
-        &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,        &ray->d.z,
-        &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,         &p->r.ew,
+        &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,      &ray->d.z,
+        &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,       &p->r.ew,
         &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.side};
 
     return column[i];

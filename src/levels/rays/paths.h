@@ -28,7 +28,7 @@ struct work {
     uint8_t class[SURE_SLOTS];
     uint16_t order[SURE_SLOTS];  /* in which slots go into packets */
     double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
-    double rays[SURE_SLOTS]; /* how many there are at most so far, once paths may have layers */
+    double rays[SURE_SLOTS];     /* how many there are at most so far, once paths may have layers */
     struct item items[ITEMS], hits[2 * LANES];
     int count, hit_count;
 };
@@ -53,9 +53,9 @@ LANE_OP vd *ray_column(struct rays *r, int i)
 /* What a surface needs of the ray and of the query. */
 LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
 {
-    vd *const column[COLUMNS] = {&r->p.o.x,     &r->p.o.y,     &r->p.o.z, &r->p.d.x, &r->p.d.y,
-                                 &r->p.d.z,     &r->weight[0], &r->weight[1], &r->weight[2], &r->p.ed,
-                                 &r->ew,        &q->t,         &q->ep,        &q->id,        &q->element};
+    vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,     &r->p.d.x,     &r->p.d.y,
+                                 &r->p.d.z, &r->weight[0], &r->weight[1], &r->weight[2], &r->p.ed,
+                                 &r->ew,    &q->t,         &q->ep,        &q->id,        &q->element};
 
     return column[i];
 }

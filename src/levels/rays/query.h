@@ -25,10 +25,10 @@ struct slabs {
  * this, nothing would be sure once eo is b.
  *
  * Where a normal is interpolated a mirrored ray may go into its face: the height that it comes from is known far better
- * than where it starts, see meet_own_face. */
+ * than where it starts, see return_to_face. */
 struct origin {
     vd object, element;
-    vd side; /* inside a solid 1, outside 0; less the height, where it surely goes back to the face */
+    vd side; /* inside a solid 1, outside 0; -b, where it surely goes back to the face */
 };
 
 /* Rays: the integers' origin is within eo of o, their direction within ed of d. */

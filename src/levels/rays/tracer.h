@@ -192,8 +192,8 @@ static unsigned first_rays(const struct work *w, int from, int count, struct ray
     r->ew = vset(0);
 #define PLACE_X(k) w->place[0][r->slot[k]]
 #define PLACE_Y(k) w->place[1][r->slot[k]]
-    camera_rays(c, (vd){EACH_LANE(PLACE_X)} / vset(parts * c->width), (vd){EACH_LANE(PLACE_Y)} / vset(parts * c->height),
-                &r->p);
+    camera_rays(c, (vd){EACH_LANE(PLACE_X)} / vset(parts * c->width),
+                (vd){EACH_LANE(PLACE_Y)} / vset(parts * c->height), &r->p);
 #undef PLACE_X
 #undef PLACE_Y
     check_camera(w->block, r);
