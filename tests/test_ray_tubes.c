@@ -113,14 +113,19 @@ TEST(moved_rays)
 
 /* ---- roundings ---- */
 
-/* A cylinder of radius 2^-6, as far from the origin as its coordinates go, and something far away, so that the unit of
- * length is no smaller than the file's. */
+/* A cylinder somewhere, and something far away, so that the unit of length is no smaller than the file's. */
+struct given {
+    const char *name;
+    double far, length, radius; /* its base's coordinates go so far */
+    long double away;           /* so far from it rays start */
+};
+
 struct thin {
     struct real base, axis, across[2];
     long double radius;
 };
 
-static void open_thin(struct thin *c, double far)
+static void open_thin(const struct given *given, struct thin *c)
 {
     struct real way = real_random();
     struct world world = {"thin cylinder", NULL};
@@ -128,24 +133,24 @@ static void open_thin(struct thin *c, double far)
     double at[2][3];
 
     for (int i = 0; i < 3; i++) {
-        at[0][i] = round(65536 * far * random_double()) / 65536;
-        at[1][i] = at[0][i] + round(2048 * (double)way.v[i]) / 65536;
+        at[0][i] = round(65536 * given->far * random_double()) / 65536;
+        at[1][i] = at[0][i] + round(65536 * given->length * (double)way.v[i]) / 65536;
         c->base.v[i] = at[0][i];
         way.v[i] = at[1][i] - at[0][i];
     }
     (void)snprintf(text, sizeof text,
-                   "cylinder base %.16f %.16f %.16f top %.16f %.16f %.16f radius 0.015625 material plain\n"
+                   "cylinder base %.16f %.16f %.16f top %.16f %.16f %.16f radius %.16f material plain\n"
                    "sphere centre 0 0 -20000 radius 1 material plain\n",
-                   at[0][0], at[0][1], at[0][2], at[1][0], at[1][1], at[1][2]);
+                   at[0][0], at[0][1], at[0][2], at[1][0], at[1][1], at[1][2], given->radius);
     world.text = text;
     open_world(&world);
-    c->radius = 0.015625L;
+    c->radius = given->radius;
     c->axis = way;
     c->across[0] = real_aside(real_unit(way));
     c->across[1] = real_cross(real_unit(way), c->across[0]);
 }
 
-/* The integers' ray, past the axis at nearly the radius, from `away` at most. */
+/* The integers' ray, past the axis at nearly the radius, from `away` at most; from where doubles may start, too. */
 static struct ray grazing_ray(const struct thin *c, long double away)
 {
     long double turn = 3.2L * random_real(), aside = c->radius * (1 - ldexpl(1, -(int)(random_bits() % 36)));
@@ -155,7 +160,8 @@ static struct ray grazing_ray(const struct thin *c, long double away)
     d = real_unit(real_along(y, c->axis, 100 * random_real()));
     o = real_along(real_along(c->base, c->axis, some_part()), n, aside);
     o = real_along(o, d, -away * some_part());
-    return (struct ray){place((struct real3){{o.v[0], o.v[1], o.v[2]}}), towards((struct real3){{d.v[0], d.v[1], d.v[2]}})};
+    return (struct ray){place((struct real3){{(double)o.v[0], (double)o.v[1], (double)o.v[2]}}),
+                        towards((struct real3){{d.v[0], d.v[1], d.v[2]}})};
 }
 
 /* The same in doubles, which have its origin as it is and its direction rounded. */
@@ -181,18 +187,19 @@ static void try_exact(const struct ray *ray, struct used *ends, struct used *poi
         return;
     use(ends, sure_length(hit.t) - q.t, q.e);
     sure_point(at, num_point_at(ray->origin, ray->direction, hit.t));
-    use(points, real_gap((struct real){{at[0], at[1], at[2]}}, v3_along(p.o, p.d, q.t)), q.ep);
+    use(points, real_gap((struct real){{at[0], at[1], at[2]}}, v3_along(p.o, p.d, q.t)),
+        q.ep + (v3_sum(p.o) + q.t) * SURE_2(51)); /* as find_surfaces() has it */
 }
 
-static void try_thin(const char *name, double far, long double away)
+static void try_thin(const struct given *given)
 {
-    struct used ends = {.name = name}, points = {.name = name};
+    struct used ends = {.name = given->name}, points = {.name = given->name};
     struct thin c;
 
     for (int i = 0; i < 100 && !check_failed; i++) {
-        open_thin(&c, far);
+        open_thin(given, &c);
         for (int k = 0; k < 400; k++) {
-            struct ray ray = grazing_ray(&c, away);
+            struct ray ray = grazing_ray(&c, given->away);
             try_exact(&ray, &ends, &points);
         }
         close_world();
@@ -203,9 +210,13 @@ static void try_thin(const char *name, double far, long double away)
 
 TEST(roundings)
 {
-    try_thin("thin cylinder close by", 0.03, 0.02L);
-    try_thin("thin cylinder, from afar", 0.03, 100);
-    try_thin("thin cylinder far out", 100, 0.02L);
+    static const struct given given[] = {{"thin cylinder close by", 0.03, 0.03, 0.015625, 0.02L},
+                                         {"thin cylinder from afar", 0.03, 0.03, 0.015625, 1000},
+                                         {"thin cylinder far out", 10000, 0.03, 0.015625, 0.02L},
+                                         {"long cylinder", 0.03, 10000, 0.5, 1}};
+
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
+        try_thin(&given[i]);
 }
 
 int main(void)
