@@ -275,6 +275,38 @@ TEST(blends)
     check_used(&u);
 }
 
+/* ---- how bright a ray can be ---- */
+
+/* Between two mirrors that shine, after so many bounces. */
+static void try_brightest(unsigned depth)
+{
+    char text[300];
+    num_length colour[3];
+    struct world world = {"mirrors", text};
+
+    (void)snprintf(text, sizeof text,
+                   "depth %u\nmaterial bright colour 0 mirror 0.8 emission 0.7\n"
+                   "plane point 0 0 -1 normal 0 0 1 material bright\nplane point 0 0 20 normal 0 0 1 material bright\n",
+                   depth);
+    open_world(&world);
+    tia_sure_sample(view, 32, 32, 0, colour);
+    long double sum = 0.7L * (1 - powl(0.8L, depth + 1)) / 0.2L;
+    CHECK_MSG(fabsl(sure_length(colour[1]) - sum) < 1e-4L, "%f after %u bounces", sure_length(colour[1]), depth);
+    for (int c = 0; c < 3; c++)
+        CHECK_MSG(sure_length(colour[c]) <= scene->brightest[0], "%f after %u bounces", sure_length(colour[c]), depth);
+    for (unsigned left = 0; left <= depth; left++) {
+        sum = 0.7L * (1 - powl(0.8L, left + 1)) / 0.2L;
+        CHECK_MSG(sum <= scene->brightest[depth - left], "%f with %u bounces left", (double)sum, left);
+    }
+    close_world();
+}
+
+TEST(brightest)
+{
+    for (unsigned depth = 1; depth <= 8; depth++)
+        try_brightest(depth);
+}
+
 int main(void)
 {
     (void)trace;
@@ -284,5 +316,6 @@ int main(void)
     RUN(rays);
     RUN(coordinates);
     RUN(blends);
+    RUN(brightest);
     return check_status();
 }
