@@ -51,12 +51,13 @@ static double some_mean(unsigned levels, num_u threshold, double error)
     return (level - (double)threshold * SURE_2(30)) / levels + 1.5 * near * random_double();
 }
 
-static num_length within_colours(double x)
+static num_length clamped(num_length x)
 {
-    return num_length_clamp((num_length)(x / SURE_UNIT), 0, NUM_LENGTH_ONE);
+    return num_length_clamp(x, 0, NUM_LENGTH_ONE);
 }
 
-/* A pixel's samples in one colour: two of three come in pairs, one above the mean and one as much below it. */
+/* A pixel's samples in one colour, in pairs, one above the mean and one as much below it; some are none of a picture's.
+ */
 static void set_samples(struct drawn *d, int first, int colour, double mean, const double *error, double turn)
 {
     struct sure_block *b = &d->block;
@@ -65,7 +66,9 @@ static void set_samples(struct drawn *d, int first, int colour, double mean, con
     for (int i = 0; i < b->samples; i++) {
         bool pair = i + 1 < b->samples || b->samples % 2 == 0;
         away = i % 2 ? -away : pair ? fmin(mean, 1 - mean) * random_double() : 0;
-        num_length v = within_colours(mean + away);
+        num_length v = clamped((num_length)((mean + away) / SURE_UNIT));
+        if (random_bits() % 32 == 0)
+            v = 4 * v - NUM_LENGTH_ONE;
         d->sample[colour][first + i] = v;
         b->colour[colour][first + i] = sure_length(v) + turn * error[i];
     }
@@ -92,7 +95,7 @@ static tia_rgb565 packed(const struct drawn *d, int first, num_u threshold)
 
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < d->block.samples; i++)
-            mean[c] += d->sample[c][first + i] / d->block.samples;
+            mean[c] += clamped(d->sample[c][first + i]) / d->block.samples;
     return (tia_rgb565)(num_levels(mean[0], 31, threshold) << 11 | num_levels(mean[1], 63, threshold) << 5 |
                         num_levels(mean[2], 31, threshold));
 }
