@@ -1,5 +1,6 @@
 /* src/levels/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
- * hardly meet at the end of a bound, and coordinates of textures, against the integers. */
+ * hardly meet at the end of a bound, and coordinates of textures, against the integers; how bright a ray can be, and
+ * which hits are still shaded. */
 #include "ray_edges.h"
 
 #include "ray_steps.h"
@@ -307,6 +308,30 @@ TEST(brightest)
         try_brightest(depth);
 }
 
+/* ---- hits that wait ---- */
+
+/* Those of samples that are unsure by now are not shaded any more, the others are. */
+TEST(hits)
+{
+    static struct sure_block block;
+    static struct work w = {.block = &block};
+    struct rays r = {.ew = 0};
+    struct query q = {.t = 1};
+
+    for (uint32_t slot = 0; slot < 2 * LANES; slot++) {
+        r.slot[0] = slot;
+        push_hits(&w, 1, &r, &q);
+    }
+    for (uint32_t slot = 1; slot < 2 * LANES; slot += 2)
+        mark(&w, slot);
+    for (int left = 2 * LANES; left > 0; left -= LANES) {
+        unsigned lanes = pop_hits(&w, &r, &q);
+        for (int k = 0; k < LANES; k++)
+            CHECK_EQ(lanes >> k & 1, !block.unsure[r.slot[k]]);
+    }
+    CHECK_EQ(w.hit_count, 0);
+}
+
 int main(void)
 {
     (void)trace;
@@ -317,5 +342,6 @@ int main(void)
     RUN(coordinates);
     RUN(blends);
     RUN(brightest);
+    RUN(hits);
     return check_status();
 }

@@ -61,15 +61,16 @@ static double used_by(const struct tried *t)
     static const uint32_t items[1] = {0};
     struct sure_tree tree = {.faces = &t->face, .items = items, .node_count = 1};
     struct sure_node node = {.count = {1, 0}};
-    struct sure_pair pair;
+    struct sure_pair made;
+    const struct sure_pair *pair = &made;
     struct lines l;
     double most = 0;
 
     tree.extent = t->half[0] + t->half[1] + t->half[2];
-    (void)tia_sure_set_pairs(&pair, &node, &tree);
+    (void)tia_sure_set_pairs(&made, &node, &tree);
     lines_of(&l, &t->pack, &tree);
-    vp a = pair_edge(&l, pair.edge[0]), b = pair_edge(&l, pair.edge[1]), c = pair_dot(l.way, pair.whole) - a - b;
-    const float area[3] = {a[0], b[0], c[0]}, e = (l.off + l.by * vp_load(pair.size))[0];
+    vp a = pair_edge(&l, pair->edge[0]), b = pair_edge(&l, pair->edge[1]), c = pair_dot(l.way, pair->whole) - a - b;
+    const float area[3] = {a[0], b[0], c[0]}, e = (l.off + l.by * vp_load(pair->size))[0];
     for (int i = 0; i < 3; i++)
         most = fmax(most, fabs((double)(area_of(&t->face, i, &t->pack) - (long double)area[i])) / (double)e);
     return most;

@@ -127,8 +127,8 @@ static void try_smooth(struct used *u, bool inside)
 TEST(surfaces)
 {
     struct used sides = {.name = "side of a surface"}, starts = {.name = "origin of a ray"},
-                away = {.name = "way off a surface, or back"},
-                smooth = {.name = "smooth normal"}, edges = {.name = "smooth normal at an edge"};
+                away = {.name = "way off a surface, or back"}, smooth = {.name = "smooth normal"},
+                edges = {.name = "smooth normal at an edge"};
 
     for (int i = 0; i < TRIES; i++) {
         try_side(&sides);
@@ -242,28 +242,6 @@ TEST(colours)
     check_used(&sky);
     check_used(&up);
     check_used(&faint);
-}
-
-/* Those of samples that are unsure by now are not shaded any more, the others are. */
-TEST(hits)
-{
-    double theirs;
-    struct one_ray *one = some_ray(&theirs);
-    struct query q = {.t = 1};
-
-    one->work.hit_count = 0;
-    for (uint32_t slot = 0; slot < 2 * LANES; slot++) {
-        one->rays.slot[0] = slot;
-        push_hits(&one->work, 1, &one->rays, &q);
-    }
-    for (uint32_t slot = 1; slot < 2 * LANES; slot += 2)
-        mark(&one->work, slot);
-    for (int left = 2 * LANES; left > 0; left -= LANES) {
-        unsigned lanes = pop_hits(&one->work, &one->rays, &q);
-        for (int k = 0; k < LANES; k++)
-            CHECK_EQ(lanes >> k & 1, !one->block.unsure[one->rays.slot[k]]);
-    }
-    CHECK_EQ(one->work.hit_count, 0);
 }
 
 /* ---- refraction ---- */
@@ -415,7 +393,6 @@ int main(void)
     (void)walk_paths;
     RUN(surfaces);
     RUN(colours);
-    RUN(hits);
     RUN(bounces);
     return check_status();
 }

@@ -154,7 +154,8 @@ static void open_thin(const struct given *given, struct thin *c)
 static struct ray grazing_ray(const struct thin *c, long double away)
 {
     long double turn = 3.2L * random_real(), aside = c->radius * (1 - ldexpl(1, -(int)(random_bits() % 36)));
-    struct real n = real_along(real_along((struct real){{0, 0, 0}}, c->across[0], cosl(turn)), c->across[1], sinl(turn));
+    struct real n =
+        real_along(real_along((struct real){{0, 0, 0}}, c->across[0], cosl(turn)), c->across[1], sinl(turn));
     struct real y = real_cross(real_unit(c->axis), n), d, o;
 
     d = real_unit(real_along(y, c->axis, 100 * random_real()));
