@@ -1,5 +1,6 @@
 /* src/levels/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
- * hardly meet at the end of a bound, and coordinates of textures, against the integers. */
+ * hardly meet at the end of a bound, and coordinates of textures, against the integers; how bright a ray can be, and
+ * which hits are still shaded. */
 #include "ray_edges.h"
 
 #include "ray_steps.h"
@@ -34,6 +35,20 @@ static const struct end {
      {0, 0, 1},
      0.02,
      0},
+    {"out of a cone's base",
+     "cone base 0 0 0 top 0 0 1 radii 0.01 0.001 capped",
+     {0, 0, 0.001},
+     {0, 0, -1},
+     {0, 0, -1},
+     0.02,
+     0},
+    {"to a cylinder's side close by",
+     "cylinder base 0 0 -1 top 0 0 1 radius 1",
+     {1.000000015, 0, 0},
+     {-0.002, 1, 0},
+     {-1, 0, 0},
+     0,
+     0.001},
     {"to a cone's top",
      "cone base 0 0 0 top 0 0.1 0 radii 4 3.9 capped",
      {0, 0.01, 0},
@@ -48,6 +63,14 @@ static const struct end {
      {-1, 0.3, 0},
      0,
      0.001},
+    {"out of a cylinder's top, just before a plane",
+     "cylinder base 0 0 0 top 0 0 1 radius 1 capped",
+     {0, 0, 0.995},
+     {1, 0, 0.01},
+     {0, 0, -1},
+     0.01,
+     0,
+     "plane point 0.8 0 0 normal 1 0 0 material plain\n"},
     {"under a grid", CELL, {-0.1, -0.0001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0.01, 0},
     {"turned under a grid", CELL, {-4, -0.00001, 0.05}, {1, 0, 0}, {0, 1, 0}, 0, 0.00125},
     {"falling onto a grid", CELL, {-4, 0.103, 0.05}, {1, -0.00125, 0}, {0, 1, 0}, 0, 0.00125},
@@ -261,6 +284,62 @@ TEST(blends)
     check_used(&u);
 }
 
+/* ---- how bright a ray can be ---- */
+
+/* Between two mirrors that shine, after so many bounces. */
+static void try_brightest(unsigned depth)
+{
+    char text[300];
+    num_length colour[3];
+    struct world world = {"mirrors", text};
+
+    (void)snprintf(text, sizeof text,
+                   "depth %u\nmaterial bright colour 0 mirror 0.8 emission 0.7\n"
+                   "plane point 0 0 -1 normal 0 0 1 material bright\nplane point 0 0 20 normal 0 0 1 material bright\n",
+                   depth);
+    open_world(&world);
+    tia_sure_sample(view, 32, 32, 0, colour);
+    long double sum = 0.7L * (1 - powl(0.8L, depth + 1)) / 0.2L;
+    CHECK_MSG(fabsl(sure_length(colour[1]) - sum) < 1e-4L, "%f after %u bounces", sure_length(colour[1]), depth);
+    for (int c = 0; c < 3; c++)
+        CHECK_MSG(sure_length(colour[c]) <= scene->brightest[0], "%f after %u bounces", sure_length(colour[c]), depth);
+    for (unsigned left = 0; left <= depth; left++) {
+        sum = 0.7L * (1 - powl(0.8L, left + 1)) / 0.2L;
+        CHECK_MSG(sum <= scene->brightest[depth - left], "%f with %u bounces left", (double)sum, left);
+    }
+    close_world();
+}
+
+TEST(brightest)
+{
+    for (unsigned depth = 1; depth <= 8; depth++)
+        try_brightest(depth);
+}
+
+/* ---- hits that wait ---- */
+
+/* Those of samples that are unsure by now are not shaded any more, the others are. */
+TEST(hits)
+{
+    static struct sure_block block;
+    static struct work w = {.block = &block};
+    struct rays r = {.ew = 0};
+    struct query q = {.t = 1};
+
+    for (uint32_t slot = 0; slot < 2 * LANES; slot++) {
+        r.slot[0] = slot;
+        push_hits(&w, 1, &r, &q);
+    }
+    for (uint32_t slot = 1; slot < 2 * LANES; slot += 2)
+        mark(&w, slot);
+    for (int left = 2 * LANES; left > 0; left -= LANES) {
+        unsigned lanes = pop_hits(&w, &r, &q);
+        for (int k = 0; k < LANES; k++)
+            CHECK_EQ(lanes >> k & 1, !block.unsure[r.slot[k]]);
+    }
+    CHECK_EQ(w.hit_count, 0);
+}
+
 int main(void)
 {
     (void)trace;
@@ -270,5 +349,7 @@ int main(void)
     RUN(rays);
     RUN(coordinates);
     RUN(blends);
+    RUN(brightest);
+    RUN(hits);
     return check_status();
 }

@@ -41,6 +41,22 @@ static void try_start(struct used *u)
     use(u, real_gap(real_along(point, real_along(real_of(h.geometric), off, h.eg * WITHIN), scene.bias), from), eo);
 }
 
+/* Whether a ray surely moves away from where it starts, or surely comes back. */
+static void try_leaving(struct used *u)
+{
+    struct real way = real_random(), normal = real_aside(way);
+    struct shade h = {.eg = some_size(6, 30), .id = 3};
+    double ed = some_size(6, 30), bound = h.eg + ed, sign = some_sign();
+    long double side = 1.5L * random_real() * bound, theirs = side + bound * WITHIN * (long double)some_sign();
+
+    h.geometric = v3_of(real_along(normal, way, side));
+    struct origin from = leaving_or_not(&h, v3_of(way), ed, sign, SURE_2(13));
+    if (from.object < 0)
+        u->open++;
+    else
+        use(u, (from.side < 0) == (theirs * (long double)sign < 0) ? 0 : 2, 1);
+}
+
 /* Areas as seen along an axis: 0 where they are below, then divided by their sum. */
 static struct real smoothed(const struct sure_face *f, struct real at, int main)
 {
@@ -111,16 +127,19 @@ static void try_smooth(struct used *u, bool inside)
 TEST(surfaces)
 {
     struct used sides = {.name = "side of a surface"}, starts = {.name = "origin of a ray"},
-                smooth = {.name = "smooth normal"}, edges = {.name = "smooth normal at an edge"};
+                away = {.name = "way off a surface, or back"}, smooth = {.name = "smooth normal"},
+                edges = {.name = "smooth normal at an edge"};
 
     for (int i = 0; i < TRIES; i++) {
         try_side(&sides);
         try_start(&starts);
+        try_leaving(&away);
         try_smooth(&smooth, true);
         try_smooth(&edges, false);
     }
     check_used(&sides);
     check_used(&starts);
+    check_used(&away);
     check_used(&smooth);
     check_used(&edges);
 }

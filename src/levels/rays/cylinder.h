@@ -34,6 +34,13 @@
  * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
  * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
  * else is within 2^-55 of the reach, of which 8 u are added.
+ *
+ * Of what follows no test can tell whether it is there. l in lambda: |O| is at most |t| and twice the reach, so that
+ * the others, 16 u |t| and 8 u of the reach, leave 4 u |O| without it; doubles were never seen to be off by 1 u |O|.
+ * What g is less than D by: lambda is that of the farther end, which is half a chord away at least, D/f^2, so that f^2
+ * eta is 2 r D ed or more, as much as r ed takes off g^2 but for r^2 ed^2; and what of b lies along y' leaves the line
+ * across the axis where it is. `slanted`: along the axis 1/f^2 would be infinite and t not a number, and nothing sure
+ * either.
  */
 #ifndef TIA_LEVELS_RAYS_CYLINDER_H
 #define TIA_LEVELS_RAYS_CYLINDER_H

@@ -10,7 +10,8 @@ LANE_OP vd clamped(vd c)
 }
 
 /* A colour's level: floor(c n + threshold), see num_levels. *one is left where mean +- error has no other. 2^-40 is for
- * the sums here and the integers' division by the samples. */
+ * the sums here and the integers' division by the samples: in the error, where it is levels * 2^-40 and would do, and
+ * once more for the product here, which no test can see. */
 LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 {
     vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - SURE_2(40), vset(0)));
