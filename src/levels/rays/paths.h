@@ -17,7 +17,7 @@ struct item {
 };
 
 #define ITEMS 256
-#define MANY 24
+#define MANY 24 /* more than these go on before further camera rays begin */
 #define BLOCKERS 16
 
 /* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and

@@ -218,18 +218,15 @@ static void trace(struct sure_block *b)
 {
     const struct tia_view *view = b->scene->view->view;
     int count = b->width * b->height * b->samples;
-    bool stops = false;
     struct work w;
     struct rays r;
 
     work_open(&w, b);
-    for (int from = 0; from < count && !stops; from += LANES) {
+    for (int from = 0; from < count && !view_stops(view); from += LANES) {
         unsigned lanes = first_rays(&w, from, count, &r);
         follow(&w, &r, lanes);
-        while (w.count > MANY && !stops) {
+        while (w.count > MANY && !view_stops(view))
             go_on_with(&w, &r);
-            stops = view_stops(view);
-        }
     }
     while ((w.count || w.hit_count) && !view_stops(view))
         go_on_with(&w, &r);
