@@ -85,16 +85,6 @@ static void write_strip(struct tia_tile strip, const tia_rgb565 *pixels, char *o
             *(tia_rgb565 *)(void *)(out + x * surface->step) = *pixels++;
 }
 
-/* Whether objects keep an ambient light from places: then doubles know nothing of any point. */
-static bool has_occlusion(const struct sure_scene *s)
-{
-    bool found = false;
-
-    for (uint32_t i = 0; i < s->light_count; i++)
-        found = found || (s->lights[i].from->kind == TIA_AMBIENT_LIGHT && s->lights[i].radius > 0);
-    return found;
-}
-
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options)
 {
@@ -104,7 +94,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
     tia_rgb565 pixels[STRIP];
 
-    if (options->path_hash || options->lit || has_occlusion(s)) {
+    if (options->path_hash || options->lit || s->occluded) {
         tia_level_light_plain(view, tile, surface, options);
         return;
     }

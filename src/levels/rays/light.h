@@ -298,7 +298,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     struct aim aim;
 
     if (l->from->kind == TIA_AMBIENT_LIGHT) {
-        if (l->radius > 0) /* how much of it gets there is for the integers, see light() of draw.c */
+        if (l->radius > 0) /* how much of it gets there is for the integers, see `occluded` of the scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];

@@ -146,8 +146,10 @@ void tia_sure_set_lights(struct tia_view *view)
     struct sure_scene *s = tia_sure_scene(view);
 
     s->light_count = s->view->light_count;
+    s->occluded = false;
     for (uint32_t i = 0; i < s->light_count; i++) {
         set_light(&s->lights[i], &s->view->lights[i]);
+        s->occluded = s->occluded || (s->view->lights[i].kind == TIA_AMBIENT_LIGHT && s->lights[i].radius > 0);
         set_places(&s->lights[i], i < SURE_AREAS ? s->places[i] : NULL);
     }
     set_brightest(s);

@@ -70,7 +70,8 @@ LANE_OP void keep_item(struct item *to, double number[COLUMNS][LANES], const str
     to->media = r->media[k];
 }
 
-/* Takes up to LANES items off the end of a list: all but their numbers, of which rows are told. Returns how many. */
+/* Takes up to LANES items off the end of a list, one for each lane: row[k] are the numbers of lane k, all else is in r.
+ * Returns how many. */
 LANE_OP int take_items(const struct item *items, int *count, struct rays *r, const double *row[LANES])
 {
     static const struct item none;
