@@ -2,12 +2,17 @@
 
 #include "scene/bounds.h"
 
+static bool is_curved(const struct tia_scene *scene, uint32_t object)
+{
+    return !tia_flat_takes(scene, object) && !tia_flat_is_empty(scene, object);
+}
+
 uint32_t tia_curved_count(const struct tia_scene *scene)
 {
     uint32_t count = 0;
 
     for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
-        count += !tia_flat_takes(scene, i);
+        count += is_curved(scene, i);
     return count;
 }
 
@@ -94,7 +99,7 @@ void tia_curved_find(struct tia_curved_place *places, const struct tia_scene *sc
     uint32_t count = 0;
 
     for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++)
-        if (!tia_flat_takes(scene, i)) {
+        if (is_curved(scene, i)) {
             places[count].object = i;
             find(&places[count++], scene, eye, width, height);
         }

@@ -10,7 +10,7 @@ struct tia_curved_place {
     uint16_t x0, y0, x1, y1;
 };
 
-/* The number of a scene's objects that tia_flat_takes refuses. */
+/* The number of a scene's objects that are neither flat nor empty, see source.h. */
 uint32_t tia_curved_count(const struct tia_scene *scene);
 
 /* Their places, as many. */

@@ -5,6 +5,13 @@ static const struct tia_shape *shape_of(const struct tia_scene *scene, uint32_t 
     return object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
 }
 
+bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object)
+{
+    const struct tia_shape *shape = shape_of(scene, object);
+
+    return shape && shape->kind == TIA_MESH && scene->meshes[shape->mesh].face_count == 0;
+}
+
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object)
 {
     const struct tia_shape *shape = shape_of(scene, object);
@@ -15,8 +22,9 @@ bool tia_flat_takes(const struct tia_scene *scene, uint32_t object)
     case TIA_PLANE:
     case TIA_BOX:
     case TIA_TRIANGLE:
-    case TIA_MESH:
         return true;
+    case TIA_MESH:
+        return !tia_flat_is_empty(scene, object);
     case TIA_GRID:
         return false;
     default:

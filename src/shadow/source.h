@@ -20,6 +20,10 @@ struct tia_flat_source {
     struct frame frame;
 };
 
+/* An instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. It takes no memory, so
+ * that what a scene needs with all its shapes suffices for each of its times. */
+bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object);
+
 /* Whether an object has flat faces here; what is curved is left to rays, unless the scene wants it tessellated, and
  * grids always. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
