@@ -140,10 +140,11 @@ static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light
     return most;
 }
 
-/* In orthographic views there is no room for lights beyond what the faces need, so they are counted as well, and may
- * move by keys to four times that. Of those that are far away the nearest matter: the others become directions. */
+/* Without room for lights beyond what the faces need, lights are counted as well, and may move by keys to four times
+ * that. In orthographic views the nearest of those that are far away matter: the others become directions. */
 static unsigned range_with_lights(const struct tia_scene *scene, const struct tia_eye *eye, unsigned faces)
 {
+    unsigned room = eye->projection == TIA_ORTHOGRAPHIC ? faces + TIA_FLAT_LIGHT_BITS : RANGE_MOST;
     unsigned most = faces;
 
     for (uint32_t i = 0; i < scene->light_count + scene->binding_count; i++) {
@@ -152,7 +153,7 @@ static unsigned range_with_lights(const struct tia_scene *scene, const struct ti
         if (light->kind == TIA_AMBIENT_LIGHT || light->kind == TIA_DIRECTIONAL_LIGHT)
             continue;
         unsigned range = range_of_light(eye, light) + 2;
-        range = range > faces + TIA_FLAT_LIGHT_BITS ? faces + TIA_FLAT_LIGHT_BITS : range;
+        range = range > room ? room : range;
         most = range > most ? range : most;
     }
     return most < RANGE_MOST ? most : RANGE_MOST;
@@ -315,6 +316,25 @@ static char *take(char **memory, size_t size)
     return at;
 }
 
+int tia_flat_light_range(const struct tia_flat_scene *flat)
+{
+    return (flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40) - flat->lattice.fraction;
+}
+
+/* The lattice for the range of the faces or, where its vertices have then no bit to spare, for that of the lights. */
+static int init_lattice(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned width, unsigned height,
+                        unsigned *range)
+{
+    enum tia_projection projection = scene->camera.projection;
+    uint32_t samples = tia_flat_samples(scene);
+    int status = tia_lattice_init(&flat->lattice, projection, width, height, samples, 0, *range);
+
+    if (status || (projection != TIA_ORTHOGRAPHIC && (int)*range < tia_flat_light_range(flat)))
+        return status;
+    *range = range_with_lights(scene, &flat->eye, *range);
+    return tia_lattice_init(&flat->lattice, projection, width, height, samples, 0, *range);
+}
+
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct asker *asker)
 {
@@ -335,10 +355,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     unsigned range = range_of(scene, &flat->eye, asker);
     if (range > RANGE_MOST)
         return TIA_ERR_RANGE;
-    if (scene->camera.projection == TIA_ORTHOGRAPHIC)
-        range = range_with_lights(scene, &flat->eye, range);
-    int status =
-        tia_lattice_init(&flat->lattice, scene->camera.projection, width, height, tia_flat_samples(scene), 0, range);
+    int status = init_lattice(flat, scene, width, height, &range);
     flat->bits = flat->lattice.fraction + (int)range;
     for (uint32_t i = 0; !status && i < objects_of(scene) && !asker_stops(asker, 1); i++)
         if (tia_flat_takes(scene, i))

@@ -54,6 +54,10 @@ size_t tia_flat_size(const struct tia_scene *scene);
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct asker *asker);
 
+/* The largest range of a light's point, see tia_eye_range: raster.h has coordinates below 2^29 in orthographic views,
+ * else below 2^40. It is that of the faces, or of what tia_flat_init found lights to need if that is more. */
+int tia_flat_light_range(const struct tia_flat_scene *flat);
+
 /* The same faces where sample `sample` of each pixel is. */
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
                      unsigned sample);

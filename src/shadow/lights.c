@@ -68,9 +68,7 @@ static void from_direction(const struct tia_flat_scene *flat, const int64_t give
 
 static void from_point(const struct tia_flat_scene *flat, int64_t at[3], tia_flat_light *out)
 {
-    int most = flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40;
-
-    if ((int)tia_eye_range(&flat->eye, at) <= most - flat->lattice.fraction) {
+    if ((int)tia_eye_range(&flat->eye, at) <= tia_flat_light_range(flat)) {
         tia_eye_point(&flat->eye, at, flat->lattice.fraction, out);
         return;
     }
