@@ -16,7 +16,7 @@ NATIVE  := $(if $(CROSS),,yes)
 endif
 AR      := $(CROSS)ar
 PKG_CONFIG ?= $(CROSS)pkg-config
-CFLAGS  ?= -O3 -g
+CFLAGS  ?= -O2
 VERSION  = $(shell sed -n 's/.*TIA_VERSION "\(.*\)"/\1/p' include/tia/tia.h)
 
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
@@ -165,6 +165,21 @@ ifneq ($(BARE),)
 name_missing = echo "note: no operating system on $(BARE): libtia.a alone, without the commands, the displays$(if $(LIBF64),, and the f64 reference)"
 endif
 
+# ---- what objects and programs are made with ----
+# A file each for the compiler, its flags and the libraries found; what is made with them depends on it. It is written
+# again only when its text changes.
+COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
+made_with_core := $(COMPILER) $(CORE) $(CFLAGS)
+made_with_host := $(COMPILER) $(HOSTED) $(HAVE_LEVELS) $(CFLAGS)
+made_with_levels := $(COMPILER) $(CORE) $(HAVE_LEVELS) $(foreach l,$(LEVEL_NAMES),$(flags_$(l))) $(CFLAGS)
+made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
+same = $(and $(findstring x$(1)x,x$(2)x),$(findstring x$(2)x,x$(1)x))
+define made_with_file
+$(BUILD)/made-with/$(1): $(if $(call same,$(strip $(file <$(BUILD)/made-with/$(1))),$(strip $(made_with_$(1)))),,FORCE)
+	@mkdir -p $$(@D) && printf '%s\n' '$$(subst ','\'',$$(strip $$(made_with_$(1))))' >$$@
+endef
+$(foreach m,core host levels link,$(eval $(call made_with_file,$(m))))
+
 # $(call compile,WHAT,options): where one source makes several objects, WHAT names the arithmetic.
 define compile
 @mkdir -p $(@D)
@@ -172,29 +187,29 @@ $(call say,$(1),$<)$(CC) $(2) $(CFLAGS) -c -o $@ $<
 endef
 link = $(call say,LD,$@)$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
-$(BUILD)/q16/%.o: %.c
+$(BUILD)/q16/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,$(if $(filter $(NUM_SRC),$<),CC q16,CC),$(CORE))
-$(BUILD)/f64/%.o: %.c
+$(BUILD)/f64/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC f64,$(CORE) -DTIA_NUM_F64 -fno-math-errno)
-$(BUILD)/watched/%.o: %.c
+$(BUILD)/watched/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC obs,$(CORE) -DTIA_WATCHED)
-$(BUILD)/f32/%.o: %.c
+$(BUILD)/f32/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
 # Of a file of src/levels/.
 level_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
-$(BUILD)/levels/src/levels/%.o: src/levels/%.c
+$(BUILD)/levels/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
 	$(call compile,CC,$(call level_flags,$*))
-$(BUILD)/levels/port/levels/%.o: port/levels/%.c
+$(BUILD)/levels/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
-$(BUILD)/host/%.o: %.c
+$(BUILD)/host/%.o: %.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED))
-$(BUILD)/tests/%.o: tests/%.c
+$(BUILD)/tests/%.o: tests/%.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED) -Wno-missing-field-initializers -iquote src -iquote tests)
 # The checking build: what num_chk.h does not see, sums and differences, the compiler checks. Without
 # the compiler's runtime for it, a fault is a trap instead of a line.
 OVERFLOW := -fsanitize=signed-integer-overflow,shift -fno-sanitize-recover=all
 overflow = $(OVERFLOW) $$(cat $(BUILD)/chk/flags)
-$(BUILD)/chk/flags:
+$(BUILD)/chk/flags: $(BUILD)/made-with/core
 	@mkdir -p $(@D)
 	@echo 'int main(int n, char **v) { return v ? n + 1 : 0; }' >$@.c; \
 	if $(CC) $(OVERFLOW) -o $@.probe $@.c 2>/dev/null; then : ; else echo -fsanitize-undefined-trap-on-error; fi >$@
@@ -217,7 +232,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 
 # A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -231,7 +246,7 @@ $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(BUILD)/tia $(BUILD)/tests/test_observe: $(LIBWATCHED)
 $(BUILD)/tia $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA)
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 
 # Scenes as const tables: for a test, and for boards without files.
@@ -242,7 +257,7 @@ $(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_every
-$(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c
+$(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c $(BUILD)/made-with/core
 	$(call compile,CC,$(COMMON))
 $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
@@ -313,7 +328,7 @@ check: all tests
 
 # Real kernel drivers in guests, also what takes long; the table of what they said comes last.
 .PHONY: check-vm
-$(BUILD)/vm/probe: tests/vm/probe.c
+$(BUILD)/vm/probe: tests/vm/probe.c $(BUILD)/made-with/host
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
 check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports

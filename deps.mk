@@ -1,8 +1,7 @@
-# deps.mk - what Debian 12 has for it; `make deps` installs what is missing, with sudo when not root.
-#
-# `make deps run`: what the command needs. `make deps`: what a build can use. `make deps check` and
-# any other goal: everything.
-DEPS := gcc libc6-dev pkg-config libdrm-dev libpng-dev
+# deps.mk - what Debian 12 has for it; `make deps GOALS` installs what these goals use and is missing, with sudo when
+# not root. `make deps run`: what the command needs. `make deps`: what a build can use. A goal without a list of its own,
+# as `make deps check`: everything. With -n nothing is installed, and what would be is listed.
+DEPS_BUILD := gcc libc6-dev pkg-config libdrm-dev libpng-dev
 DEPS_ALL := libstb-dev libchafa-dev libjansson-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
         gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
@@ -16,12 +15,34 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         debhelper dpkg-dev lintian mmdebstrap libgl-dev \
         arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \
         gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
+deps_of_run := $(DEPS_BUILD)
+deps_of_all := $(DEPS_BUILD) $(DEPS_ALL)
+deps_of_install := $(deps_of_all)
+deps_of_bench := $(deps_of_all)
+deps_of_gallery := $(deps_of_all)
+deps_of_docs := $(deps_of_all)
+deps_of_web := clang lld wasi-libc libclang-rt-14-dev-wasm32
+deps_of_deb := debhelper dpkg-dev
+deps_of_boards := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc python3
+deps_of_prove := gappa frama-c-base why3 z3 cvc4 python3
+deps_of_lint := clang-format
+deps_of_man3 := python3
+deps_of_amalgamation := python3
+deps_of_arduino := python3
+deps_of_clean :=
+deps_of_help :=
+deps_of_uninstall :=
+deps_of = $(if $(filter undefined,$(origin deps_of_$(1))),$(DEPS_BUILD) $(DEPS_ALL) $(DEPS_CHECK),$(deps_of_$(1)))
 ifneq ($(filter deps,$(MAKECMDGOALS)),)
-DEPS += $(if $(filter-out run,$(or $(GOALS),all)),$(DEPS_ALL)) $(if $(filter-out run all install,$(GOALS)),$(DEPS_CHECK))
+DEPS := $(sort $(foreach g,$(or $(GOALS),all),$(call deps_of,$(g))))
+DEPS_MISSING := $(if $(DEPS),$(filter-out $(shell dpkg-query -W -f '$${Package} $${Status}\n' $(DEPS) 2>/dev/null | \
+                                     sed -n 's/ install ok installed$$//p'),$(DEPS)))
+# Make makes included files even with -n, -q and -t.
+ifneq ($(strip $(foreach f,n q t,$(findstring $(f),$(firstword -$(MAKEFLAGS))))),)
+$(if $(DEPS_MISSING),$(info deps: apt-get would install $(DEPS_MISSING)))
+else
 # An included file that is out of date is made first and the Makefile is read again: so the
 # libraries are found in the same call that installs them.
-DEPS_MISSING := $(filter-out $(shell dpkg-query -W -f '$${Package} $${Status}\n' $(DEPS) 2>/dev/null | \
-                                     sed -n 's/ install ok installed$$//p'),$(DEPS))
 $(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
 	@mkdir -p $(@D)
 	@if [ -n "$(DEPS_MISSING)" ]; then \
@@ -33,4 +54,5 @@ $(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
 	        >$(BUILD)/deps.log 2>&1 || { tail -20 $(BUILD)/deps.log >&2; exit 1; }; fi
 	@touch $@
 include $(BUILD)/deps.mk
+endif
 endif

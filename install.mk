@@ -9,11 +9,11 @@ LIBDIR  ?= lib
 
 # ---- the shared library: the core and the vector units ----
 # Of its symbols those are seen that libtia.map lists: what the installed headers declare.
-$(BUILD)/pic/%.o: %.c
+$(BUILD)/pic/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC pic,$(CORE) $(PIC))
-$(BUILD)/pic/src/levels/%.o: src/levels/%.c
+$(BUILD)/pic/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
 	$(call compile,CC pic,$(call level_flags,$*) $(PIC))
-$(BUILD)/pic/port/levels/%.o: port/levels/%.c
+$(BUILD)/pic/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host
 	$(call compile,CC pic,$(HOSTED) $(HAVE_LEVELS) $(PIC))
 PIC := -fPIC -fno-semantic-interposition
 $(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map
