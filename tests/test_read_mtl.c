@@ -41,6 +41,41 @@ TEST(materials)
     CHECK(!m.refraction.g && !m.transmission.g);
 }
 
+/* Programs that mean an opaque material write Tr 1 or d 0: it is drawn, and the line is in a warning. */
+TEST(materials_of_which_nothing_would_be_seen)
+{
+    static const struct {
+        const char *statements, *warning; /* none: the opacity stays */
+        tia_q30 red;
+    } cases[] = {
+        {"Kd 1 0 0\nTr 1\n", "m:3:4: '1' hides the whole material, expected some opacity; drawn opaque", TIA_Q30_ONE},
+        {"d 0\nKd 1 0 0\nTr 0.5\n", "m:2:3: '0' hides the whole material, expected some opacity; drawn opaque",
+         TIA_Q30_ONE},
+        {"Kd 1 0 0\nd 0\nmap_d x.png\n", "m:3:3: '0' hides the whole material, expected some opacity; drawn opaque",
+         TIA_Q30_ONE},
+        {"Kd 1 0 0\nTr 1\nd 0.5\n", NULL, TIA_Q30(0.5)},
+        {"Kd 1 0 0\nTr 0.75\n", NULL, TIA_Q30(0.25)},
+        {"Kd 1 0 0\nTr 1\nTf 1 0.5 1\n", NULL, 0},
+        {"Kd 1 0 0\nd 0\nillum 7\nNi 1.5\n", NULL, 0},
+    };
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char library[500], at[600] = "";
+        struct files files = {.names = {"m"}, .texts = {library}};
+        struct reading r;
+        (void)snprintf(library, sizeof library, "newmtl m\n%s", cases[i].statements);
+        read_model(&r, &files, "mtllib m\nusemtl m\n" TRIANGLE "f 1 2 3\n");
+        const struct tia_read_warning *w = &files.warnings[TIA_WARN_OPACITY];
+        CHECK_EQ(r.status, TIA_OK);
+        CHECK_EQ(r.scene.materials[r.scene.shapes[0].material].colour.r, cases[i].red);
+        if (w->count)
+            (void)snprintf(at, sizeof at, "%s:%u:%u: %s", w->at.file, w->at.line, w->at.column, w->at.text);
+        CHECK_EQ(w->count, cases[i].warning != NULL);
+        CHECK_MSG(!strcmp(at, cases[i].warning ? cases[i].warning : ""), "%zu: %s", i, at);
+        finish(&r, &files);
+    }
+}
+
 TEST(images)
 {
     struct files files = {
@@ -137,6 +172,7 @@ TEST(errors_of_libraries)
 int main(void)
 {
     RUN(materials);
+    RUN(materials_of_which_nothing_would_be_seen);
     RUN(images);
     RUN(offsets);
     RUN(opacities);

@@ -241,6 +241,27 @@ TEST(faces_by_material)
 #define OUT_OF_Q16 "' is out of range, expected a number from -32768 to below 32768"
 
 /* Faces below lines that say the same are one group; an o is no g; before the first line is a group too. */
+/* Some programs write the slashes of parts that a corner does not have. */
+TEST(corners_with_empty_parts)
+{
+    static const char *const corners[] = {"f 1// 2// 3//\n", "f 1/2/ 2/2/ 3/1/\n", "f -3// 2 3\n"};
+
+    for (int i = 0; i < 3; i++) {
+        struct files files = {.strict = true};
+        struct reading r;
+        char text[200];
+        (void)snprintf(text, sizeof text, TRIANGLE "vt 0 0\nvt 1 0.5\n%s", corners[i]);
+        read_model(&r, &files, text);
+        if (!r.status) {
+            const struct tia_face *face = &r.scene.meshes[0].faces[0];
+            CHECK(r.scene.meshes[0].face_count == 1 && face->corner[1].vertex == 1 && face->corner[2].vertex == 2);
+            CHECK_EQ(face->corner[0].normal, TIA_NO_INDEX);
+            CHECK_EQ(face->corner[0].uv, i == 1 ? 1 : TIA_NO_INDEX);
+        }
+        finish(&r, &files);
+    }
+}
+
 TEST(groups)
 {
     static const uint8_t same[] = {0, 1, 2, 1, 3, 4, 3, 5}; /* faces of equal numbers */
@@ -290,7 +311,7 @@ TEST(errors)
         {TRIANGLE "vt 0\nf 1/1 2/1 3\n", "5:11: '3' is of another form, expected all corners of a face alike"},
         {TRIANGLE "f 0 1 2\n", "4:3: '0' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
         {TRIANGLE "f 1/ 1 2\n", "4:3: '1/' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "f 1// 1 2\n", "4:3: '1//' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
+        {TRIANGLE "f 1/// 1 2\n", "4:3: '1///' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
         {TRIANGLE "f 1/1/1/1 1 2\n", "4:3: '1/1/1/1' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
         {TRIANGLE "usemtl none\nf 1 2 3\n", "4:8: 'none' is no material, expected one that a mtllib has"},
         {"mtllib none.mtl\n", "1:8: 'none.mtl' cannot be read: no such file, expected a material library"},
@@ -358,6 +379,7 @@ int main(void)
     RUN(frames);
     RUN(frames_of_models);
     RUN(faces_by_material);
+    RUN(corners_with_empty_parts);
     RUN(groups);
     RUN(errors);
     RUN(too_many_corners);

@@ -49,6 +49,7 @@ enum tia_read_warning_kind {
     TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
     TIA_WARN_OPTION,    /* an option of an image that is not supported: ignored */
     TIA_WARN_RANGE,     /* a number out of range: clamped */
+    TIA_WARN_OPACITY,   /* a material of which nothing would be seen, as by Tr 1: opaque */
     TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
     TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
     TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */

@@ -14,7 +14,8 @@ static int64_t take_index(const char **p, const char *end)
     return negative ? -index : index;
 }
 
-/* V, V/VT, V//VN or V/VT/VN; a missing part is 0. False: none of these forms. */
+/* V, V/VT, V//VN or V/VT/VN, of which VN may be empty (V//, V/VT/) as some programs write it; a missing part is 0.
+ * False: none of these forms. */
 static bool split(const struct tia_word *word, int64_t index[PARTS])
 {
     const char *p = word->at, *end = word->at + word->length;
@@ -24,7 +25,7 @@ static bool split(const struct tia_word *word, int64_t index[PARTS])
     for (int part = PART_UV; part < PARTS && p < end && *p == '/'; part++) {
         const char *start = ++p;
         index[part] = take_index(&p, end);
-        if (p > start ? !index[part] : part == PART_NORMAL || p == end || *p != '/')
+        if (p > start ? !index[part] : part == PART_UV && (p == end || *p != '/'))
             return false;
     }
     return p == end && index[PART_VERTEX];

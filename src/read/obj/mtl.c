@@ -4,6 +4,8 @@
  *     Ks Ns           highlight and its exponent, with illum 2 and above; with illum 3 and above Ks is the mirror too
  *     d, Tr           opacity, or 1 - opacity; where both are there, d. Kd is multiplied by it; refraction and
  *                     the transmission of shadow rays are (1 - opacity) Tf
+ *                     An opacity of 0 without an illum or Tf that shows anything is 1, and a warning: some programs
+ *                     write Tr 1 for opaque materials
  *     Tf              1 by default; with illum 4, 6, 7, 9 and neither d nor Tr the opacity is 0
  *     Ni              index of refraction with illum 4, 6, 7, 9; else light goes straight through
  *     illum           2 by default; 0 is 1; Fresnel's equations with 5 and 7
@@ -27,15 +29,29 @@ static bool is_one_of(int64_t illum, unsigned set)
 #define BENDS (1u << 4 | 1u << 6 | 1u << 7 | 1u << 9)
 #define FRESNEL (1u << 5 | 1u << 7)
 
-static void close_material(struct mtl *m)
+/* Nothing is seen of a material without opacity whose light neither bends nor is filtered. */
+static int keep_visible(struct mtl *m)
+{
+    const tia_q30 one = TIA_Q30_ONE;
+
+    if (!(m->has_d || m->has_tr) || m->opacity > 0 || is_one_of(m->illum, BENDS) || m->tf.r < one || m->tf.g < one ||
+        m->tf.b < one)
+        return TIA_OK;
+    m->opacity = one;
+    (void)tia_text_error(&m->opacity_text, &m->opacity_word, "hides the whole material", "some opacity");
+    return tia_obj_forgive(m->obj, TIA_WARN_OPACITY);
+}
+
+static int close_material(struct mtl *m)
 {
     struct tia_material made = {
         .emission = m->ke, .index = TIA_Q16_ONE, .texture = m->texture, .opacity = m->opacity_texture};
     bool bends = is_one_of(m->illum, BENDS);
+    int status = m->open ? keep_visible(m) : TIA_OK;
     tia_q30 opacity = m->has_d || m->has_tr ? m->opacity : bends && m->has_filter ? 0 : TIA_Q30_ONE;
 
-    if (!m->open)
-        return;
+    if (!m->open || status)
+        return status;
     made.colour = tia_rgb_product(m->kd, opacity);
     made.refraction = made.transmission = tia_rgb_product(m->tf, TIA_Q30_ONE - opacity);
     if (bends && m->index)
@@ -45,6 +61,7 @@ static void close_material(struct mtl *m)
     if (is_one_of(m->illum, MIRRORS))
         made.mirror = m->ks;
     tia_array_add(&m->obj->materials, &made);
+    return TIA_OK;
 }
 
 static void open_material(struct mtl *m)
@@ -64,7 +81,7 @@ void tia_mtl_add_default(struct obj *o)
     struct mtl m = {.obj = o};
 
     open_material(&m);
-    close_material(&m);
+    (void)close_material(&m); /* it is opaque */
 }
 
 /* ---- statements ---- */
@@ -77,9 +94,9 @@ static int read_newmtl(struct mtl *m)
 
     if (status)
         status = tia_obj_forgive(m->obj, TIA_WARN_STATEMENT);
+    status = status ? status : close_material(m);
     if (status)
         return status;
-    close_material(m);
     open_material(m);
     name.index = m->obj->materials.count;
     if (m->obj->pass != OBJ_FILL) {
@@ -171,31 +188,40 @@ static int read_ns(struct mtl *m)
     return tia_obj_forgive(m->obj, TIA_WARN_RANGE);
 }
 
+/* A number from 0 to 1, from which the opacity follows; d stays where Tr comes later. */
+static int read_opacity(struct mtl *m, bool is_transparency)
+{
+    struct tia_text line = m->text;
+    struct tia_word word;
+    tia_q30 number;
+
+    (void)tia_text_peek(&m->text, &word);
+    int status = read_unit(m, &number, false);
+    if (status || (is_transparency && m->has_d))
+        return status;
+    m->opacity = is_transparency ? TIA_Q30_ONE - number : number;
+    m->opacity_text = line;
+    m->opacity_word = word;
+    return TIA_OK;
+}
+
 static int read_d(struct mtl *m)
 {
     struct tia_word word;
-    tia_q30 opacity;
 
     if (tia_text_peek(&m->text, &word) && tia_word_is(&word, "-halo"))
         (void)tia_text_word(&m->text, &word);
-    int status = read_unit(m, &opacity, false);
-    if (status)
-        return status;
-    m->has_d = true;
-    m->opacity = opacity;
-    return TIA_OK;
+    int status = read_opacity(m, false);
+    m->has_d |= !status;
+    return status;
 }
 
 static int read_tr(struct mtl *m)
 {
-    tia_q30 transparency;
-    int status = read_unit(m, &transparency, false);
+    int status = read_opacity(m, true);
 
-    if (status || m->has_d)
-        return status;
-    m->has_tr = true;
-    m->opacity = TIA_Q30_ONE - transparency;
-    return TIA_OK;
+    m->has_tr |= !status;
+    return status;
 }
 
 static int read_ni(struct mtl *m)
@@ -289,6 +315,5 @@ int tia_mtl_read(struct obj *o, const struct obj_library *library)
         if (status)
             return status;
     }
-    close_material(&m);
-    return TIA_OK;
+    return close_material(&m);
 }

@@ -12,6 +12,7 @@ static const struct {
     [TIA_WARN_IMAGE] = {"left out", OBJ_FILL},
     [TIA_WARN_OPTION] = {"ignored", OBJ_COUNT},
     [TIA_WARN_RANGE] = {"the nearest is used", OBJ_COUNT},
+    [TIA_WARN_OPACITY] = {"drawn opaque", OBJ_COUNT},
     [TIA_WARN_NUMBER] = {"0 is used", OBJ_COUNT},
     [TIA_WARN_NORMAL] = {"faces that use it are drawn flat", OBJ_COUNT},
     [TIA_WARN_CORNER] = {"the face is drawn without", OBJ_COUNT},
