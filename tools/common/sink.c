@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "inputs.h"
 #include "ports.h"
 
 /* Keeps the reason of the first failure, since it causes the later ones. */
@@ -15,6 +16,13 @@ static int fail(struct sink *sink, int error)
 {
     if (!sink->failed)
         (void)snprintf(sink->why, PORT_WHY, "%.180s: %s", sink->name, strerror(error));
+    sink->failed = true;
+    return TIA_ERR_DEVICE;
+}
+
+static int refuse_input(struct sink *sink)
+{
+    (void)snprintf(sink->why, PORT_WHY, "%.180s: it is one of the files read (choose another name)", sink->name);
     sink->failed = true;
     return TIA_ERR_DEVICE;
 }
@@ -45,6 +53,8 @@ static int open_file(struct sink *sink)
         return fail(sink, EISDIR);
     if (exists && !S_ISREG(status.st_mode))
         return open_directly(sink);
+    if (exists && inputs_have(&status))
+        return refuse_input(sink);
     return open_beside(sink, exists ? &status : NULL);
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "common/image/sums.h"
+#include "common/inputs.h"
 #include "common/sink.h"
 #include "ports.h"
 
@@ -47,8 +48,10 @@ static FILE *open_regular(const char *path)
 
     if (fd < 0)
         return NULL;
-    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode))
+    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
+        inputs_add(&status);
         return fdopen(fd, "rb");
+    }
     (void)close(fd);
     errno = EINVAL;
     return NULL;

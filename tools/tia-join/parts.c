@@ -12,6 +12,7 @@
 #include <tia/render.h>
 
 #include "common/image/part.h"
+#include "common/inputs.h"
 
 __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
 {
@@ -52,6 +53,7 @@ static int open_part(struct parts *parts, const struct part *part, uint64_t *len
         (void)failed(parts, "%.300s: not a regular file", part->path);
     } else {
         *length = (uint64_t)status.st_size;
+        inputs_add(&status);
         return fd;
     }
     if (fd >= 0)

@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "common/inputs.h"
+
 static int failed(const char **why, int error)
 {
     *why = strerror(error);
@@ -92,8 +94,10 @@ int whole_read(struct whole *whole, const char *path, size_t most, const char **
         result = failed(why, errno);
     else
         result = check(&status, most, why);
-    if (!result)
+    if (!result) {
+        inputs_add(&status);
         result = read_sized(whole, fd, (size_t)status.st_size, most, why);
+    }
     if (fd >= 0)
         (void)close(fd);
     return result;

@@ -1,0 +1,14 @@
+/* inputs.h - the files that this process has read, so that no output replaces one of them. */
+#ifndef TOOLS_INPUTS_H
+#define TOOLS_INPUTS_H
+
+#include <stdbool.h>
+#include <sys/stat.h>
+
+/* Remembers a file by its device and inode: links to it are the same file. Without memory for it, it is forgotten. */
+void inputs_add(const struct stat *status);
+
+/* True for a file that was added. */
+bool inputs_have(const struct stat *status);
+
+#endif
