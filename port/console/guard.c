@@ -50,8 +50,10 @@ static void restore_vt(const struct saved *saved, int fd)
     if (ioctl(fd, KDSETMODE, (long)KD_GRAPHICS) != 0 && errno == EPERM && claim_terminal(fd))
         (void)ioctl(fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(fd, KDSETMODE, (long)saved->was.vt.kd_mode);
+    /* A switch that waits for an answer is completed: VT_SETMODE would forget it, and chvt would wait for ever. */
+    bool switched = ioctl(fd, VT_RELDISP, 1L) == 0;
     (void)ioctl(fd, VT_SETMODE, &mode);
-    if (saved->was.vt.back_to != 0)
+    if (saved->was.vt.back_to != 0 && !switched)
         (void)ioctl(fd, VT_ACTIVATE, (long)saved->was.vt.back_to);
 }
 

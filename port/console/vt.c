@@ -206,6 +206,7 @@ void vt_give(struct vt *vt)
     /* The kernel draws the text when the mode changes. */
     (void)ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
+    (void)vt_let_go(vt); /* a switch that waits would be forgotten by VT_SETMODE */
     (void)ioctl(vt->fd, VT_SETMODE, &mode);
     if (vt->back_to != 0 && vt_in_front(vt))
         (void)ioctl(vt->fd, VT_ACTIVATE, (long)vt->back_to);

@@ -150,4 +150,25 @@ def killed_while_stopped(s):
     s.ends(137)
 
 
-ALL = [guardian_killed, chosen_by_nobody, both_killed, both_killed_and_switched, stopped, killed_while_stopped]
+def switches_under_way(s):
+    """The states of the processes that wait for a switch."""
+    return s.guest.sh('for p in /proc/[0-9]*; do [ "$(cat $p/comm 2>/dev/null)" = chvt ] && '
+                      'sed "s/.*) //;s/ .*//" $p/stat; done; true').split()
+
+
+def killed_while_switching(s):
+    """A switch that waits for a tia that cannot answer any more is completed by its guardian: it does not wait for ever."""
+    text = other_text(s)
+    s.start()
+    s.guest.sh('kill -STOP %s %s; chvt 2 >/dev/null 2>&1 &' % (guardians(s), s.pid()))
+    s.guest.wait(lambda: switches_under_way(s) == ['S'], 'a switch that waits')
+    s.guest.sh('kill -KILL %s; kill -CONT %s' % (s.pid(), guardians(s)))
+    s.status()
+    s.guest.wait(lambda: not switches_under_way(s), 'the end of the switch')
+    s.guest.wait(lambda: is_active(s, 2) and s.eye.sees(s.guest) == text, 'the text of console 2')
+    s.guest.tap('ctrl-alt-f1')
+    s.ends(137)
+
+
+ALL = [guardian_killed, chosen_by_nobody, both_killed, both_killed_and_switched, stopped, killed_while_stopped,
+       killed_while_switching]
