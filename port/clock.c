@@ -16,3 +16,10 @@ static uint64_t now_us(void *ctx)
 }
 
 const struct tia_clock clock_monotonic = {now_us};
+
+int clock_left_ms(uint64_t end_us)
+{
+    uint64_t now = clock_now_us();
+
+    return now < end_us ? (int)((end_us - now) / 1000) : 0;
+}

@@ -1,6 +1,8 @@
 #include "descriptor.h"
 
 #include <fcntl.h>
+#include <signal.h>
+#include <termios.h>
 #include <unistd.h>
 
 int descriptor_open(const char *path, int access)
@@ -14,4 +16,16 @@ int descriptor_copy(int fd, int access)
     int copy = ttyname_r(fd, name, sizeof name) == 0 ? descriptor_open(name, access) : -1;
 
     return copy >= 0 ? copy : fcntl(fd, F_DUPFD_CLOEXEC, 3);
+}
+
+/* SIGTTOU would stop a process in the background here. */
+void descriptor_drop_output(int fd)
+{
+    sigset_t stop, before;
+
+    (void)sigemptyset(&stop);
+    (void)sigaddset(&stop, SIGTTOU);
+    (void)pthread_sigmask(SIG_BLOCK, &stop, &before);
+    (void)tcflush(fd, TCOFLUSH);
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
 }

@@ -9,4 +9,7 @@ int descriptor_open(const char *path, int access);
  * file description. A terminal without a name, or that we may not open, is only duplicated, and may block. */
 int descriptor_copy(int fd, int access);
 
+/* Drops what the kernel has not yet passed to the terminal. */
+void descriptor_drop_output(int fd);
+
 #endif

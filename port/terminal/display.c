@@ -6,8 +6,6 @@
  */
 #include <errno.h>
 #include <fcntl.h>
-#include <langinfo.h>
-#include <locale.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +13,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "clock.h"
 #include "colour.h"
 #include "console/console.h"
 #include "console/guardian.h"
@@ -27,17 +26,19 @@
 #include "signals.h"
 #include "symbols.h"
 #include "terminal.h"
+#include "utf8.h"
 #include "ways.h"
 
 #define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
-#define LAST_WRITE_MS 100 /* how long close waits for a terminal that accepts nothing */
-#define LAST_WRITES 5     /* and how often, as signals end waits too */
+#define LAST_WRITE_MS 150 /* how long close waits for a terminal that accepts nothing */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a frame. A
  * terminal without an alternate screen is cleared. */
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
 static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
+/* The end of a picture that was cut short: of its string, and for kitty of its data, which is not to be answered. */
+static const char cut_sixel[] = "\033\\", cut_kitty[] = "\033\\\033_Gm=0,q=2;\033\\";
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
@@ -72,15 +73,17 @@ static int failed_with(const struct terminal *t, int error)
     return failed(t, node_error(error, text));
 }
 
-/* Sends what the terminal accepts within timeout_ms (-1: no limit) and before a signal. */
+/* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal. */
 static int send_text(struct terminal *t, int timeout_ms)
 {
+    uint64_t end = clock_now_us() + (uint64_t)(timeout_ms < 0 ? 0 : timeout_ms) * 1000;
+
     while (t->sent < t->text.count) {
         ssize_t n = write(t->fd, t->text.bytes + t->sent, t->text.count - t->sent);
         struct pollfd ready = {.fd = t->fd, .events = POLLOUT};
         if (n >= 0)
             t->sent += (size_t)n;
-        else if (errno == EAGAIN && console_wait(&ready, 1, timeout_ms) <= 0)
+        else if (errno == EAGAIN && console_wait(&ready, 1, timeout_ms < 0 ? -1 : clock_left_ms(end)) <= 0)
             return TIA_OK;
         else if (errno != EAGAIN && errno != EINTR)
             return TIA_ERR_DEVICE;
@@ -174,23 +177,6 @@ static int open_window(struct terminal *t)
     return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
-/* Asks the locale or, if it is not installed here, goes by its name: ssh passes on that of the terminal's machine. */
-static bool locale_is_utf8(void)
-{
-    static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
-    locale_t locale = newlocale(LC_CTYPE_MASK, "", (locale_t)0);
-    const char *name = NULL;
-
-    if (locale != (locale_t)0) {
-        bool found = strcmp(nl_langinfo_l(CODESET, locale), "UTF-8") == 0;
-        freelocale(locale);
-        return found;
-    }
-    for (size_t i = 0; i < sizeof names / sizeof names[0] && (!name || *name == '\0'); i++)
-        name = getenv(names[i]);
-    return name && (strcasestr(name, ".utf-8") || strcasestr(name, ".utf8"));
-}
-
 static int look_at_environment(struct terminal *t)
 {
     const char *term = getenv("TERM");
@@ -228,11 +214,25 @@ static void enter(struct terminal *t)
     t->entered = true;
 }
 
+/* Drops the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
+static void drop_text(struct terminal *t)
+{
+    descriptor_drop_output(t->fd);
+    t->sent = t->text.count = 0;
+    if (t->pictures == PICTURES_KITTY || t->pictures == PICTURES_SIXEL)
+        text_add(&t->text, t->pictures == PICTURES_KITTY ? cut_kitty : cut_sixel);
+}
+
 static void leave(struct terminal *t)
 {
+    uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;
+
+    if (t->sent < t->text.count)
+        drop_text(t);
     text_add(&t->text, leave_text);
-    for (int i = 0; i < LAST_WRITES && t->sent < t->text.count; i++)
-        (void)send_text(t, LAST_WRITE_MS);
+    do /* a signal ends a wait, too */
+        (void)send_text(t, clock_left_ms(end));
+    while (t->sent < t->text.count && clock_left_ms(end) > 0);
     terminal_signals_end();
     /* Otherwise the guardian sends it when the terminal accepts it. */
     if (t->sent == t->text.count)
