@@ -264,7 +264,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-levels check-denoise check-rays-billion check-mutants fuzz
-$(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA)
+$(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
 	@$(run_tests) $<

@@ -16,7 +16,7 @@ $(BUILD)/pic/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
 $(BUILD)/pic/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host
 	$(call compile,CC pic,$(HOSTED) $(HAVE_LEVELS) $(PIC))
 PIC := -fPIC -fno-semantic-interposition
-$(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map
+$(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map $(BUILD)/made-with/link
 	$(call say,LD,$@)$(CC) -shared $(CFLAGS) $(LDFLAGS) -Wl,-soname,$(notdir $@) -Wl,--version-script,libtia.map -Wl,-z,defs \
 	    -o $@ $(filter %.o,$^) -lm
 

@@ -240,7 +240,6 @@ TEST(faces_by_material)
 
 #define OUT_OF_Q16 "' is out of range, expected a number from -32768 to below 32768"
 
-/* Faces below lines that say the same are one group; an o is no g; before the first line is a group too. */
 /* Some programs write the slashes of parts that a corner does not have. */
 TEST(corners_with_empty_parts)
 {
@@ -262,6 +261,7 @@ TEST(corners_with_empty_parts)
     }
 }
 
+/* Faces below lines that say the same are one group; an o is no g; before the first line is a group too. */
 TEST(groups)
 {
     static const uint8_t same[] = {0, 1, 2, 1, 3, 4, 3, 5}; /* faces of equal numbers */

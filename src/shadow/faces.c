@@ -321,7 +321,7 @@ int tia_flat_light_range(const struct tia_flat_scene *flat)
     return (flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40) - flat->lattice.fraction;
 }
 
-/* The lattice for the range of the faces or, where its vertices have then no bit to spare, for that of the lights. */
+/* Chooses the format of the vertices: for the range of the faces or, if that leaves no spare bits, of the lights. */
 static int init_lattice(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned width, unsigned height,
                         unsigned *range)
 {

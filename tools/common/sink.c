@@ -12,19 +12,17 @@
 #include "ports.h"
 
 /* Keeps the reason of the first failure, since it causes the later ones. */
-static int fail(struct sink *sink, int error)
+static int refuse(struct sink *sink, const char *reason)
 {
     if (!sink->failed)
-        (void)snprintf(sink->why, PORT_WHY, "%.180s: %s", sink->name, strerror(error));
+        (void)snprintf(sink->why, PORT_WHY, "%.180s: %s", sink->name, reason);
     sink->failed = true;
     return TIA_ERR_DEVICE;
 }
 
-static int refuse_input(struct sink *sink)
+static int fail(struct sink *sink, int error)
 {
-    (void)snprintf(sink->why, PORT_WHY, "%.180s: it is one of the files read (choose another name)", sink->name);
-    sink->failed = true;
-    return TIA_ERR_DEVICE;
+    return refuse(sink, strerror(error));
 }
 
 static int open_directly(struct sink *sink)
@@ -54,7 +52,7 @@ static int open_file(struct sink *sink)
     if (exists && !S_ISREG(status.st_mode))
         return open_directly(sink);
     if (exists && inputs_have(&status))
-        return refuse_input(sink);
+        return refuse(sink, "it is one of the files read (choose another name)");
     return open_beside(sink, exists ? &status : NULL);
 }
 

@@ -47,7 +47,7 @@ static int close_material(struct mtl *m)
     struct tia_material made = {
         .emission = m->ke, .index = TIA_Q16_ONE, .texture = m->texture, .opacity = m->opacity_texture};
     bool bends = is_one_of(m->illum, BENDS);
-    int status = m->open ? keep_visible(m) : TIA_OK;
+    int status = keep_visible(m);
     tia_q30 opacity = m->has_d || m->has_tr ? m->opacity : bends && m->has_filter ? 0 : TIA_Q30_ONE;
 
     if (!m->open || status)
