@@ -2,7 +2,17 @@
 
 #include "rays.h"
 
-#define BIAS (1.0 / 8192.0)
+static const struct oracle_variant as_tia = {.bias = ORACLE_BIAS};
+
+/* A unit vector with as many bits as a variant has for it. */
+static struct oracle_vec rounded(struct oracle_variant variant, struct oracle_vec v)
+{
+    double one = ldexp(1, (int)variant.direction_bits);
+
+    if (!variant.direction_bits)
+        return v;
+    return (struct oracle_vec){nearbyint(v.x * one) / one, nearbyint(v.y * one) / one, nearbyint(v.z * one) / one};
+}
 
 struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, double x, double y)
 {
@@ -61,16 +71,21 @@ unsigned oracle_bayer(unsigned x, unsigned y)
     return value;
 }
 
+static bool meets(struct oracle_variant variant, struct ray ray, const struct tia_sphere *sphere, double *t)
+{
+    return (variant.quadratic ? oracle_sphere_analytic : oracle_sphere_geometric)(
+        ray.origin, ray.direction, position(sphere->centre), q16(sphere->radius), t);
+}
+
 /* The nearest sphere on the ray, the lower index on a tie; *t is its distance, or infinite. */
-static uint32_t nearest_sphere(const struct tia_scene *scene, struct ray ray, double *t)
+static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
     double d;
 
     *t = INFINITY;
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
-        const struct tia_sphere *s = &scene->spheres[i];
-        if (oracle_sphere_geometric(ray.origin, ray.direction, position(s->centre), q16(s->radius), &d) && d < *t) {
+        if (meets(variant, ray, &scene->spheres[i], &d) && d < *t) {
             *t = d;
             nearest = i;
         }
@@ -97,7 +112,8 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
 
 /* What is left of white light on its way along the ray up to `distance`; *passed is the sum of
  * index + 1 over the spheres on the way. */
-static struct colour transmission(const struct tia_scene *scene, struct ray ray, double distance, uint32_t *passed)
+static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
+                                  double distance, uint32_t *passed)
 {
     struct colour left = {{1.0, 1.0, 1.0}};
     double d;
@@ -105,12 +121,10 @@ static struct colour transmission(const struct tia_scene *scene, struct ray ray,
     *passed = 0;
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
-        if (oracle_sphere_geometric(ray.origin, ray.direction, position(s->centre), q16(s->radius), &d) &&
-            d < distance) {
+        if (meets(variant, ray, s, &d) && (d < distance || variant.beyond_light)) {
+            const struct tia_material *material = &scene->materials[s->material];
             *passed += i + 1;
-            struct colour kept = rgb(scene->materials[s->material].transmission);
-            for (int c = 0; c < 3; c++)
-                left.channel[c] *= kept.channel[c];
+            left = product(left, rgb(variant.colour_passes ? material->colour : material->transmission));
         }
     }
     return left;
@@ -118,34 +132,35 @@ static struct colour transmission(const struct tia_scene *scene, struct ray ray,
 
 /* Adds what one light gives the point p with normal n of a surface; true when any of it arrives,
  * through spheres that *passed sums up. */
-static bool add_light(const struct tia_scene *scene, const struct tia_light *light, struct oracle_vec p,
-                      struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
+static bool add_light(const struct tia_scene *scene, struct oracle_variant variant, const struct tia_light *light,
+                      struct oracle_vec p, struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
 {
     struct oracle_vec way = sub(position(light->centre), p);
     double distance = length(way);
-    struct oracle_vec ldir = divide(way, distance);
+    struct oracle_vec ldir = rounded(variant, divide(way, distance));
     double cosine = dot(n, ldir);
 
     if (!(cosine > 0))
         return false;
-    struct colour left = transmission(scene, (struct ray){along(p, BIAS, n), ldir}, distance, passed);
+    struct colour left = transmission(scene, variant, (struct ray){along(p, variant.bias, n), ldir}, distance, passed);
     struct colour emission = rgb(light->emission);
     for (int c = 0; c < 3; c++)
         sum[c] += surface.channel[c] * left.channel[c] * cosine * emission.channel[c];
     return !is_black(left);
 }
 
-static void shade(const struct tia_scene *scene, struct ray ray, struct oracle_pixel *pixel)
+static void shade(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
+                  struct oracle_pixel *pixel)
 {
     const struct tia_sphere *s = &scene->spheres[pixel->object];
     const struct tia_material *material = &scene->materials[s->material];
     struct oracle_vec p = along(ray.origin, pixel->depth, ray.direction);
-    struct oracle_vec n = divide(sub(p, position(s->centre)), q16(s->radius));
+    struct oracle_vec n = rounded(variant, divide(sub(p, position(s->centre)), q16(s->radius)));
     struct colour emission = rgb(material->emission);
 
     for (uint32_t i = 0; i < scene->light_count; i++) {
         uint32_t passed;
-        bool lit = add_light(scene, &scene->lights[i], p, n, rgb(material->colour), pixel->linear, &passed);
+        bool lit = add_light(scene, variant, &scene->lights[i], p, n, rgb(material->colour), pixel->linear, &passed);
         if (lit && i < 16)
             pixel->path_hash = (pixel->path_hash + (passed * (i + 1) << 16)) | UINT32_C(1) << i;
     }
@@ -181,13 +196,14 @@ tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool 
     return pixel->colour;
 }
 
-static struct oracle_pixel spheres_look(const struct tia_scene *scene, unsigned width, unsigned height, double x,
-                                        double y)
+static struct oracle_pixel spheres_look(const struct tia_scene *scene, struct oracle_variant variant, unsigned width,
+                                        unsigned height, double x, double y)
 {
-    struct ray ray = {position(scene->camera.eye), oracle_direction(&scene->camera, width, height, x, y)};
+    struct ray ray = {position(scene->camera.eye),
+                      rounded(variant, oracle_direction(&scene->camera, width, height, x, y))};
     struct oracle_pixel pixel = {0};
 
-    pixel.sphere = nearest_sphere(scene, ray, &pixel.depth);
+    pixel.sphere = nearest_sphere(scene, variant, ray, &pixel.depth);
     uint32_t light = nearest_light(scene, ray, &pixel.depth);
     pixel.object = light == TIA_NO_OBJECT ? pixel.sphere : scene->sphere_count + light;
     if (light != TIA_NO_OBJECT) {
@@ -196,7 +212,7 @@ static struct oracle_pixel spheres_look(const struct tia_scene *scene, unsigned 
     } else if (pixel.object == TIA_NO_OBJECT) {
         set_linear(&pixel, rgb(scene->background));
     } else {
-        shade(scene, ray, &pixel);
+        shade(scene, variant, ray, &pixel);
     }
     return pixel;
 }
@@ -204,7 +220,16 @@ static struct oracle_pixel spheres_look(const struct tia_scene *scene, unsigned 
 struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y)
 {
     return oracle_needs_rays(scene) ? oracle_rays_look(scene, width, height, x, y)
-                                    : spheres_look(scene, width, height, x, y);
+                                    : spheres_look(scene, as_tia, width, height, x, y);
+}
+
+struct oracle_pixel oracle_variant_pixel(const struct tia_scene *scene, struct oracle_variant variant, unsigned width,
+                                         unsigned height, unsigned x, unsigned y)
+{
+    struct oracle_pixel pixel = spheres_look(scene, variant, width, height, x, y);
+
+    (void)oracle_pack(&pixel, x, y, false);
+    return pixel;
 }
 
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,

@@ -34,6 +34,19 @@ tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool 
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                                  bool dither);
 
+/* Details of a scene of spheres that other programs have otherwise; with ORACLE_BIAS and all else 0 it is the oracle.
+ */
+#define ORACLE_BIAS (1.0 / 8192.0)
+struct oracle_variant {
+    double bias;             /* from a surface along its normal to the start of its shadow rays */
+    bool colour_passes;      /* a blocker lets its colour through, instead of its transmission */
+    bool beyond_light;       /* spheres behind the light block it too */
+    bool quadratic;          /* spheres by oracle_sphere_analytic */
+    unsigned direction_bits; /* directions and normals are rounded to multiples of 2^-this; 0: not rounded */
+};
+struct oracle_pixel oracle_variant_pixel(const struct tia_scene *scene, struct oracle_variant variant, unsigned width,
+                                         unsigned height, unsigned x, unsigned y);
+
 /* The oracle as the library's arithmetics are: but its lights cannot be replaced. */
 extern const struct tia_core oracle_core;
 
