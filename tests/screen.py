@@ -15,8 +15,8 @@ import time
 
 from command import LIMIT_S, TIA, check, same
 
-# A sequence that another one cuts short is none.
-TOKEN = re.compile(rb"(?:\x1b\[[?0-9;]*(?=\x1b))?\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
+# A sequence that another one cuts short is none, nor is a character, where SIGKILL ended what wrote it.
+TOKEN = re.compile(rb"(?:\xe2\x96?(?=\x1b)|\x1b\[[?0-9;]*(?=\x1b))?\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
 UNFINISHED = re.compile(rb"\x1b(\[[?0-9;]*)?$|\xe2\x96?$")
 GREYS = [(8 + 10 * i,) * 3 for i in range(24)]
 LEVELS = (0, 95, 135, 175, 215, 255)
