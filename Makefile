@@ -263,7 +263,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-levels check-denoise check-rays-billion check-mutants fuzz
+.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-levels check-denoise check-threads check-rays-billion check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -280,6 +280,8 @@ check-levels: $(addprefix $(BUILD)/tests/test_,span_levels ray_levels ray_bounds
 	@LEVEL_SCENES=100000 $(run_tests) tests/slow/levels
 check-denoise: all
 	@DENOISE_FULL=yes $(run_tests) tests/slow/denoise
+check-threads: all
+	@THREADS_FULL=yes $(run_tests) tests/slow/threads
 check-rays-billion: $(BUILD)/tests/test_ray_bounds
 	@$< --rays $(or $(RAYS),1000000000) $(PASS)
 SECONDS ?= 600
@@ -363,7 +365,7 @@ help:
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-accuracy check-arch check-matrix check-levels check-denoise check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-arch check-matrix check-levels check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"

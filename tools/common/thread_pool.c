@@ -9,8 +9,12 @@
 #include "clock.h"
 
 /* Enough for the core, whose stack depth is bounded, and for compressing a file. The default of 8 MB could exceed a
- * limit on the address space. */
+ * limit on the address space. ThreadSanitizer keeps what it knows about a thread on the thread's stack as well. */
+#ifdef __SANITIZE_THREAD__
+#define STACK_BYTES (4096u * 1024u)
+#else
 #define STACK_BYTES (512u * 1024u)
+#endif
 
 /* How long a thread looks for the next round, or for the end of this one, before it sleeps: to be woken takes about 50
  * microseconds, a tenth of a frame of 1920x1080. Who has looked for nothing sleeps at once the next times, so that
