@@ -1,0 +1,67 @@
+/* radio.c - the command line of tia-radio: any bytes, a newline between arguments. What is accepted keeps its
+ * limits. */
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "bytes.h"
+#include "tia-radio/arguments.h"
+#include "tia-radio/fail.h"
+#include "tia-radio/materials.h"
+
+#define ARGUMENTS 24
+
+static void must_be_material(const struct naming *naming)
+{
+    MUST(memchr(naming->name, '\0', sizeof naming->name) && memchr(naming->itu, '\0', sizeof naming->itu));
+    MUST(*naming->itu ? itu_has(naming->itu) : naming->permittivity >= 1);
+    MUST(naming->permittivity == 0 || (naming->permittivity >= 1 && naming->permittivity <= 1e6));
+    MUST(naming->conductivity >= 0 && naming->conductivity <= 1e12);
+    MUST(naming->thickness >= 0 && naming->thickness <= 1000);
+}
+
+static void must_be_map(const struct options *o)
+{
+    MUST(o->map_axis <= 2 && !o->rx_count && !o->json && o->method != METHOD_SBR && (o->output || o->csv));
+    MUST(o->width >= 1 && o->width <= TIA_SIZE_MAX && o->height >= 1 && o->height <= TIA_SIZE_MAX);
+    MUST(!o->has_rows || (o->first_row <= o->last_row && o->last_row < o->height));
+    MUST(!o->has_area || (o->area[0] < o->area[2] && o->area[1] < o->area[3]));
+    MUST(o->low < o->high && isfinite(o->low) && isfinite(o->high));
+}
+
+static void must_keep_limits(const struct options *o)
+{
+    MUST(o->scene && o->tx_count >= 1 && o->tx_count <= PLACES_MOST && o->rx_count <= PLACES_MOST);
+    MUST(o->frequency >= 1e6 && o->frequency <= 1e12 && o->method < METHODS && (o->up == 1 || o->up == 2));
+    MUST(o->order <= TIA_RADIO_ORDER_MAX && o->walls <= TIA_RADIO_WALLS_MAX && o->threads >= 1);
+    MUST(o->density >= 1 && o->density <= TIA_RADIO_DENSITY_MAX && o->naming_count <= NAMES_MOST);
+    for (unsigned i = 0; i < o->naming_count; i++)
+        must_be_material(&o->namings[i]);
+    if (o->map_axis >= 0)
+        must_be_map(o);
+    else
+        MUST(o->rx_count >= 1 && !o->csv && !o->has_rows);
+    MUST(!o->output || image_format_built(o->format));
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char *text = malloc(size + 1), *argv[ARGUMENTS + 2] = {"tia-radio"};
+    static struct options options;
+    int argc = 1;
+
+    MUST(text);
+    if (size)
+        memcpy(text, data, size);
+    text[size] = '\0';
+    for (char *word = strtok(text, "\n"); word && argc <= ARGUMENTS; word = strtok(NULL, "\n"))
+        argv[argc++] = word;
+    optind = 0; /* glibc: start anew */
+    int status = arguments_parse(&options, argc, argv);
+    MUST(status == FINE || status == REFUSED || status == FAILED || status == -1);
+    if (status == FINE)
+        must_keep_limits(&options);
+    free(text);
+    return 0;
+}
