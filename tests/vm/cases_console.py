@@ -135,6 +135,37 @@ def second(s):
     s.ends(0)
 
 
+def start_another(s):
+    """From the serial line, with the console's keyboard."""
+    s.guest.sh('(tia %s -k "" </dev/null >/dev/null 2>/tmp/another.err; echo $? >/tmp/another) &' % ' '.join(s.display))
+
+
+def ended(s):
+    """The statuses of those of the two that have ended, the one on the console first; '': both run."""
+    return [name + '=' + status for name, status in (('console', s.file('status')),
+            ('serial', s.guest.sh('cat /tmp/another 2>/dev/null', check=False))) if status]
+
+
+def two_at_once(s):
+    """Of two that start in one moment, on one display, one draws and the other is refused: for the display, or for the
+    keyboard if it came between the other's keyboard and display."""
+    reasons = {'3': 'in use by tia', '4': 'another program has grabbed it'}
+    for _ in range(s.times(15)):
+        s.guest.sh('rm -f /tmp/another*')
+        start_another(s)
+        s.run(*s.display)
+        s.guest.wait(lambda: ended(s), 'one to be refused')
+        refused = ended(s)
+        said = s.guest.sh('cat /tmp/another.err') + s.file('err')
+        if len(refused) != 1 or len(said.splitlines()) != 1 or reasons.get(refused[0][-1], '?') not in said:
+            raise Failure('ended: %s, said: %r' % (refused, said))
+        want = s.expected('')
+        s.guest.wait(lambda: s.eye.sees(s.guest) == want, 'the picture of the other')
+        s.guest.tap('esc')
+        s.guest.wait(lambda: len(ended(s)) == 2, 'the end of the other')
+        s.ends(0, 3, 4)
+
+
 def master(s):
     """A display that another program is master of is refused by name."""
     s.guest.sh('probe master /dev/dri/card0 >/tmp/master & echo $! >/tmp/master.pid')
@@ -163,17 +194,64 @@ def exhausted(s):
     s.ends(137)
 
 
+def limited(s):
+    """A control group's limit on memory: tia shows its picture, refuses in one line, or is killed; the console lives."""
+    group = '/tmp/cgroup/limited'
+    s.guest.sh('mkdir -p /tmp/cgroup; mount -t cgroup2 none /tmp/cgroup; echo +memory >/tmp/cgroup/cgroup.subtree_control;'
+               'mkdir %s' % group)
+    ends = set()
+    for kilobytes in (64, 256, 512, 800, 1200, 2000, 3000, 4000, 6000, 8000, 20000):
+        s.guest.sh('echo %dK >%s/memory.max' % (kilobytes, group))
+        s.run(command='sh -c "echo \\$\\$ >%s/cgroup.procs; exec tia -k a %s"' % (group, ' '.join(s.display)))
+        if s.shown_or_ended('a') == 'shown':
+            s.guest.tap('esc')
+        s.ends(0, 1, 3, 137)
+        ends.add(s.status())
+    s.guest.sh('rmdir %s; umount /tmp/cgroup' % group)
+    if not {0, 137} <= ends:
+        raise Failure('statuses %s: no limit was too small, or none large enough' % ends)
+
+
 # ---- many times ----
 
+def kill_at_once(s):
+    s.kill('KILL')
+
+
+def kill_stopped(s):
+    s.kill('STOP')
+    s.kill('KILL')
+
+
+def kill_continued(s):
+    for signal in ('STOP', 'CONT', 'STOP', 'CONT', 'KILL'):
+        s.kill(signal)
+
+
+def kill_behind(s):
+    """With console 2 in front, or a switch to it under way."""
+    s.frame('')
+    s.guest.tap('ctrl-alt-f2')
+    s.kill('KILL')
+    s.status()
+    s.guest.sh('timeout 20 chvt 2; timeout 20 chvt 1')
+
+
 def kills(s):
-    """SIGKILL at random moments, from before the first instruction to long after the first frame."""
+    """SIGKILL at random moments, from before the first instruction to long after the first frame, also of a tia that is
+    or was stopped, or that is giving the console away."""
     moments = random.Random(1)
-    for _ in range(s.times(100)):
+    ways = (kill_at_once, kill_stopped, kill_at_once, kill_continued, kill_at_once, kill_behind)
+    for i in range(s.times(100)):
         s.run(*s.display)
         s.pid()
         time.sleep(moments.choice((0.02, 0.1, 0.5)) * moments.random())
-        s.kill('KILL')
-        s.ends(137)
+        way = ways[i % len(ways)]
+        try:
+            way(s)
+            s.ends(137)
+        except Failure as failure:
+            raise Failure('kill %d, %s: %s' % (i + 1, way.__name__, failure), getattr(failure, 'want', None))
 
 
 def switches(s):

@@ -71,6 +71,31 @@ def virtio_hotplug(s):
     plugged_while_running(s, 'virtio-keyboard-pci')
 
 
+def comes_and_goes(s):
+    """A keyboard plugged in and out again and again, with a key down and without: no frame comes by itself afterwards, and
+    no file stays open."""
+    moves = random.Random(3)
+    s.start('-k', 's', '--checksum', first='s')
+    counts = set()
+    for i in range(s.times(50)):
+        plug(s, 'usb-kbd')
+        s.wait_grabbed(2)
+        key = moves.choice(('right', 'left', 'up', 'pgdn'))
+        s.guest.press(key)
+        if i % 3:
+            drawn = s.frames_drawn()
+            s.guest.wait(lambda: s.frames_drawn() > drawn, 'a frame')
+        unplug(s)
+        s.guest.tap('w')
+        s.frame('w')
+        s.guest.release(key)
+        counts.add(s.guest.sh('ls /proc/%s/fd | wc -l' % s.pid()))
+    if len(counts) != 1:
+        raise Failure('open files after each: %s' % counts)
+    s.guest.tap('esc')
+    s.ends(0)
+
+
 def two(s):
     """Two keyboards at once, keys down on both."""
     before = nodes(s)

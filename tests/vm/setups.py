@@ -18,14 +18,15 @@ GROUPS = {
     'pictures': [display.frames, display.automatic, display.rotated, display.centred, display.modes],
     'held keys, latency': [display.held, display.latency],
     'pages, pacing': [display.panning, display.pacing],
-    'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable, keys.none,
-                  *hands.ALL],
+    'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.comes_and_goes, keys.two,
+                  keys.unreadable, keys.none, *hands.ALL],
     'mice, tablets': [*pointer.ALL, pointer.none_there],
     'ends': [console.signals, console.exhausted, console.keys_that_quit, console.terminal_keys, console.held_through],
     'guardian': guardian.ALL,
     'consoles': [console.switch, console.ends_away, console.serial],
     'going away': [display.device_gone, display.screen_gone],
-    'in use': [console.second, console.master],
+    'in use': [console.second, console.two_at_once, console.master],
+    'memory': [console.limited],
     '100 SIGKILLs': [console.kills],
     '200 switches': [console.switches],
     '1,000 keys': [keys.thousand],
@@ -34,9 +35,11 @@ GROUPS = {
 # of each kind, because it is not the driver that does it.
 BASIC = [display.conforms, display.frames, display.held, console.signals, console.switch, console.second]
 DRM = [*BASIC, console.master, display.screen_gone]
+# What takes long is done at one driver of each kind, with --full at every driver.
+LONG = [console.kills]
 THOROUGH = [display.automatic, display.latency, display.rotated, display.centred, console.keys_that_quit,
             console.terminal_keys, console.held_through, console.serial, console.ends_away,
-            console.exhausted, *guardian.ALL, console.kills]
+            console.exhausted, console.two_at_once, console.limited, *guardian.ALL]
 
 
 @dataclass
@@ -55,6 +58,11 @@ class Setup:
     cases: list = field(default_factory=list)
     machine: str = 'pc'
     keyboard: bool = True
+    long: bool = False              # its LONG cases are run without --full too
+
+    def all_cases(self, full):
+        basic = set(BASIC) <= set(self.cases)
+        return self.cases + (LONG if basic and (full or self.long) else [])
 
     def missing(self):
         """Why this guest cannot be had here, or None."""
@@ -80,8 +88,9 @@ def drm(name, qemu, modules, size=(640, 480), title='', **more):
 
 
 SETUPS = [
-    vesafb('vesafb16', 0x311, '16 bpp', format='RGB565', cases=[*BASIC, *THOROUGH]),
-    drm('bochs', BOCHS, ['bochs'], cases=[*DRM, display.modes, display.device_gone, *THOROUGH]),
+    vesafb('vesafb16', 0x311, '16 bpp', format='RGB565', cases=[*BASIC, *THOROUGH], long=True),
+    drm('bochs', BOCHS, ['bochs'], cases=[*DRM, display.modes, display.device_gone, *THOROUGH],
+        long=True),
     vesafb('vesafb16-800', 0x314, '16 bpp, 800x600', size=(800, 600), format='RGB565', cases=[display.frames]),
     vesafb('vesafb32', 0x342, '32 bpp', cases=BASIC),
     vesafb('vesafb15', 0x310, '15 bpp', format='RGB555', eye=Scanout(picture.shift555), cases=[display.frames]),
@@ -102,8 +111,8 @@ SETUPS = [
     drm('keyboards', [*BOCHS, '-device', 'qemu-xhci,id=usb'],
         ['bochs', 'uinput', 'virtio_pci', 'virtio_input', 'xhci-pci', 'usbhid', 'hid-generic'],
         title='PS/2, USB, virtio, uinput keyboards',
-        cases=[keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.two, keys.unreadable,
-               *hands.ALL]),
+        cases=[keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.comes_and_goes, keys.two,
+               keys.unreadable, *hands.ALL]),
     drm('pointers', [*BOCHS, '-device', 'qemu-xhci,id=usb'],
         ['bochs', 'psmouse', 'virtio_pci', 'virtio_input', 'xhci-pci', 'usbhid', 'hid-generic'],
         title='PS/2, USB, virtio mice and tablets', cases=pointer.ALL),
