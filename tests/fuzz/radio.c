@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bytes.h"
+#include "common/image/image.h"
 #include "tia-radio/arguments.h"
 #include "tia-radio/fail.h"
 #include "tia-radio/materials.h"
