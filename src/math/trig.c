@@ -1,5 +1,7 @@
 /* trig.c - sine, cosine and cot(fov / 2) by their power series. */
 #include "trig.h"
+
+#include "divide.h"
 #include "integer.h"
 
 #define ONE (UINT64_C(1) << 63) /* 1.0 as Q1.63 */
@@ -24,7 +26,7 @@ static uint64_t series(uint64_t z2, unsigned last)
 /* 2^56 a / b by long division; a / b < 2^8. */
 static uint64_t quotient(uint64_t a, uint64_t b)
 {
-    uint64_t q = a / b, rest = a % b;
+    uint64_t q = tia_quotient(a, b), rest = a - q * b;
     for (unsigned i = 0; i < 56; i++) {
         /* rest < b <= 2^63: no overflow */
         rest <<= 1;

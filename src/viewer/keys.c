@@ -1,6 +1,8 @@
 /* keys.c - events, and the repeat of held keys. */
 #include "loop.h"
 
+#include "math/divide.h"
+
 /* The light that a key sets or moves: its number. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
 {
@@ -104,7 +106,7 @@ int tia_viewer_take_events(struct loop *loop)
  * not follow, and the key would be let go too late. */
 static void drop_steps(struct held *held, uint64_t time)
 {
-    uint64_t late = held->due_us && time > held->due_us ? (time - held->due_us) / TIA_HOLD_STEP_US : 0;
+    uint64_t late = held->due_us && time > held->due_us ? tia_quotient(time - held->due_us, TIA_HOLD_STEP_US) : 0;
 
     if (late >= TIA_HOLD_STEPS)
         held->due_us += (late - (TIA_HOLD_STEPS - 1)) * TIA_HOLD_STEP_US;

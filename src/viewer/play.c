@@ -4,12 +4,15 @@
 
 #include "loop.h"
 #include "math/align.h"
+#include "math/divide.h"
 
 #define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 
 /* n * TIA_Q16_ONE cannot overflow: n < 2^15 rate[0], and rate[0] < 2^20. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 {
+    if (!rate)
+        return start;
     uint64_t n = (uint64_t)frame * rate[1], time;
 
     if (n >= (uint64_t)rate[0] << 15)
@@ -28,7 +31,7 @@ static tia_q16 clock_time(const struct loop *loop)
         return loop->time;
     if (!length || !loop->started)
         return begin;
-    return begin + (tia_q16)((viewer_now(loop) - loop->start_us) % length * TIA_Q16_ONE / 1000000);
+    return begin + (tia_q16)tia_quotient(divide_rest(viewer_now(loop) - loop->start_us, length) * TIA_Q16_ONE, 1000000);
 }
 
 static bool is_stepped(const struct loop *loop)
@@ -94,7 +97,7 @@ int tia_viewer_play_begin(struct loop *loop)
     loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
     if (loop->current_size < SIZE_MAX / 8 && loop->current_size >= SCENE_SIZE)
         loop->current = v->memory(v->memory_ctx, loop->current_size);
-    return loop->current ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
+    return memory_is_usable(loop->current) ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
 }
 
 /* When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */

@@ -46,64 +46,51 @@ static int check_whole(struct check *check)
     return tia_check_falling(check);
 }
 
-enum part { MATERIALS, SPHERES, LIGHTS, KEYS, TEXTURES, TRANSFORMS, MESHES, GRIDS, SHAPES, TRACKS, FALLS, PARTS };
-
-static int check_one(const struct check *check, enum part part)
+static int check_light(const struct check *check)
 {
-    switch (part) {
-    case MATERIALS:
-        return tia_check_material(check);
-    case SPHERES:
-        return tia_check_sphere(check);
-    case LIGHTS:
-        return tia_check_light(check, &check->scene->lights[check->index]);
-    case KEYS:
-        return tia_check_light(check, &check->scene->bindings[check->index].state);
-    case TEXTURES:
-        return tia_check_texture(check);
-    case TRANSFORMS:
-        return tia_check_transform(check);
-    case MESHES:
-        return tia_check_mesh(check);
-    case GRIDS:
-        return tia_check_grid(check);
-    case SHAPES:
-        return tia_check_shape(check);
-    case TRACKS:
-        return tia_check_track(check);
-    case FALLS:
-    default:
-        return tia_check_fall(check);
-    }
+    return tia_check_light(check, &check->scene->lights[check->index]);
+}
+
+static int check_key(const struct check *check)
+{
+    return tia_check_light(check, &check->scene->bindings[check->index].state);
+}
+
+static int check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check))
+{
+    int status = TIA_OK;
+
+    check->thing = thing;
+    for (check->index = 0; !status && check->index < count; check->index++)
+        status = asker_stops(check->asker, 1) ? TIA_STOPPED : one(check);
+    return status;
 }
 
 static int check_parts(struct check *check)
 {
-    const struct tia_scene *s = check->scene;
-    const struct {
+    static const struct {
         const char *thing;
-        uint32_t count;
-    } parts[PARTS] = {
-        [MATERIALS] = {"material", s->material_count},
-        [SPHERES] = {"sphere", s->sphere_count},
-        [LIGHTS] = {"light", s->light_count},
-        [KEYS] = {"key", s->binding_count},
-        [TEXTURES] = {"texture", s->texture_count},
-        [TRANSFORMS] = {"transform", s->transform_count},
-        [MESHES] = {"mesh", s->mesh_count},
-        [GRIDS] = {"grid", s->grid_count},
-        [SHAPES] = {"shape", s->shape_count},
-        [TRACKS] = {"track", s->track_count},
-        [FALLS] = {"fall", s->falling ? s->falling->count : 0},
+        size_t count; /* its place in the scene */
+        int (*one)(const struct check *check);
+    } parts[] = {
+        {"material", offsetof(struct tia_scene, material_count), tia_check_material},
+        {"sphere", offsetof(struct tia_scene, sphere_count), tia_check_sphere},
+        {"light", offsetof(struct tia_scene, light_count), check_light},
+        {"key", offsetof(struct tia_scene, binding_count), check_key},
+        {"texture", offsetof(struct tia_scene, texture_count), tia_check_texture},
+        {"transform", offsetof(struct tia_scene, transform_count), tia_check_transform},
+        {"mesh", offsetof(struct tia_scene, mesh_count), tia_check_mesh},
+        {"grid", offsetof(struct tia_scene, grid_count), tia_check_grid},
+        {"shape", offsetof(struct tia_scene, shape_count), tia_check_shape},
+        {"track", offsetof(struct tia_scene, track_count), tia_check_track},
     };
+    const struct tia_scene *s = check->scene;
     int status = TIA_OK;
 
-    for (unsigned part = 0; !status && part < PARTS; part++) {
-        check->thing = parts[part].thing;
-        for (check->index = 0; !status && check->index < parts[part].count; check->index++)
-            status = asker_stops(check->asker, 1) ? TIA_STOPPED : check_one(check, (enum part)part);
-    }
-    return status;
+    for (size_t i = 0; !status && i < sizeof parts / sizeof *parts; i++)
+        status = check_each(check, parts[i].thing, *(const uint32_t *)(const void *)((const char *)s + parts[i].count),
+                            parts[i].one);
+    return status ? status : check_each(check, "fall", s->falling ? s->falling->count : 0, tia_check_fall);
 }
 
 /* The camera's eye, and where tracks move it. Tracks are not checked yet: a bad one may have no keys. */
@@ -140,5 +127,7 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
 {
     struct asker nobody = {0};
 
+    if (!scene)
+        return TIA_ERR_ARGUMENT;
     return tia_check_scene(scene, fault, &nobody);
 }

@@ -1,0 +1,16 @@
+/* divide.h - quotients and remainders of 64 bits by one function. */
+#ifndef TIA_MATH_DIVIDE_H
+#define TIA_MATH_DIVIDE_H
+
+#include <stdint.h>
+
+/* a/b, rounded down; b is not 0. */
+uint64_t tia_quotient(uint64_t a, uint64_t b);
+
+/* a modulo b. */
+static inline uint64_t divide_rest(uint64_t a, uint64_t b)
+{
+    return a - tia_quotient(a, b) * b;
+}
+
+#endif
