@@ -2,6 +2,7 @@
 #define TIA_NO_INT128
 #define tia_polygon_init halves_polygon_init
 #define tia_polygon_init_enlarged halves_polygon_init_enlarged
+#define tia_polygon_has_range halves_polygon_has_range
 #define tia_polygon_box halves_polygon_box
 #define tia_polygon_rows halves_polygon_rows
 #define tia_depth_scale_init halves_depth_scale_init

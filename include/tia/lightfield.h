@@ -75,7 +75,7 @@ tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, ui
 
 /* The ordinary off-axis camera whose eye stands at a place within the line's ends: eye and reference move by place
  * times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line. */
-void tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
+int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
 
 #ifdef __cplusplus
 }

@@ -111,7 +111,7 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
 uint32_t tia_radio_directions(uint32_t density);
 
 /* Direction i of them, of length 1, Q2.62. */
-void tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
+int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
 
 /* A ray that passes the receiver: its planes, and its path, whose points are accurate to about 2^-14. */
 struct tia_radio_ray {

@@ -153,20 +153,20 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
 /* Empties the depth buffer. */
-void tia_clear_depth(struct tia_raster_target *target);
+int tia_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
-void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
-void tia_clear_count(struct tia_raster_target *target, uint32_t value);
-void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
-void tia_clear_sum(struct tia_raster_target *target);
+int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
+int tia_clear_count(struct tia_raster_target *target, uint32_t value);
+int tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
+int tia_clear_sum(struct tia_raster_target *target);
 
 /* The accumulation buffer is for callers: with an area light, they draw a picture for each of its points and take the
  * mean. tia_render records which samples of a light arrive, and needs no such buffer.
  *
  * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
-void tia_sum_add(struct tia_raster_target *target, uint32_t weight);
+int tia_sum_add(struct tia_raster_target *target, uint32_t weight);
 /* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. total is 1..65536. */
-void tia_sum_return(struct tia_raster_target *target, uint32_t total);
+int tia_sum_return(struct tia_raster_target *target, uint32_t total);
 
 /* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners as `state` says. Its plane, for depth, is that of its first
  * three corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth

@@ -27,7 +27,7 @@ struct tia_text {
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
 /* Draws the part in `tile`; the other pixels stay. */
-void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
+int tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,8 @@
 
 #include <tia/denoise.h>
 
+#include "math/tile.h"
+
 /* Data that each pass changes. */
 struct light {
     uint32_t rgb[3]; /* over the albedo, Q16.16 */

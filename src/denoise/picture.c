@@ -20,25 +20,28 @@ size_t tia_denoise_size(unsigned width, unsigned height)
 int tia_denoise_init(struct tia_denoiser **denoiser, void *memory, size_t size, unsigned width, unsigned height)
 {
     struct tia_denoiser *d = memory;
-    char *at = (char *)memory + ALIGN(sizeof *d);
 
-    if (!width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX)
+    if (!denoiser || !memory_is_usable(memory) || !width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX)
         return TIA_ERR_ARGUMENT;
     if (size < tia_denoise_size(width, height))
         return TIA_ERR_MEMORY;
     size_t pixels = (size_t)width * height;
+    char *at = (char *)memory + ALIGN(sizeof *d);
     *d = (struct tia_denoiser){.width = width, .height = height};
     for (int i = 0; i < 2; i++, at += ALIGN(pixels * sizeof(struct light)))
         d->light[i] = (struct light *)(void *)at;
     d->features = (struct feature *)(void *)at;
+    for (size_t i = 0; i < pixels; i++) {
+        d->light[0][i] = d->light[1][i] = (struct light){{0, 0, 0}, 0};
+        d->features[i] = (struct feature){.depth = 0};
+    }
     *denoiser = d;
     return TIA_OK;
 }
 
 bool tia_denoise_has(const struct tia_denoiser *d, struct tia_tile tile)
 {
-    return tile.width && tile.height && (uint32_t)tile.x + tile.width <= d->width &&
-           (uint32_t)tile.y + tile.height <= d->height;
+    return d && tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)d->width, (uint16_t)d->height});
 }
 
 /* Of a sum that is not negative: to nearest. */
@@ -50,6 +53,8 @@ static uint64_t mean(int64_t sum, uint32_t count)
 /* n (mean of squares - square of the mean)/(n - 1) is the variance of a sample, and 1/n of that of the mean's. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count)
 {
+    if (!sum || !count)
+        return 0;
     uint64_t all = (uint64_t)sum->rgb[0] + 2 * (uint64_t)sum->rgb[1] + (uint64_t)sum->rgb[2];
     uint64_t whole = all / ((uint64_t)count * 4), most = whole >> 32 ? UINT64_MAX : whole * whole >> 16;
 
@@ -76,12 +81,13 @@ static void put_channel(struct light *light, struct feature *feature, int c, uin
 /* Of the mean's length 1, or 0: with at most 2^27 in a component, squares do not overflow. */
 static void put_normal(struct feature *feature, const int64_t sum[3])
 {
-    int64_t n[3], most = 0;
+    int64_t n[3];
+    uint64_t most = 0;
     unsigned down = 0;
 
     for (int c = 0; c < 3; c++)
-        most |= sum[c] < 0 ? -sum[c] : sum[c];
-    while (most >> down >= INT64_C(1) << 30)
+        most |= sum[c] < 0 ? 0 - (uint64_t)sum[c] : (uint64_t)sum[c];
+    while (most >> down >= UINT64_C(1) << 30)
         down++;
     for (int c = 0; c < 3; c++)
         n[c] = sum[c] / (INT64_C(1) << down);
@@ -106,9 +112,14 @@ static void put_pixel(struct light *light, struct feature *feature, const struct
     light->error = error > UINT32_MAX ? UINT32_MAX : (uint32_t)error;
 }
 
+static bool is_whole(const struct tia_gathered *g)
+{
+    return g && g->sums && g->guides && g->squares;
+}
+
 int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct tia_gathered *gathered, uint32_t count)
 {
-    if (!tia_denoise_has(d, tile) || !count || count > TIA_SPP_MAX)
+    if (!tia_denoise_has(d, tile) || !is_whole(gathered) || !count || count > TIA_SPP_MAX)
         return TIA_ERR_ARGUMENT;
     for (size_t y = 0; y < tile.height; y++)
         for (size_t x = 0; x < tile.width; x++) {
@@ -121,7 +132,7 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
 int tia_denoise_get(const struct tia_denoiser *d, struct tia_tile tile, uint32_t count, struct tia_sum *sums,
                     size_t pitch)
 {
-    if (!tia_denoise_has(d, tile) || !count || count > TIA_SPP_MAX)
+    if (!tia_denoise_has(d, tile) || !sums || !count || count > TIA_SPP_MAX)
         return TIA_ERR_ARGUMENT;
     for (size_t y = 0; y < tile.height; y++)
         for (size_t x = 0; x < tile.width; x++) {
@@ -146,9 +157,11 @@ const char *tia_shown_guide_name(unsigned shown)
 
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *g, size_t at, uint32_t count)
 {
-    const struct tia_guide *guide = &g->guides[at];
-    struct tia_sum sum;
+    struct tia_sum sum = {{0, 0, 0}};
 
+    if (!is_whole(g) || !count || count > TIA_SPP_MAX)
+        return sum;
+    const struct tia_guide *guide = &g->guides[at];
     for (int c = 0; c < 3; c++)
         sum.rgb[c] = shown == TIA_SHOW_NORMAL  ? (guide->normal[c] + (int64_t)count * (INT64_C(1) << 24)) / 2
                      : shown == TIA_SHOW_DEPTH ? (guide->depth < DEPTH_MAX ? guide->depth : DEPTH_MAX) * 256

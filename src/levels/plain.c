@@ -8,7 +8,7 @@ static void light_piece(const struct tia_view *view, struct tia_tile piece, cons
 {
     uint32_t object[PIECE];
     num_u distance[PIECE];
-    struct tia_hits hits = {view, piece, object, distance};
+    struct tia_hits hits = {.view = view, .area = piece, .object = object, .buffer = distance};
 
     view->renderer->trace(view, &hits, piece);
     view->renderer->light(view, &hits, piece, surface, options);

@@ -16,6 +16,8 @@ static uint32_t add_byte(uint32_t crc, uint32_t byte)
 
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count)
 {
+    if (!pixels)
+        return crc;
     crc = ~crc;
     for (size_t i = 0; i < count; i++)
         crc = add_byte(add_byte(crc, pixels[i] & 255u), pixels[i] >> 8);

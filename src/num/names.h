@@ -32,6 +32,7 @@
 #define primary_form NAMES(primary_form)
 #define primary_square NAMES(primary_square)
 #define primary_y NAMES(primary_y)
+#define hits_have NAMES(hits_have)
 #define renderer_for NAMES(renderer_for)
 #define renderer_named NAMES(renderer_named)
 #define ao_renderer NAMES(ao_renderer)

@@ -256,6 +256,8 @@ int tia_radio_init(struct tia_radio **out, void *memory, size_t size, const stru
     struct tia_fault unused;
     int status = TIA_OK;
 
+    if (!out || !scene || !memory_is_usable(memory))
+        return TIA_ERR_ARGUMENT;
     if (size < tia_radio_size(scene))
         return TIA_ERR_MEMORY;
     count_all(scene, &corners, &faces);
@@ -282,11 +284,15 @@ int tia_radio_init(struct tia_radio **out, void *memory, size_t size, const stru
 
 struct tia_radio_counts tia_radio_count(const struct tia_radio *radio)
 {
+    if (!radio)
+        return (struct tia_radio_counts){0, 0, 0};
     return (struct tia_radio_counts){radio->face_count, radio->plane_count, radio->left_out};
 }
 
 struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t face)
 {
+    if (!radio || face >= radio->face_count)
+        return (struct tia_radio_face){.object = TIA_RADIO_NO_OBJECT};
     const struct radio_face *f = &radio->faces[face];
     struct tia_radio_face out = {f->object, f->material, f->plane, f->solid, {0, 0, 0}, f->thickness};
 

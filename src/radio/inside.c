@@ -26,6 +26,8 @@ uint32_t tia_radio_inside(const struct tia_radio *radio, struct tia_vec3 point)
     struct number room[3];
     struct spot at;
 
+    if (!radio)
+        return TIA_RADIO_NO_OBJECT;
     tia_radio_spot(&at, point);
     for (uint32_t f = 0; f < radio->face_count;) {
         uint32_t object = radio->faces[f].object;

@@ -39,6 +39,10 @@ struct tia_radio_room {
     };
 };
 
+/* Whether the caller's arguments of a search are there, and the link's numbers in their ranges. */
+bool tia_radio_can_search(const struct tia_radio *radio, const struct tia_radio_room *room,
+                          const struct tia_radio_link *link);
+
 /* Reflection i of a sequence of `order`. */
 static inline uint32_t search_plane(const struct tia_radio_room *room, uint32_t order, uint32_t i)
 {

@@ -1,9 +1,18 @@
 /* sequences.c - which sequences of planes a search tries. */
+#include "math/align.h"
 #include "search.h"
 
 size_t tia_radio_room_size(void)
 {
     return sizeof(struct tia_radio_room);
+}
+
+bool tia_radio_can_search(const struct tia_radio *radio, const struct tia_radio_room *room,
+                          const struct tia_radio_link *link)
+{
+    return radio && memory_is_usable(room) && link && link->order <= TIA_RADIO_ORDER_MAX &&
+           link->walls <= TIA_RADIO_WALLS_MAX &&
+           (link->from.x != link->to.x || link->from.y != link->to.y || link->from.z != link->to.z);
 }
 
 static void begin(struct tia_radio_room *room, const struct tia_radio *radio, const struct tia_radio_link *link)
@@ -37,6 +46,11 @@ static bool mirror(struct tia_radio_room *room, uint32_t depth, uint32_t number)
 int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                   const uint32_t *planes, uint32_t order)
 {
+    if (!tia_radio_can_search(radio, room, link) || !link->found || order > TIA_RADIO_ORDER_MAX || (order && !planes))
+        return TIA_ERR_ARGUMENT;
+    for (uint32_t i = 0; i < order; i++)
+        if (planes[i] >= radio->plane_count)
+            return TIA_ERR_ARGUMENT;
     begin(room, radio, link);
     for (uint32_t i = 0; i < order; i++)
         if (!mirror(room, i, planes[order - 1 - i]))
@@ -77,6 +91,8 @@ int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room,
 {
     uint32_t next[TIA_RADIO_ORDER_MAX] = {0}, depth = 0;
 
+    if (!tia_radio_can_search(radio, room, link) || !link->found)
+        return TIA_ERR_ARGUMENT;
     begin(room, radio, link);
     int status = tell(room, 0);
     while (!status && link->order > 0) {
@@ -102,7 +118,9 @@ uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order)
 {
     uint64_t sum = 1, last = 1;
 
-    for (uint32_t i = 0; i < order; i++) {
+    if (!radio)
+        return 0;
+    for (uint32_t i = 0; i < order && last; i++) {
         uint64_t choices = i == 0 ? radio->plane_count : radio->plane_count - 1u;
         struct tia_wide p = tia_wide_product(last, choices);
         if (p.high != 0 || sum + p.low < sum)

@@ -230,6 +230,8 @@ int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, 
                     bool (*received)(void *ctx, const struct tia_radio_ray *ray), void *ctx)
 {
     struct shot shot = {room, density, everywhere, received, ctx};
+    if (!tia_radio_can_search(radio, room, link) || i >= tia_radio_directions(density) || !received)
+        return TIA_ERR_ARGUMENT;
     struct search_ray *ray = &room->rays[0];
     uint32_t count = 1;
 
@@ -241,7 +243,7 @@ int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, 
     ray->told.path.order = ray->told.path.wall_count = 0;
     for (int k = 0; k < 3; k++)
         ray->at[k] = radio_axis(&link->from, k);
-    tia_radio_direction(density, i, ray->told.path.direction[0]);
+    (void)tia_radio_direction(density, i, ray->told.path.direction[0]);
     while (count > 0)
         if (!follow(&shot, room->rays, &count))
             return TIA_STOPPED;

@@ -26,16 +26,18 @@ static void add_corner(int64_t v[3], uint32_t corner, int64_t weight)
 
 uint32_t tia_radio_directions(uint32_t density)
 {
-    return 10 * density * density + 2;
+    return density - 1 < TIA_RADIO_DENSITY_MAX ? 10 * density * density + 2 : 0;
 }
 
 /* The corners first, then edge by edge, then face by face what is inside, row by row. Weights are at most 2^11, sums
  * below 2^43. */
-void tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
+int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
 {
     int64_t v[3] = {0, 0, 0};
     uint32_t on_edge = density - 1, in_face = on_edge * (density - 2) / 2;
 
+    if (!direction || i >= tia_radio_directions(density))
+        return TIA_ERR_ARGUMENT;
     if (i < CORNERS) {
         add_corner(v, i, 1);
     } else if (i < CORNERS + EDGES * on_edge) {
@@ -53,4 +55,5 @@ void tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
         add_corner(v, corner[2], density - row - in_row - 1);
     }
     (void)wide_normalise(v, direction);
+    return TIA_OK;
 }

@@ -1,5 +1,6 @@
 #include "forms_wide.h"
 #include "halves.h"
+#include "polygon.h"
 #include "ranges.h"
 
 #define QUOTIENT_BITS 42 /* of quotients that are made: far beyond the range of values */
@@ -12,6 +13,8 @@ bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lat
     int64_t q[3][3];
     wide n[3];
 
+    if (!corners || !lattice || !vertices || !tia_polygon_has_range(lattice, vertices, 3))
+        return false;
     for (int i = 0; i < 3; i++) {
         q[i][0] = vertices[i].x;
         q[i][1] = vertices[i].y;
@@ -84,6 +87,8 @@ tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const
     int64_t under = 0;
     int bits = 0;
 
+    if (!corners || !a || x < 0 || y < 0 || x >= TIA_SIZE_MAX || y >= TIA_SIZE_MAX)
+        return 0;
     for (int i = 0; i < 3; i++) {
         struct wide_form f = {halves_get(corners->weights[i][0]), halves_get(corners->weights[i][1]),
                               halves_get(corners->weights[i][2])};

@@ -1,6 +1,6 @@
-#include "halves.h"
+#include "distance.h"
 
-#include <tia/raster.h>
+#include "halves.h"
 
 /* a = m 2^exponent for a > 0, m in 2^61..2^62. */
 static int64_t mantissa(wide a, int *exponent)
@@ -25,7 +25,7 @@ static int64_t scaled(wide m, int exponent)
 
 /* With t = det/f, what is seen of a plane is t D, and in perspective its depth t D.w. In orthographic views what is
  * seen has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
-int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *l, int x, int y)
+int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct tia_lattice *l, int x, int y)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     wide f = wide_sum(wide_sum(wide_times(halves_get(plane->x), x), wide_times(halves_get(plane->y), y)),
@@ -39,4 +39,11 @@ int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct t
     int64_t a = mantissa(above, &up), b = mantissa(below, &down);
     wide ratio = wide_product(wide_quotient(a, b, 60), flat ? 1 : l->w);
     return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - (flat ? 0 : l->fraction));
+}
+
+int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y)
+{
+    bool seen = plane && lattice && x >= 0 && y >= 0 && x < (int)lattice->width && y < (int)lattice->height;
+
+    return seen ? tia_plane_distance(plane, lattice, x, y) : 0;
 }

@@ -245,9 +245,19 @@ static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_r
            (!t->count || (never_counts(&s->front) && never_counts(&s->back)));
 }
 
-static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s, unsigned count, uint32_t face)
+/* Enums of eight values each: none is beyond them if all together are not. */
+static bool is_state(const struct tia_raster_state *s)
 {
-    return count >= 3 && count <= TIA_RASTER_CORNERS && (!s->depth_write || !t->face || face < t->face_count);
+    return ((unsigned)s->depth | (unsigned)s->front.test | (unsigned)s->front.fail | (unsigned)s->front.zfail |
+            (unsigned)s->front.zpass | (unsigned)s->back.test | (unsigned)s->back.fail | (unsigned)s->back.zfail |
+            (unsigned)s->back.zpass) <= TIA_ALWAYS;
+}
+
+static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s,
+                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+{
+    return t && t->lattice && s && corners && is_state(s) && count >= 3 && count <= TIA_RASTER_CORNERS &&
+           (!s->depth_write || !t->face || face < t->face_count);
 }
 
 int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -257,7 +267,7 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
     struct job job = {.target = target, .state = state, .polygon = &p, .face = face};
     int status;
 
-    if (!is_valid(target, state, count, face))
+    if (!is_valid(target, state, corners, count, face))
         return TIA_ERR_ARGUMENT;
     status = tia_polygon_init(&p, target->lattice, target->area, corners, count);
     if (status || !p.count || (p.front ? state->skip_front : state->skip_back))
@@ -278,12 +288,14 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
 int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
                           const struct tia_raster_vertex *corners, unsigned count)
 {
-    struct tia_tile all = {0, 0, lattice->width, lattice->height};
     struct polygon p;
 
-    *plane = (struct tia_raster_plane){.det = {0, 0}};
-    if (count < 3 || count > TIA_RASTER_CORNERS)
+    if (!plane || !lattice)
         return TIA_ERR_ARGUMENT;
+    *plane = (struct tia_raster_plane){.det = {0, 0}};
+    if (!corners || count < 3 || count > TIA_RASTER_CORNERS)
+        return TIA_ERR_ARGUMENT;
+    struct tia_tile all = {0, 0, lattice->width, lattice->height};
     int status = tia_polygon_init(&p, lattice, all, corners, count);
     if (!status && p.count)
         tia_depth_plane(&p, plane);

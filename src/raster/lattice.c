@@ -73,7 +73,8 @@ static void choose_format(struct tia_lattice *l, int range)
 int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
                      uint32_t samples, uint32_t sample, unsigned range)
 {
-    if (!width || width > TIA_SIZE_MAX || !height || height > TIA_SIZE_MAX || range > RANGE_MAX || sample >= samples ||
+    if (!lattice || (unsigned)projection > TIA_ORTHOGRAPHIC || !width || width > TIA_SIZE_MAX || !height ||
+        height > TIA_SIZE_MAX || range > RANGE_MAX || sample >= samples ||
         (samples != 1 && samples != 4 && samples != 16))
         return TIA_ERR_ARGUMENT;
     lattice->projection = projection;

@@ -34,6 +34,11 @@ static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vert
     return most;
 }
 
+bool tia_polygon_has_range(const struct tia_lattice *lattice, const struct tia_raster_vertex *corners, unsigned count)
+{
+    return largest(lattice, corners, count) >= 0;
+}
+
 /* `more` pixels around it are looked at too, but its edges are as they are. */
 static int init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)

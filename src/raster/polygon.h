@@ -37,6 +37,9 @@ struct polygon {
     struct depth_scale depth;
 };
 
+/* Whether the corners are in the range of raster.h. */
+bool tia_polygon_has_range(const struct tia_lattice *lattice, const struct tia_raster_vertex *corners, unsigned count);
+
 /* TIA_OK, and p->count is 0 when nothing is covered; or TIA_ERR_RANGE. */
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);

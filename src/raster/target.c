@@ -1,7 +1,10 @@
 #include "depth.h"
 
 #include "math/align.h"
+#include "math/tile.h"
 #include "target.h"
+
+#define ALL_BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR | TIA_BUFFER_SUM | TIA_BUFFER_COUNT)
 
 /* Buffers in the order of their alignment; planes and nearness need 8 bytes. */
 static uint64_t planes_bytes(unsigned buffers, uint32_t faces)
@@ -50,31 +53,25 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->stencil = (uint8_t *)memory;
 }
 
-/* A caller's tile may end beyond 65535, the most that a 16-bit unsigned int holds. */
-static bool is_inside(const struct tia_tile *area, const struct tia_tile *all)
-{
-    return area->x >= all->x && area->y >= all->y && (uint32_t)area->x + area->width <= (uint32_t)all->x + all->width &&
-           (uint32_t)area->y + area->height <= (uint32_t)all->y + all->height;
-}
-
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces)
 {
     static const uint16_t black[3] = {0};
     size_t needed = tia_raster_size(area, buffers, faces);
 
-    if (!area.width || !area.height || !is_inside(&area, &(struct tia_tile){0, 0, lattice->width, lattice->height}) ||
-        (buffers & (TIA_BUFFER_SUM | TIA_BUFFER_COLOUR)) == TIA_BUFFER_SUM)
+    if (!target || !lattice || !tile_is_inside(area, (struct tia_tile){0, 0, lattice->width, lattice->height}) ||
+        (buffers & (TIA_BUFFER_SUM | TIA_BUFFER_COLOUR)) == TIA_BUFFER_SUM || buffers > ALL_BUFFERS ||
+        (needed && !memory_is_usable(memory)))
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
     *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces, .pitch = area.width};
     place(target, memory, buffers);
-    tia_clear_depth(target);
-    tia_clear_stencil(target, 0, 255);
-    tia_clear_count(target, 0);
-    tia_clear_colour(target, black);
-    tia_clear_sum(target);
+    (void)tia_clear_depth(target);
+    (void)tia_clear_stencil(target, 0, 255);
+    (void)tia_clear_count(target, 0);
+    (void)tia_clear_colour(target, black);
+    (void)tia_clear_sum(target);
     return TIA_OK;
 }
 
@@ -82,9 +79,7 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
 
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area)
 {
-    const struct tia_tile *all = &target->area;
-
-    if (!is_inside(&area, all))
+    if (!part || !target || !tile_is_inside(area, target->area))
         return TIA_ERR_ARGUMENT;
     size_t skip = target_index(target, (int)area.x, (int)area.y);
     *part = *target;
@@ -102,77 +97,100 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     for (size_t row = 0; row < (t)->area.height; row++)                                                                \
         for (size_t i = row * (size_t)(t)->pitch, end = i + (t)->area.width; i < end; i++)
 
-void tia_clear_depth(struct tia_raster_target *target)
+int tia_clear_depth(struct tia_raster_target *target)
 {
+    if (!target)
+        return TIA_ERR_ARGUMENT;
     if (!target->face)
-        return;
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         target->nearness[i] = 0;
         target->face[i] = TIA_NO_FACE;
     }
+    return TIA_OK;
 }
 
-void tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
+int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
 {
+    if (!target)
+        return TIA_ERR_ARGUMENT;
     if (!target->stencil)
-        return;
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         target->stencil[i] = (uint8_t)((target->stencil[i] & ~write) | (value & write));
     }
+    return TIA_OK;
 }
 
-void tia_clear_count(struct tia_raster_target *target, uint32_t value)
+int tia_clear_count(struct tia_raster_target *target, uint32_t value)
 {
+    if (!target)
+        return TIA_ERR_ARGUMENT;
     if (!target->count)
-        return;
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         target->count[i] = value;
     }
+    return TIA_OK;
 }
 
-void tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
+int tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
 {
+    if (!target || !colour)
+        return TIA_ERR_ARGUMENT;
     if (!target->colour)
-        return;
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         for (size_t c = 0; c < 3; c++)
             target->colour[3 * i + c] = colour[c];
     }
+    return TIA_OK;
 }
 
-void tia_clear_sum(struct tia_raster_target *target)
+int tia_clear_sum(struct tia_raster_target *target)
 {
+    if (!target)
+        return TIA_ERR_ARGUMENT;
     if (!target->sum)
-        return;
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         for (size_t c = 0; c < 3; c++)
             target->sum[3 * i + c] = 0;
     }
+    return TIA_OK;
 }
 
-void tia_sum_add(struct tia_raster_target *target, uint32_t weight)
+#define WEIGHT_MOST 65536
+
+int tia_sum_add(struct tia_raster_target *target, uint32_t weight)
 {
-    if (!target->sum)
-        return;
+    if (!target || weight > WEIGHT_MOST)
+        return TIA_ERR_ARGUMENT;
+    if (!target->sum || !target->colour)
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         for (size_t c = 0; c < 3; c++)
             target->sum[3 * i + c] += target->colour[3 * i + c] * weight;
     }
+    return TIA_OK;
 }
 
-void tia_sum_return(struct tia_raster_target *target, uint32_t total)
+int tia_sum_return(struct tia_raster_target *target, uint32_t total)
 {
-    if (!target->sum)
-        return;
+    if (!target || !total || total > WEIGHT_MOST)
+        return TIA_ERR_ARGUMENT;
+    if (!target->sum || !target->colour)
+        return TIA_OK;
     FOR_PIXELS(target, i)
     {
         for (size_t c = 0; c < 3; c++)
             target->colour[3 * i + c] = (uint16_t)(((uint64_t)target->sum[3 * i + c] + total / 2) / total);
     }
+    return TIA_OK;
 }

@@ -1,4 +1,5 @@
 /* read.c - tia_read: reads a scene file of any format, then checks the scene. */
+#include "math/align.h"
 #include "readers.h"
 
 static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
@@ -75,6 +76,8 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
 {
     struct tia_arena arena = {memory, memory ? size : 0, 0};
 
+    if (!reader || !scene || !need || (!reader->text && reader->length) || (memory && !memory_is_usable(memory)))
+        return TIA_ERR_ARGUMENT;
     *need = 0;
     *scene = (struct tia_scene){.bvh = NULL};
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};

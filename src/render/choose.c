@@ -12,5 +12,5 @@ const struct renderer *renderer_for(const struct tia_scene *scene)
 
 bool tia_draws_by_pixel(const struct tia_scene *scene)
 {
-    return renderer_for(scene)->by_pixel;
+    return scene && renderer_for(scene)->by_pixel;
 }

@@ -11,6 +11,9 @@ static uint64_t objects_size(uint32_t pixels)
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
 {
     uint32_t pixels = (uint32_t)area.width * area.height;
+
+    if (!scene)
+        return SIZE_MAX;
     const struct renderer *renderer = renderer_for(scene);
     uint64_t buffer = renderer->buffer_size ? renderer->buffer_size(scene, pixels) : 0;
     uint64_t size = HEADER + objects_size(pixels) + buffer;
@@ -22,16 +25,23 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
 {
     struct tia_hits *h = memory;
 
-    if (!area.width || !area.height)
+    if (!hits || !memory_is_usable(memory) || !view || !area.width || !area.height)
         return TIA_ERR_ARGUMENT;
     if (size < tia_hits_size(view->scene, area))
         return TIA_ERR_MEMORY;
     h->view = view;
+    h->traced = false;
     h->area = area;
     h->object = (uint32_t *)(void *)((char *)memory + HEADER);
     h->buffer = (char *)h->object + objects_size((uint32_t)area.width * area.height);
     *hits = h;
     return TIA_OK;
+}
+
+bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile)
+{
+    return hits && view && hits->view == view && tile_is_inside(tile, hits->area) && tile_right(tile) <= view->width &&
+           tile_bottom(tile) <= view->height;
 }
 
 /* With a level there are no hits: the pixel is traced. */
@@ -40,7 +50,7 @@ static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned 
     uint32_t object = TIA_NO_OBJECT;
     num_u distance;
     struct tia_tile tile = {(uint16_t)x, (uint16_t)y, 1, 1};
-    struct tia_hits one = {view, tile, &object, &distance};
+    struct tia_hits one = {.view = view, .area = tile, .object = &object, .buffer = &distance};
 
     view->renderer->trace(view, &one, tile);
     return object;
@@ -48,7 +58,13 @@ static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned 
 
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 {
+    struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
+
+    if (!hits || !hits->view || x > UINT16_MAX || y > UINT16_MAX || !hits_have(hits, hits->view, pixel))
+        return TIA_NO_OBJECT;
     if (hits->view->level)
         return traced_object(hits->view, x, y);
+    if (!hits_are_traced(hits))
+        return TIA_NO_OBJECT;
     return hits->object[hits_index(hits, x, y)];
 }

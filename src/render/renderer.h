@@ -12,6 +12,8 @@
 
 #include <tia/levels.h> /* after num.h, which may rename its functions */
 
+#include "math/tile.h"
+
 /* What a level may draw: LEVEL_PARTS of a renderer says nothing. */
 enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_SAMPLES, LEVEL_PARTS };
 
@@ -117,7 +119,30 @@ struct tia_hits {
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's */
+    bool traced;      /* some of it has been; any of the threads that trace sets it */
 };
+
+/* Several threads may set it at once, all to the same. */
+static inline void hits_mark_traced(struct tia_hits *hits)
+{
+#ifdef __GNUC__
+    __atomic_store_n(&hits->traced, true, __ATOMIC_RELAXED);
+#else
+    hits->traced = true;
+#endif
+}
+
+/* Whether a tile is inside the image and the hits, which are the view's. */
+bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile);
+
+static inline bool hits_are_traced(const struct tia_hits *hits)
+{
+#ifdef __GNUC__
+    return __atomic_load_n(&hits->traced, __ATOMIC_RELAXED);
+#else
+    return hits->traced;
+#endif
+}
 
 /* Where a tile ends; tia_trace has checked that it is inside the image. */
 static inline int tile_right(struct tia_tile tile)

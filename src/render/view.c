@@ -5,6 +5,8 @@
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
+    if (!scene)
+        return SIZE_MAX;
     size_t prepared = renderer_for(scene)->prepared_size(scene, light_capacity);
     uint64_t size = ALIGN(sizeof(struct tia_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct tia_light)) +
                     ALIGN((uint64_t)prepared);
@@ -29,7 +31,8 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
 {
     struct tia_view *v = memory;
 
-    if (!width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || light_capacity < scene->light_count)
+    if (!view || !memory_is_usable(memory) || !scene || width - 1 >= TIA_SIZE_MAX || height - 1 >= TIA_SIZE_MAX ||
+        light_capacity < scene->light_count)
         return TIA_ERR_ARGUMENT;
     int status = check(scene, (struct asker){stop, ctx, 0, false});
     if (status)
@@ -71,6 +74,8 @@ static int check_lights(const struct tia_view *view, const struct tia_light *lig
 
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
+    if (!view)
+        return TIA_ERR_ARGUMENT;
     if (count > view->light_capacity)
         return TIA_ERR_MEMORY;
     int status = check_lights(view, lights, count);
@@ -95,6 +100,8 @@ static const struct level_renderer *drawn_by(const struct tia_level *level, cons
 
 size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity)
 {
+    if (!scene)
+        return SIZE_MAX;
     const struct level_renderer *drawn = drawn_by(level, renderer_for(scene));
 
     return drawn ? drawn->size(scene, light_capacity) : 0;
@@ -102,12 +109,16 @@ size_t tia_level_size(const struct tia_level *level, const struct tia_scene *sce
 
 int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size)
 {
+    if (!view)
+        return TIA_ERR_ARGUMENT;
     const struct level_renderer *drawn = drawn_by(level, view->renderer);
 
     view->level = NULL;
     view->raster_runs = level ? level->raster : NULL;
     if (!drawn || !drawn->draws(view))
         return TIA_OK;
+    if (!memory_is_usable(memory))
+        return TIA_ERR_ARGUMENT;
     if (size < tia_level_size(level, view->scene, view->light_capacity))
         return TIA_ERR_MEMORY;
     view->level = level;
@@ -120,5 +131,5 @@ int tia_view_set_level(struct tia_view *view, const struct tia_level *level, voi
 
 const char *tia_view_level(const struct tia_view *view)
 {
-    return view->level ? view->level->name : "plain";
+    return view && view->level ? view->level->name : "plain";
 }

@@ -92,7 +92,8 @@ struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t inde
     struct bounds_wide wide;
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    if (tia_bounds_in_world(scene, index, NULL, &wide))
+    if (scene && index < (uint64_t)scene->sphere_count + scene->shape_count &&
+        tia_bounds_in_world(scene, index, NULL, &wide))
         (void)tia_bounds_with_margin(&wide, &bounds);
     return bounds;
 }

@@ -26,7 +26,7 @@ static void axis_of(const struct tia_camera *c, int64_t u[3])
 
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views)
 {
-    if (views < 2)
+    if (!camera || camera->line < 0 || view >= views || views < 2)
         return 0;
     uint64_t last = views - 1, steps = (uint64_t)camera->line * 2 * view;
 
@@ -38,10 +38,14 @@ static struct tia_vec3 moved(struct tia_vec3 point, struct tia_vec3 by)
     return (struct tia_vec3){point.x + by.x, point.y + by.y, point.z + by.z};
 }
 
-void tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place)
+int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place)
 {
     int64_t u[3];
 
+    if (!out || !camera)
+        return TIA_ERR_ARGUMENT;
+    if (place > camera->line || place < -camera->line || tia_scene_check(&(struct tia_scene){.camera = *camera}, NULL))
+        return TIA_ERR_RANGE;
     axis_of(camera, u);
     struct tia_vec3 offset = tia_light_offset(u, place);
     *out = *camera;
@@ -50,6 +54,7 @@ void tia_light_field_camera(struct tia_camera *out, const struct tia_camera *cam
     out->window.left -= place;
     out->window.right -= place;
     out->line = 0;
+    return TIA_OK;
 }
 
 /* ---- the kinds ---- */

@@ -81,7 +81,7 @@ static uint64_t sizes_of(const struct tia_scene *scene, uint64_t sizes[PARTS])
 
 size_t tia_scene_at_size(const struct tia_scene *scene)
 {
-    uint64_t sizes[PARTS], size = sizes_of(scene, sizes);
+    uint64_t sizes[PARTS], size = scene ? sizes_of(scene, sizes) : SIZE_MAX;
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
@@ -191,11 +191,15 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
 int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                        bool (*stop)(void *ctx), void *ctx)
 {
+    if (!out || !scene)
+        return TIA_ERR_ARGUMENT;
     const struct tia_scene base = *scene;
     struct asker asker = {stop, ctx, 0, false};
     size_t needed = tia_scene_at_size(scene);
     struct moving to;
 
+    if (needed && !memory_is_usable(memory))
+        return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
     copy(&to, memory, &base, &asker);
@@ -210,14 +214,14 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
 
 bool tia_scene_moves(const struct tia_scene *scene)
 {
-    return scene->track_count > 0 || scene->falling;
+    return scene && (scene->track_count > 0 || scene->falling);
 }
 
 tia_q16 tia_scene_duration(const struct tia_scene *scene)
 {
-    tia_q16 longest = scene->falling ? scene->falling->end : 0;
+    tia_q16 longest = scene && scene->falling ? scene->falling->end : 0;
 
-    for (uint32_t i = 0; i < scene->track_count; i++) {
+    for (uint32_t i = 0; scene && i < scene->track_count; i++) {
         tia_q16 end = scene->tracks[i].keys[scene->tracks[i].key_count - 1].time;
         longest = end > longest ? end : longest;
     }

@@ -141,13 +141,15 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
     (void)time;
     (void)stop;
     (void)ctx;
+    if (!out || !scene)
+        return TIA_ERR_ARGUMENT;
     *out = *scene;
     return tia_scene_moves(scene) ? TIA_ERR_UNSUPPORTED : TIA_OK;
 }
 
 bool tia_scene_moves(const struct tia_scene *scene)
 {
-    return scene->track_count > 0 || scene->falling;
+    return scene && (scene->track_count > 0 || scene->falling);
 }
 
 tia_q16 tia_scene_duration(const struct tia_scene *scene)

@@ -6,6 +6,8 @@
  * that. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 {
+    if (!mesh)
+        return SIZE_MAX;
     size_t points = tia_weld_room(mesh->vertex_count), faces = tia_edges_room(mesh->face_count);
 
     faces += (size_t)mesh->face_count * (sizeof(struct tia_flat_face) + TIA_SIDES * sizeof(uint32_t));
@@ -14,6 +16,8 @@ size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room)
 {
+    if (!mesh || !room || (uintptr_t)room % sizeof(uint32_t))
+        return false;
     uint32_t *first = room, *rest = first + mesh->vertex_count;
     struct tia_flat_face *faces = (void *)rest;
     uint32_t *across = (void *)(faces + mesh->face_count);

@@ -111,6 +111,8 @@ uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsig
     struct asker asker = {.stop = NULL};
     struct tia_eye eye;
 
+    if (!width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || tia_scene_check(scene, NULL))
+        return TIA_NO_OBJECT;
     tia_eye_init(&eye, scene, width, height);
     for (uint32_t s = 0; scene->shadows && s < objects_of(scene); s++)
         if (range_of_object(scene, &eye, s, &asker) > RANGE_MOST)

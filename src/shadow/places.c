@@ -1,6 +1,7 @@
 #include "places.h"
 
 #include "math/wide.h"
+#include "raster/distance.h"
 
 void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_vertex *v, int64_t at[3])
 {
@@ -23,7 +24,7 @@ static bool scaled(int64_t a, int64_t b, int shift, int64_t *out)
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3])
 {
     const struct tia_lattice *l = &p->flat->lattice;
-    int64_t distance = tia_raster_distance(&p->flat->planes[face], l, x, y);
+    int64_t distance = tia_plane_distance(&p->flat->planes[face], l, x, y);
     int64_t u = wide_quotient(l->x + (int64_t)l->right * x, l->w, 60);
     int64_t v = wide_quotient(l->y - (int64_t)l->down * y, l->w, 60);
     int places = TIA_DISTANCE_BITS - l->fraction - SEEN_BITS;

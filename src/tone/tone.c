@@ -7,6 +7,8 @@
 
 enum tia_tone tia_tone_of(const struct tia_integration *how)
 {
+    if (!how)
+        return TIA_TONE_LINEAR;
     if (how->tone != TIA_TONE_DEFAULT)
         return how->tone;
     return how->integrator == TIA_PATHS ? TIA_TONE_SRGB : TIA_TONE_LINEAR;
@@ -15,6 +17,8 @@ enum tia_tone tia_tone_of(const struct tia_integration *how)
 /* 2^-(1 - fraction) 2^(floor + 1) */
 struct tia_exposure tia_exposure_of(tia_q16 exposure)
 {
+    exposure = exposure > TIA_EXPOSURE_MAX ? TIA_EXPOSURE_MAX : exposure;
+    exposure = exposure < -TIA_EXPOSURE_MAX ? -TIA_EXPOSURE_MAX : exposure;
     int floor = (int)(exposure >> 16);
     int64_t fraction = exposure & 0xffff;
 
@@ -23,15 +27,15 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
     return (struct tia_exposure){tia_exp2(INT64_C(1) << 62, (65536 - fraction) << 40), floor + 1};
 }
 
-/* The mean in units of 2^-32 is below 2^46: the sum is below 2^62, and what overflows when shifted is far too bright.
- */
+#define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: of samples of 2^14 */
+
+/* The mean in units of 2^-32 is at most 2^46, and what overflows when shifted is far too bright. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
-    int64_t whole = sum / count, rest = sum % count;
-
-    if (sum <= 0)
+    if (!exposure || !count || sum <= 0)
         return 0;
-    int64_t mean = whole * 256 + rest * 256 / count;
+    int64_t whole = sum / count, rest = sum % count;
+    int64_t mean = (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + rest * 256 / count;
     int shift = 62 - exposure->shift;
     wide product = wide_product(mean, exposure->mantissa);
     if (wide_bits(product) - shift > 32)
@@ -52,7 +56,11 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
 
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits)
 {
+    if (!bits || bits > 16)
+        return 0;
     if (tone != TIA_TONE_SRGB)
         return (unsigned)(((uint64_t)value * ((1u << bits) - 1) + (UINT64_C(1) << 31)) >> 32);
+    if (bits != 5 && bits != 6 && bits != 8)
+        return 0;
     return reached(bits == 5 ? tia_srgb5 : bits == 6 ? tia_srgb6 : tia_srgb8, bits, value);
 }

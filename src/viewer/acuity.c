@@ -1,9 +1,12 @@
 /* acuity.c - the largest blocks that the eye cannot distinguish from the pixels that they replace. */
 #include <tia/gaze.h>
+#include <tia/render.h>
 
 #include "math/integer.h"
 #include "math/trig.h"
 
+#define VIEW_LEAST TIA_Q16(1)
+#define VIEW_MOST TIA_Q16(170)
 #define RIGHT_ANGLE TIA_Q16(90)
 
 /* Degrees of a pixel in the middle, Q8.24, for each half pixel of distance: a pixel is two half pixels, and a small
@@ -51,7 +54,8 @@ static void set_levels(struct tia_acuity *acuity, const struct tia_gaze *gaze)
 
 bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height)
 {
-    if (!gaze->view_angle || gaze->x >= width || gaze->y >= height)
+    if (!acuity || !gaze || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || gaze->view_angle < VIEW_LEAST ||
+        gaze->view_angle > VIEW_MOST || gaze->x >= width || gaze->y >= height)
         return false;
     /* Half the width in half pixels is `width`; cot(angle / 2) is Q8.56. */
     uint64_t distance = (width * (tia_cotangent(gaze->view_angle) >> 24)) >> 32;
@@ -71,6 +75,8 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
  * angle when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of 2^-10, both sides are below 2^61. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y)
 {
+    if (!acuity || x >= acuity->width || y >= acuity->height)
+        return 1;
     int64_t px = 2 * (int64_t)x + 1 - (int64_t)acuity->width, py = 2 * (int64_t)y + 1 - (int64_t)acuity->height;
     int64_t distance = (int64_t)acuity->distance,
             dot = acuity->gaze[0] * px + acuity->gaze[1] * py + acuity->gaze[2] * distance;

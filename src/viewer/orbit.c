@@ -6,6 +6,7 @@
 #include "math/rotation.h"
 
 #define AIM_FAR TIA_Q16(10)
+#define HALF_TURN TIA_Q16(180)
 #define FOV_WIDEST TIA_Q16(120)
 
 /* From Q.30 to units, to nearest, ties away from 0. */
@@ -81,12 +82,18 @@ static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene 
     return z;
 }
 
+/* Whether it has an up vector. */
+static bool looks_about(const struct tia_camera *camera)
+{
+    return camera->up.x || camera->up.y || camera->up.z;
+}
+
 void tia_camera_aim(struct tia_camera *camera, const struct tia_scene *scene)
 {
     int64_t best = AIM_FAR;
     uint64_t least = UINT64_MAX, off = 0;
 
-    if (camera->up.x || camera->up.y || camera->up.z)
+    if (!camera || !scene || looks_about(camera))
         return;
     for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
         int64_t z = ahead_of(camera, scene, i, &off);
@@ -126,13 +133,22 @@ static bool is_at_pole(struct way v, struct tia_dir3 up)
     return (uint64_t)(along * along) > square - square / 365;
 }
 
+/* Shorter than 32768. */
 static bool is_short(struct way v)
 {
-    return size_of(v.x) <= INT32_MAX && size_of(v.y) <= INT32_MAX && size_of(v.z) <= INT32_MAX;
+    return size_of(v.x) <= INT32_MAX && size_of(v.y) <= INT32_MAX && size_of(v.z) <= INT32_MAX &&
+           (uint64_t)(v.x * v.x) + (uint64_t)(v.y * v.y) + (uint64_t)(v.z * v.z) < UINT64_C(1) << 62;
+}
+
+static bool is_half_turn(tia_q16 degrees)
+{
+    return degrees >= -HALF_TURN && degrees <= HALF_TURN;
 }
 
 void tia_camera_orbit(struct tia_camera *camera, tia_q16 right, tia_q16 up)
 {
+    if (!camera || !looks_about(camera) || !is_half_turn(right) || !is_half_turn(up))
+        return;
     struct way v = from_to(camera->reference, camera->eye), turned;
     struct tia_dir3 axis = tia_normalise(camera->up.x, camera->up.y, camera->up.z);
     struct tia_vec3 eye = camera->reference;
@@ -154,16 +170,27 @@ static struct way scaled(struct tia_dir3 a, int64_t length)
     return (struct way){drop30(a.x * length), drop30(a.y * length), drop30(a.z * length)};
 }
 
+/* The direction of a displacement that may be too long for one. */
+static struct tia_dir3 direction_of_long(struct way a)
+{
+    while (!is_short(a))
+        a = (struct way){a.x / 2, a.y / 2, a.z / 2};
+    return direction(a);
+}
+
 void tia_camera_walk(struct tia_camera *camera, int right, int up, int ahead)
 {
-    struct way v = from_to(camera->eye, camera->reference);
-
-    if (!is_short(v))
+    if (!camera || !is_short(from_to(camera->eye, camera->reference)))
         return;
-    struct tia_dir3 n = direction(v), u = direction(cross(n, (struct way){camera->up.x, camera->up.y, camera->up.z}));
+    struct way v = from_to(camera->eye, camera->reference);
+    struct tia_dir3 n = direction(v);
+    struct tia_dir3 u = direction_of_long(cross(n, (struct way){camera->up.x, camera->up.y, camera->up.z}));
     struct way n_way = {n.x, n.y, n.z}, above = cross(u, n_way);
     struct tia_dir3 w = direction(above);
     int64_t step = dot(n, v) / 32;
+
+    if (size_of(right * step) > INT32_MAX || size_of(up * step) > INT32_MAX || size_of(ahead * step) > INT32_MAX)
+        return;
     struct way x = scaled(u, right * step), y = scaled(w, up * step), z = scaled(n, ahead * step);
     struct way by = {x.x + y.x + z.x, x.y + y.y + z.y, x.z + y.z + z.z};
     struct tia_vec3 eye = camera->eye, reference = camera->reference;
@@ -185,6 +212,8 @@ static tia_q16 narrowed(tia_q16 a, bool in)
 
 void tia_camera_zoom(struct tia_camera *camera, bool in)
 {
+    if (!camera)
+        return;
     struct tia_window *w = &camera->window;
 
     if (camera->projection == TIA_PERSPECTIVE) {

@@ -16,12 +16,23 @@ bool tia_viewer_by_rows(const struct loop *loop)
     return !loop->core->draws_by_pixel(loop->base);
 }
 
+/* Whether there is an estimator, and it takes the core's views. */
+static bool samples_apart(const struct loop *loop)
+{
+    const struct tia_estimator *estimator = loop->viewer->estimator;
+    const char *a = estimator ? estimator->name : NULL, *b = loop->core->name;
+
+    while (a && b && *a && *a == *b)
+        a++, b++;
+    return a && b && *a == *b;
+}
+
 uint64_t tia_viewer_sums_size(const struct loop *loop)
 {
     uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height;
     const struct tia_integration *how = &loop->base->integration;
 
-    if (!loop->viewer->estimator || how->integrator == TIA_WHITTED || how->spp == 1 || pixels > SUMS_MAX)
+    if (!samples_apart(loop) || how->integrator == TIA_WHITTED || how->spp == 1 || pixels > SUMS_MAX)
         return 0;
     return pixels * sizeof(struct tia_sum);
 }

@@ -39,12 +39,12 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
         sum += ALIGN((size_t)sizes[i]);
     }
     memory = v->memory(v->memory_ctx, sum);
-    for (int i = 0; memory && i < PARTS; i++) {
+    if (!memory_is_usable(memory))
+        return false;
+    for (int i = 0; i < PARTS; i++) {
         parts[i] = memory;
         memory += ALIGN((size_t)sizes[i]);
     }
-    if (!memory)
-        return false;
     loop->current = (struct tia_scene *)(void *)parts[0];
     loop->bvh_memory = parts[1];
     loop->view = (struct tia_view *)(void *)parts[2];

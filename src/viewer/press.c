@@ -66,6 +66,8 @@ static int move_light(const struct tia_scene *scene, struct tia_light *light, co
     struct tia_light moved = *light;
     struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
 
+    if (tia_scene_check(&alone, NULL))
+        return 0;
     if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move)
                                              : !move_centre(&moved.centre, move, scene->scale_bits))
         return 0;
@@ -103,6 +105,8 @@ bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)
 {
+    if (!scene || (count && !lights))
+        return TIA_NO_LIGHT;
     const struct tia_binding *binding = find_binding(scene, key);
     uint32_t first = 0;
 
@@ -117,6 +121,8 @@ uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *li
 
 int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity, uint16_t key)
 {
+    if (!scene || !count || *count > capacity || (capacity && !lights))
+        return TIA_ERR_ARGUMENT;
     const struct tia_binding *binding = find_binding(scene, key);
     const struct move *move = find_move(key);
     uint32_t light = tia_key_light(scene, lights, *count, key);

@@ -3,6 +3,8 @@
 
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene)
 {
+    if (!scene || !tia_shadows_name((unsigned)scene->shadows))
+        return TIA_SHADOWS_TRACED;
     struct tia_scene tried = *scene;
 
     do {

@@ -1,6 +1,8 @@
 /* text.c - small text, and its font. */
 #include <tia/text.h>
 
+#include "math/tile.h"
+
 /* From ' ' to '~': eight rows of five dots, the first in the highest bits, a row's left one in its highest. */
 static const uint64_t font[95] = {
     0x0000000000, 0x2108400080, 0x5280000000, 0x52beafa940, 0x23e0e0f880, 0xce44444e60, 0x64a88ac9a0, 0x2100000000,
@@ -44,6 +46,8 @@ struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsig
 {
     size_t columns = 0, lines = 0;
 
+    if (!text || !text->text)
+        return (struct tia_tile){0, 0, 0, 0};
     for (const char *line = text->text; line; line = next_line(line)) {
         columns = line_length(line) > columns ? line_length(line) : columns;
         lines++;
@@ -82,9 +86,12 @@ static bool is_ink(const struct row *row, unsigned column)
     return glyph(row->line[letter]) >> (39 - 5 * row->dots - dot) & 1;
 }
 
-void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface)
+int tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface)
 {
     struct tia_tile area = tia_text_area(text, TIA_SIZE_MAX, TIA_SIZE_MAX);
+
+    if (!text || !text->text || !surface_is_usable(surface))
+        return TIA_ERR_ARGUMENT;
     unsigned left = tile.x > area.x ? tile.x : area.x, top = tile.y > area.y ? tile.y : area.y;
     unsigned right = (unsigned)area.x + area.width, bottom = (unsigned)area.y + area.height;
 
@@ -95,4 +102,5 @@ void tia_text_draw(const struct tia_text *text, struct tia_tile tile, const stru
             *(tia_rgb565 *)(void *)(out + (ptrdiff_t)(x - tile.x) * surface->step) =
                 is_ink(&row, (x - area.x) / text->scale) ? text->ink : text->paper;
     }
+    return TIA_OK;
 }

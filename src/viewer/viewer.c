@@ -1,5 +1,8 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
 #include "loop.h"
+#include "scene/check/check.h"
+
+#define RATE_MAX 1000000 /* of both numbers of a rate and a pace */
 
 /* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
@@ -117,6 +120,8 @@ static int show(struct loop *loop)
 
     if (status == TIA_HIDDEN)
         loop->changed = true;
+    if (!status && (mode.width - 1u >= TIA_SIZE_MAX || mode.height - 1u >= TIA_SIZE_MAX))
+        return TIA_ERR_ARGUMENT;
     if (!status && !tia_viewer_same_mode(&mode, &loop->mode)) {
         loop->mode = mode;
         loop->view = NULL;
@@ -169,11 +174,29 @@ static int step(struct loop *loop)
     return rest(loop, status == TIA_HIDDEN);
 }
 
+static bool is_rate(const uint32_t rate[2])
+{
+    return !rate[0] || (rate[0] <= RATE_MAX && rate[1] - 1 < RATE_MAX);
+}
+
+/* Whether all that the ports and callbacks need is set. */
+static bool is_complete(const struct tia_viewer *v)
+{
+    const struct tia_display *d = v->display;
+
+    return d && d->mode && d->acquire && d->submit && d->present && v->memory &&
+           (v->input ? v->input->poll && v->input->wait : v->frame_limit > 0) && (!v->clock || v->clock->now_us) &&
+           (!v->workers || (v->workers->run && v->workers->enter && v->workers->leave)) &&
+           (!v->control || (v->control->weigh && v->control->act && v->variant));
+}
+
 static bool is_acceptable(const struct tia_viewer *v)
 {
-    return v->light_capacity >= v->scene->light_count && (v->input || v->frame_limit) && !v->options.path_hash &&
-           !v->options.lit && !v->options.observer && v->time >= 0 && (!v->rate[0] || (v->rate[1] && v->frame_limit)) &&
-           (!v->control || v->variant) && (!v->pace[0] || v->pace[1]);
+    return v && v->scene && is_complete(v) && v->light_capacity >= v->scene->light_count &&
+           (v->lights || !v->light_capacity) && (v->keys || !v->key_count) && !v->options.path_hash &&
+           !v->options.lit && !v->options.observer && v->time >= 0 && is_rate(v->rate) &&
+           (!v->rate[0] || v->frame_limit) && is_rate(v->pace) &&
+           !(v->state && v->state->goes_on && v->state->light_count > v->light_capacity);
 }
 
 /* The scene and its lights, or what keys have made of them before. */
@@ -221,15 +244,18 @@ static void end(struct loop *loop)
 
 int tia_viewer_run(struct tia_viewer *viewer)
 {
+    if (!is_acceptable(viewer))
+        return TIA_ERR_ARGUMENT;
     struct loop loop = {.viewer = viewer,
                         .core = viewer->core ? viewer->core : &tia_core_q16,
                         .base = viewer->scene,
                         .gaze = viewer->gaze,
                         .changed = true};
-    int status = is_acceptable(viewer) ? TIA_OK : TIA_ERR_ARGUMENT;
+    struct asker asker = {viewer->stop, viewer->stop_ctx, 0, false};
+    int status = tia_check_scene(viewer->scene, NULL, &asker);
 
     if (status)
-        return status;
+        return status == TIA_STOPPED ? TIA_OK : TIA_ERR_RANGE;
     begin(&loop);
     status = tia_viewer_play_begin(&loop);
     if (!status)

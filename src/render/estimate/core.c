@@ -3,15 +3,17 @@
 
 static bool is_inside(const struct tia_view *view, struct tia_tile tile)
 {
-    return tile.width && tile.height && tile_right(tile) <= view->width && tile_bottom(tile) <= view->height;
+    return tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)view->width, (uint16_t)view->height});
 }
 
 static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered)
 {
+    if (!view)
+        return TIA_ERR_ARGUMENT;
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;
-    if (!is_inside(view, tile) || end > TIA_SPP_MAX || first > end)
+    if (!is_inside(view, tile) || !gathered || !gathered->sums || end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
     if (view->level)
         level_renderer_for(view->level, view->renderer)->sample(view, tile, first, end, gathered);
@@ -28,15 +30,19 @@ static int sample(const struct tia_view *view, struct tia_tile tile, uint32_t fi
 
 static uint32_t enclosing(const struct tia_view *view, uint32_t light)
 {
-    return view->renderer->sample ? estimate_enclosing(view, light) : TIA_NO_OBJECT;
+    return view && view->renderer->sample && light < view->light_count ? estimate_enclosing(view, light)
+                                                                       : TIA_NO_OBJECT;
 }
 
 static int show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither)
 {
+    if (!view)
+        return TIA_ERR_ARGUMENT;
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;
-    if (!is_inside(view, row) || row.height != 1 || !surface->pixels || count < 1 || count > TIA_SPP_MAX)
+    if (!is_inside(view, row) || row.height != 1 || !sums || !surface_is_usable(surface) || count < 1 ||
+        count > TIA_SPP_MAX)
         return TIA_ERR_ARGUMENT;
     estimate_show(view, row, sums, count, surface, dither);
     return TIA_OK;

@@ -1,6 +1,8 @@
 /* view.c - the buffers of each sample of each pixel, and where a face is met. */
 #include "view.h"
 
+#include "raster/distance.h"
+
 #define PIXEL_BYTES (2 * sizeof(uint64_t) + 3 * sizeof(uint32_t))
 
 uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels)
@@ -50,7 +52,7 @@ void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *
     *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
     if (face == TIA_NO_FACE)
         return;
-    num_length depth = num_length_of_q45(tia_raster_distance(&flat->planes[face], &flat->lattice, x, y));
+    num_length depth = num_length_of_q45(tia_plane_distance(&flat->planes[face], &flat->lattice, x, y));
     num_length t = num_div(depth, num_dir_dot(num_dir_negated(rays->camera.n), ray->direction));
     if (t >= NUM_LENGTH_FAR)
         return;

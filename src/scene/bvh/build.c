@@ -36,7 +36,7 @@ static uint64_t whole_size(const struct tia_scene *scene)
 
 size_t tia_bvh_size(const struct tia_scene *scene)
 {
-    uint64_t size = whole_size(scene);
+    uint64_t size = scene ? whole_size(scene) : SIZE_MAX;
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
@@ -140,6 +140,8 @@ int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, s
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene)
 {
+    if (!bvh || !scene || !memory_is_usable(space->front))
+        return TIA_ERR_ARGUMENT;
     const unsigned char *begin = space->front;
     size_t needed = tia_bvh_size(scene);
 

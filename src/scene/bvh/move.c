@@ -12,6 +12,8 @@
 
 size_t tia_bvh_move_size(const struct tia_scene *scene)
 {
+    if (!scene)
+        return SIZE_MAX;
     uint64_t count = bvh_object_count(scene);
     uint64_t size =
         ALIGN(sizeof(struct tia_bvh)) + bvh_tree_size(count) + ALIGN(count * (uint64_t)sizeof(struct tia_bounds));
@@ -121,9 +123,21 @@ static bool is_good(const struct following *f)
     return areas(f->nodes, count, shift) <= before + before / 2;
 }
 
+/* Whether the one can have been made of the other, and that has a hierarchy of its objects. */
+static bool can_follow(const struct tia_scene *scene, const struct tia_scene *standing)
+{
+    const struct tia_bvh *bvh = standing->bvh;
+
+    return bvh && scene->sphere_count == standing->sphere_count && scene->shape_count == standing->shape_count &&
+           scene->transform_count == standing->transform_count && scene->mesh_count == standing->mesh_count &&
+           (uint64_t)bvh->objects.item_count + bvh->unbounded_count == bvh_object_count(standing);
+}
+
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
 {
+    if (!bvh || !scene || !standing || !memory_is_usable(memory) || !can_follow(scene, standing))
+        return TIA_ERR_ARGUMENT;
     uint64_t boxes = ALIGN(bvh_object_count(scene) * (uint64_t)sizeof(struct tia_bounds));
     struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}}, anew;
     size_t needed = tia_bvh_move_size(scene);

@@ -245,6 +245,8 @@ int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size
 {
     struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}};
 
+    if (workers && !(workers->run && workers->enter && workers->leave))
+        return TIA_ERR_ARGUMENT;
     if (workers) {
         space.build = build;
         space.workers = workers;

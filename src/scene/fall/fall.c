@@ -52,6 +52,8 @@ static bool moves(const struct tia_scene *scene, const struct tia_shape *shape)
 
 bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape)
 {
+    if (!scene || shape >= scene->shape_count)
+        return false;
     const struct tia_shape *block = &scene->shapes[shape];
 
     return (block->kind == TIA_PLANE || block->kind == TIA_BOX) && !moves(scene, block);

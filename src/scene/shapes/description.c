@@ -11,5 +11,7 @@ const struct shape_description *tia_shape_description(enum tia_shape_kind kind)
 
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind)
 {
-    return tia_shape_description(kind)->fields;
+    const struct shape_description *description = tia_shape_description(kind);
+
+    return description ? description->fields : NULL;
 }

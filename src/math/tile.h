@@ -1,0 +1,30 @@
+/* tile.h - whether a caller's tile and surface can be drawn into. */
+#ifndef TIA_MATH_TILE_H
+#define TIA_MATH_TILE_H
+
+#include <tia/render.h>
+
+/* Whether a tile has pixels, all of them in an area. It may end beyond 65535, the most that a 16-bit unsigned int
+ * holds. */
+static inline bool tile_is_inside(struct tia_tile tile, struct tia_tile area)
+{
+    return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y &&
+           (uint32_t)tile.x + tile.width <= (uint32_t)area.x + area.width &&
+           (uint32_t)tile.y + tile.height <= (uint32_t)area.y + area.height;
+}
+
+/* What alignment for a pixel is here: 1 on an AVR, 2 elsewhere. */
+struct surface_probe {
+    char before;
+    tia_rgb565 pixel;
+};
+
+static inline bool surface_is_usable(const struct tia_surface *surface)
+{
+    const uintptr_t odd = offsetof(struct surface_probe, pixel) - 1;
+
+    return surface && surface->pixels &&
+           !(((uintptr_t)surface->pixels | (uintptr_t)surface->step | (uintptr_t)surface->pitch) & odd);
+}
+
+#endif
