@@ -59,6 +59,8 @@ size_t tia_radio_size(const struct tia_scene *scene)
 {
     uint64_t corners, faces;
 
+    if (!scene)
+        return SIZE_MAX;
     count_all(scene, &corners, &faces);
     if (faces > FACES_MOST || corners > UINT32_MAX)
         return SIZE_MAX;
