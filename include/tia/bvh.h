@@ -43,7 +43,8 @@ struct tia_bvh {
     uint32_t unbounded_count;
 };
 
-/* Bytes of memory that tia_bvh_build needs for the scene. The memory must be aligned for uint64_t. */
+/* Bytes of memory that tia_bvh_build needs for a scene that tia_scene_check accepts; SIZE_MAX when there are too many.
+ * The memory must be aligned for uint64_t. */
 size_t tia_bvh_size(const struct tia_scene *scene);
 
 /* Builds the hierarchies of a scene that tia_scene_check accepts; set scene->bvh = *bvh to use them.
@@ -64,13 +65,15 @@ int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size
 
 /* The same for a scene that tia_scene_at made of `standing`, which has a hierarchy: only what moved gets new boxes. The
  * hierarchy shares what stands still with standing->bvh, which must stay. `memory` is aligned likewise and of
- * tia_bvh_move_size(scene) bytes; `stop` as above. What rays meet is the same as with a hierarchy built anew. */
+ * tia_bvh_move_size(scene) bytes; `stop` as above. What rays meet is the same as with a hierarchy built anew.
+ * TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number of objects. */
 size_t tia_bvh_move_size(const struct tia_scene *scene);
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx);
 
 /* World bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to the
- * range of Q16.16. Empty for a plane and for a mesh without faces. Takes time proportional to a mesh's faces. */
+ * range of Q16.16. Empty for a plane, for a mesh without faces and for an index that is no object's. The scene is one
+ * that tia_scene_check accepts. Takes time proportional to a mesh's faces. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);
 
 #ifdef __cplusplus

@@ -35,12 +35,12 @@ struct tia_denoiser; /* in the caller's memory */
 /* Bytes for a picture: 56 a pixel and a few; SIZE_MAX when there are too many. */
 size_t tia_denoise_size(unsigned width, unsigned height);
 
-/* In `memory`, aligned for uint64_t. TIA_ERR_ARGUMENT for sizes that are not 1..TIA_SIZE_MAX, TIA_ERR_MEMORY when
- * `size` is too small. */
+/* In `memory`, aligned for uint64_t; every pixel is black until it is put in. TIA_ERR_ARGUMENT for sizes that are not
+ * 1..TIA_SIZE_MAX, TIA_ERR_MEMORY when `size` is too small. */
 int tia_denoise_init(struct tia_denoiser **denoiser, void *memory, size_t size, unsigned width, unsigned height);
 
 /* Puts in what `count` samples (1..TIA_SPP_MAX) of each pixel of the tile have gathered: sums, guides and squares.
- * TIA_ERR_ARGUMENT when the tile is not inside the picture, here and below. */
+ * TIA_ERR_ARGUMENT when the tile is not inside the picture, here and below, and when one of the three is NULL. */
 int tia_denoise_put(struct tia_denoiser *denoiser, struct tia_tile tile, const struct tia_gathered *gathered,
                     uint32_t count);
 
@@ -59,13 +59,14 @@ enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SH
 /* "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`. */
+/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`, the
+ * albedo for other guides. 0 where something of `gathered` is NULL or the count is not in 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
 /* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
- * of its samples; for one sample, that luminance. Sobol points are more even than random ones, so the estimate tends to
- * be too large. */
+ * of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones, so the
+ * estimate tends to be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
 
 #ifdef __cplusplus

@@ -30,12 +30,18 @@ typedef uint16_t tia_rgb565;
 #define TIA_Q16(x) ((tia_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define TIA_Q30(x) ((tia_q30)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 
-/* The result of every library function that can fail: 0 is success, errors are negative. */
+/* The result of every library function that can fail: 0 is success, errors are negative.
+ *
+ * A call that cannot be right returns TIA_ERR_ARGUMENT and changes nothing: with a pointer that is NULL where its
+ * comment does not allow that, memory that is not aligned as it must be, or a number, an enum or a tile out of its
+ * range, unless the comment names another result. Of functions without a status, those that return bytes give SIZE_MAX
+ * for NULL, those that return an object or a light TIA_NO_OBJECT or TIA_NO_LIGHT, other values 0, false or NULL, and
+ * those that return nothing do nothing. docs/library.md lists what no call can notice. */
 enum tia_status {
     TIA_OK = 0,
     TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
     TIA_STOPPED = 2,         /* not an error: the caller asked to stop, see tia_view_init_until */
-    TIA_ERR_ARGUMENT = -1,   /* a size, a tile or a pointer outside the documented range */
+    TIA_ERR_ARGUMENT = -1,   /* a size, a tile, an enum or a pointer outside the documented range */
     TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */
     TIA_ERR_MEMORY = -3,     /* the caller's memory is too small */
     TIA_ERR_DEVICE = -4,     /* a port's device failed; the port keeps the reason */

@@ -41,10 +41,11 @@ struct tia_acuity {
     unsigned levels;                   /* how many of these sizes suffice anywhere */
 };
 
-/* Sets it up for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn. */
+/* Sets it up for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn: also when a
+ * size or view_angle is out of range. */
 bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height);
 
-/* The block at a pixel: 1, 2, 4, 8 or 16. */
+/* The block at a pixel: 1, 2, 4, 8 or 16; 1 outside the picture. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y);
 
 #ifdef __cplusplus

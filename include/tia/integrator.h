@@ -103,7 +103,8 @@ struct tia_estimator {
 
     /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
      * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
-     * inside the image, or end is beyond TIA_SPP_MAX. TIA_STOPPED: see tia_view_init_until; the sums are not defined.
+     * inside the image, first is beyond end, or end beyond TIA_SPP_MAX. TIA_STOPPED: see tia_view_init_until; the sums
+     * are not defined.
      */
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
@@ -113,7 +114,8 @@ struct tia_estimator {
                   const struct tia_gathered *gathered);
 
     /* The opaque object that encloses light number `light` of the view, but not the eye, so that the light reaches
-     * nothing else; TIA_NO_OBJECT: none, or a scene without samples. Decided by 14 rays from the light. */
+     * nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. Decided by 14 rays from the light.
+     */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
@@ -138,13 +140,16 @@ struct tia_exposure {
 /* The tone that TIA_TONE_DEFAULT stands for. */
 enum tia_tone tia_tone_of(const struct tia_integration *integration);
 
+/* The exposure is clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
 struct tia_exposure tia_exposure_of(tia_q16 exposure);
 
 /* The value that a pixel shows, from the sum of `count` samples of one channel: 2^exposure times their mean, in units
- * of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. */
+ * of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count of 0
+ * gives 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
-/* The nearest of 2^bits levels to that value, ties up: exact. For srgb the bits are 5, 6 or 8. */
+/* The nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6 or 8; others give 0.
+ * Other tones are as TIA_TONE_LINEAR. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 
 #ifdef __cplusplus

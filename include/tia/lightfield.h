@@ -70,11 +70,12 @@ struct tia_light_field {
 };
 
 /* The eye of view `view` of `views`, which include both ends of the line: its place along u from the line's middle, to
- * the nearest 2^-16. A single view's eye is in the middle. */
+ * the nearest 2^-16. A single view's eye is in the middle; so is one that is not among them, or of a line below 0. */
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views);
 
 /* The ordinary off-axis camera whose eye stands at a place within the line's ends: eye and reference move by place
- * times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line. */
+ * times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line.
+ * TIA_ERR_RANGE for other places, and for a camera that tia_scene_check refuses. */
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
 
 #ifdef __cplusplus

@@ -76,7 +76,8 @@ struct tia_falling {
     tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: then all stay where they are */
 };
 
-/* Bytes of memory that tia_scene_at needs. The memory must be aligned for uint64_t. */
+/* Bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when there are too many.
+ * The memory must be aligned for uint64_t, and may be NULL where that is 0. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
@@ -94,8 +95,7 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
 /* Whether the scene may differ at different times. */
 bool tia_scene_moves(const struct tia_scene *scene);
 
-/* Whether falling balls bounce off shape number `shape`: a plane or a box whose transform has no track.
- */
+/* Whether falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
 bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
 /* The time of the last keyframe or of the end of falling, whichever is later, in seconds; 0 when nothing moves. */

@@ -1,7 +1,8 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
- * Every function pointer must be set. A port never exits, prints, or starts threads. On failure it returns a
- * negative enum tia_status and keeps the reason in its context, for the program to print.
+ * Every function pointer must be set: tia_viewer_run returns TIA_ERR_ARGUMENT when one that it calls is not. A port
+ * never exits, prints, or starts threads. On failure it returns a negative enum tia_status and keeps the reason in its
+ * context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
@@ -62,8 +63,9 @@ struct tia_mode {
 struct tia_display {
     /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
-    /* The current mode; it may change while the display is open (a resized terminal window, another screen
-     * plugged in). TIA_HIDDEN while another program has the screen: do not draw then. */
+    /* The current mode, 1..TIA_SIZE_MAX pixels in both directions; it may change while the display is open (a resized
+     * terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw then.
+     */
     int (*mode)(void *ctx, struct tia_mode *mode);
     /* Memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow:
      * only write, at rising addresses. Its old contents are undefined. */

@@ -62,7 +62,7 @@ struct tia_radio_path {
     struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* rising by segment */
 };
 
-/* A search. `from` and `to` differ, and neither is tia_radio_inside anything. */
+/* A search. `from` and `to` differ. Neither should be tia_radio_inside anything: what is found then means nothing. */
 struct tia_radio_link {
     struct tia_vec3 from, to;
     uint32_t order; /* the most reflections: 0..TIA_RADIO_ORDER_MAX */
@@ -73,7 +73,7 @@ struct tia_radio_link {
     void *ctx;
 };
 
-/* Bytes for the faces of a scene that tia_scene_check accepts. */
+/* Bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when there are too many. */
 size_t tia_radio_size(const struct tia_scene *scene);
 
 /* Finds the faces. `memory` is aligned for uint64_t. Read-only from then on: any number of threads may use it.
@@ -83,6 +83,8 @@ int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const st
                    struct tia_fault *fault);
 
 struct tia_radio_counts tia_radio_count(const struct tia_radio *radio);
+
+/* Its object is TIA_RADIO_NO_OBJECT when there is no such face. */
 struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t face);
 
 /* An object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
@@ -99,7 +101,7 @@ uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order);
  * faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
 int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link);
 
-/* Tries the given planes in that order; calls `found` if they give a path. */
+/* Tries the given planes in that order, at most TIA_RADIO_ORDER_MAX; calls `found` if they give a path. */
 int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                   const uint32_t *planes, uint32_t order);
 
@@ -107,7 +109,8 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
 
 #define TIA_RADIO_DENSITY_MAX 2048
 
-/* The directions are the corners of an icosahedron whose edges are divided by `density`: 10 density^2 + 2 of them. */
+/* The directions are the corners of an icosahedron whose edges are divided by `density`: 10 density^2 + 2 of them; 0
+ * for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
 uint32_t tia_radio_directions(uint32_t density);
 
 /* Direction i of them, of length 1, Q2.62. */

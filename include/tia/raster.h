@@ -133,12 +133,12 @@ struct tia_raster_target {
 size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Creates a target in `memory`, aligned for uint64_t, and clears it. The lattice must outlive it. TIA_ERR_ARGUMENT when
- * the area is empty or not inside the image, TIA_ERR_MEMORY when `size` is too small. */
+ * the area is empty or not inside the image, or there are no such buffers; TIA_ERR_MEMORY when `size` is too small. */
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
-/* The pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is not inside. Threads may draw into
- * parts that share no pixel at once, if the planes are known. */
+/* The pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads may
+ * draw into parts that share no pixel at once, if the planes are known. */
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
 
 /* The plane of a polygon, as tia_draw_polygon keeps it. Errors as there. */
@@ -149,10 +149,10 @@ int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_latti
 
 /* The distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image sees: w,
  * or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most
- * 2^62; 0 where the plane is not in front of the eye. */
+ * 2^62; 0 where the plane is not in front of the eye, and outside the image. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
-/* Empties the depth buffer. */
+/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
 int tia_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
 int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
@@ -163,15 +163,17 @@ int tia_clear_sum(struct tia_raster_target *target);
 /* The accumulation buffer is for callers: with an area light, they draw a picture for each of its points and take the
  * mean. tia_render records which samples of a light arrive, and needs no such buffer.
  *
- * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. */
+ * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. TIA_ERR_ARGUMENT for a weight
+ * above that. */
 int tia_sum_add(struct tia_raster_target *target, uint32_t weight);
-/* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. total is 1..65536. */
+/* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. TIA_ERR_ARGUMENT when the total is
+ * not in 1..65536. */
 int tia_sum_return(struct tia_raster_target *target, uint32_t total);
 
 /* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners as `state` says. Its plane, for depth, is that of its first
  * three corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth
  * buffer is cleared; other polygons may have TIA_NO_FACE. TIA_ERR_ARGUMENT otherwise, and for another number of
- * corners; TIA_ERR_RANGE when a vertex is out of the range above. */
+ * corners or an enum of the state beyond its last value; TIA_ERR_RANGE when a vertex is out of the range above. */
 int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
                      const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
@@ -180,13 +182,15 @@ struct tia_corners {
     uint64_t weights[3][3][2];
 };
 
-/* Prepares it. False when the eye is in the triangle's plane. */
+/* Prepares it. False when the eye is in the triangle's plane or a vertex out of range; *corners is of no use then. */
 bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
                       const struct tia_raster_vertex vertices[3]);
 
 /* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)
  * of the image sees: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
- * that is a direction has no value. 0 where the plane is not before the eye. */
+ * that is a direction has no value. 0 where the plane is not before the eye, and for x and y not in 0..TIA_SIZE_MAX
+ * - 1.
+ */
 tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3]);
 
 #ifdef __cplusplus

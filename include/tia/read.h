@@ -89,8 +89,8 @@ struct tia_reader {
 
 /* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and
  * tia_scene_check accepts it. *need is the number of bytes needed. When `size` is less, the status is
- * TIA_ERR_MEMORY, and a second call with *need bytes succeeds. TIA_ERR_RANGE when the text is not a valid
- * scene: reader->error says where and why. */
+ * TIA_ERR_MEMORY, and a second call with *need bytes succeeds; `memory` may be NULL in the first. TIA_ERR_RANGE when
+ * the text is not a valid scene: reader->error says where and why. */
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need);
 
 #ifdef __cplusplus

@@ -29,8 +29,8 @@ struct tia_tile {
 /* The memory for a tile's pixels. Both strides are in bytes: `step` to the next pixel on the right (2 for a
  * plain frame buffer), `pitch` to the next one below. A rotated panel swaps or negates them. */
 struct tia_surface {
-    tia_rgb565 *pixels;    /* the tile's upper left pixel */
-    ptrdiff_t step, pitch; /* even */
+    tia_rgb565 *pixels;    /* the tile's upper left pixel, aligned for tia_rgb565 */
+    ptrdiff_t step, pitch; /* even; where they are too small, pixels cover each other */
 };
 
 /* The kinds of a pixel's rays. */
@@ -91,12 +91,15 @@ struct tia_options {
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
 
-/* Bytes for a view of `scene` with up to `light_capacity` lights. */
+/* Bytes for a view of `scene`, which tia_scene_check accepts, with up to `light_capacity` lights; SIZE_MAX when there
+ * are too many. */
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for
- * uint64_t. The view refers to the scene's arrays: they must outlive it. TIA_ERR_RANGE when
- * tia_scene_check refuses the scene, TIA_ERR_MEMORY when `size` is too small. */
+ * uint64_t. The view refers to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less
+ * than the scene's lights, TIA_ERR_RANGE when tia_scene_check refuses the scene, TIA_ERR_MEMORY when `size` is too
+ * small.
+ */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height);
 
@@ -105,23 +108,26 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
  * refuses one; after an error the old lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-/* Bytes for the hits of `area` in a picture of `scene`; SIZE_MAX when there are too many. */
+/* Bytes for the hits of `area` in a picture of `scene`, as above; SIZE_MAX when there are too many. */
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
 
-/* Creates a hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t. TIA_ERR_ARGUMENT when
- * the area is empty, TIA_ERR_MEMORY when `size` is too small. */
+/* Creates a hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t, for this view alone.
+ * TIA_ERR_ARGUMENT when the area is empty, TIA_ERR_MEMORY when `size` is too small. */
 int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area);
 
 /* The index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
- * of the first. Lights are not in the hits, since they may move: tia_light_tile finds them. */
+ * of the first. Lights are not in the hits, since they may move: tia_light_tile finds them. TIA_NO_OBJECT, too, outside
+ * the image and the hits, and while nothing of the hits is traced; the pixel must be traced. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
-/* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is not inside the image
- * and the hit buffer. */
+/* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is empty or not inside the image and
+ * the hit buffer, and when the hits are another view's. */
 int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to
- * bottom. `options` may be NULL. Errors as for tia_trace. */
+ * bottom. `options` may be NULL. Errors as for tia_trace, and TIA_ERR_ARGUMENT when nothing of the hits is traced, or
+ * the surface has no pixels or is not aligned. Once a tile is traced it is not noticed that others are not: all pixels
+ * of `tile` must be. A level, see levels.h, needs no hits. */
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
@@ -173,7 +179,7 @@ extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-
 extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
 
 /* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
- * result on from row to row. */
+ * result on from row to row. Without pixels, NULL, `crc` stays as it is. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
 #ifdef __cplusplus

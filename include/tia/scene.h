@@ -109,7 +109,8 @@ struct tia_fault {
     const char *rule; /* the range that the field must keep */
 };
 
-/* Checks all ranges. TIA_OK, or TIA_ERR_RANGE with *fault filled in (`fault` may be NULL). Takes one pass over
+/* Checks all ranges; where a count is not 0, its array is there and has so many. TIA_OK, or TIA_ERR_RANGE with *fault
+ * filled in (`fault` may be NULL). Takes one pass over
  * the scene, and one over its shapes for every 16 meshes or grids. */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 

@@ -43,8 +43,9 @@ enum tia_shadows {
 const char *tia_shadows_name(unsigned technique);
 
 /* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
- * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. A corner is too far if a clip coordinate, see raster.h, reaches
- * 2^20: it is then that many times half the view's width or height off its middle. */
+ * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
+ * a clip coordinate, see raster.h, reaches 2^20: it is then that many times half the view's width or height off its
+ * middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
@@ -105,7 +106,8 @@ const char *tia_filter_name(unsigned filter);
 
 /* Whether each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
  * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
- * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t; the mesh is one that tia_scene_check accepts. */
+ * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t, or the result is false; the mesh is one that
+ * tia_scene_check accepts. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 

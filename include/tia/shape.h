@@ -138,7 +138,7 @@ struct tia_shape_field {
     bool needed;        /* whether scene files must give it; otherwise the default is 0 */
 };
 
-/* The fields of a kind. Meshes and grids, which are indices, have none. */
+/* The fields of a kind; NULL of what is no kind. Meshes and grids, which are indices, have none. */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
 /* Scales a shape along its own axes, then rotates it, then translates it. Not for planes. An instance must not

@@ -23,7 +23,7 @@ struct tia_text {
     tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
 
-/* The part of a width x height image that it covers; empty when it is all outside. */
+/* The part of a width x height image that it covers; empty when it is all outside, or the scale is 0. */
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
 /* Draws the part in `tile`; the other pixels stay. */

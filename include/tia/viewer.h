@@ -95,14 +95,15 @@ struct tia_viewer_state {
     bool moved;   /* the camera is not the scene's */
     bool paused;
     struct tia_camera camera;
-    uint32_t light_count, light; /* their number; the one that keys move, or the next if it is ambient */
-    tia_q16 time;                /* seconds */
+    uint32_t light_count,
+        light;    /* their number, at most light_capacity; the one that keys move, or the next if it is ambient */
+    tia_q16 time; /* seconds */
 };
 
 struct tia_viewer {
     const struct tia_core *core;           /* NULL: tia_core_q16 */
     const struct tia_level *level;         /* NULL: plain C; see tia/levels.h */
-    const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come */
+    const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come. Others are ignored */
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;
@@ -149,12 +150,15 @@ struct tia_viewer {
 };
 
 /* Runs until a key quits, the frame limit is reached or `stop` returns true; then TIA_OK. The caller opens display and
- * input before and closes them afterwards. Errors: those of the ports, TIA_ERR_RANGE, TIA_ERR_MEMORY. */
+ * input before and closes them afterwards. Errors: those of the ports; TIA_ERR_ARGUMENT when a member is missing or out
+ * of its range; TIA_ERR_RANGE when tia_scene_check refuses the scene; TIA_ERR_MEMORY, also when the memory is not
+ * aligned.
+ */
 int tia_viewer_run(struct tia_viewer *viewer);
 
 /* Applies a key press to the lights, *count of an array of `capacity`. 1 when they changed; 0 when the key has
- * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits. A light that would leave the range of
- * tia_scene_check does not move. */
+ * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the capacity. A light that
+ * would leave the range of tia_scene_check does not move. */
 int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
               uint16_t key);
 
@@ -163,11 +167,11 @@ int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
 
 /* The technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, of those that
- * the scene qualifies for. */
+ * the scene qualifies for. TIA_SHADOWS_TRACED after one that there is not. */
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 /* The time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per second,
- * each 1..1000000: rounded to nearest, at most INT32_MAX. */
+ * each 1..1000000: rounded to nearest, at most INT32_MAX. Without a rate, NULL, it is `start`. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
 
 #ifdef __cplusplus
