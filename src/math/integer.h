@@ -208,17 +208,9 @@ static inline uint32_t tia_sqrt32(uint32_t x)
     return r;
 }
 
-/* (x, y, z), in any unit, divided by its length: each component within 1.5 ulp. Not all three may be 0. */
-static inline struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
-{
-    uint64_t n = (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y) + (uint64_t)((int64_t)z * z);
-    unsigned s = tia_clz64(n) & ~1u;
-    int64_t scale = tia_rsqrt(n << s);
-    /* 1/sqrt(n) = scale 2^(s/2 - 63); the result has 30 fractional bits */
-    unsigned shift = 33 - (s >> 1);
-    return (struct tia_dir3){(tia_q30)tia_round_shift(x * scale, shift), (tia_q30)tia_round_shift(y * scale, shift),
-                             (tia_q30)tia_round_shift(z * scale, shift)};
-}
+/* (x, y, z), in any unit, divided by its length: each component within 1.5 ulp; (0, 0, 0) of itself. No function of
+ * inner loops, so it is not inlined. */
+struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z);
 
 /* TIA_NO_INT128: without the compiler's 128-bit integers though it has them. */
 #if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
