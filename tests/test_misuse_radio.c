@@ -122,6 +122,8 @@ static int shoot(struct tia_radio_link changed, uint32_t density, uint32_t i)
 
 TEST(misuse_of_rays)
 {
+    const struct tia_radio_link nowhere = {.from = between.from, .to = between.from, .order = 1};
+
     prepare();
     GIVES(0, tia_radio_directions(0));
     GIVES(0, tia_radio_directions(TIA_RADIO_DENSITY_MAX + 1));
@@ -142,6 +144,8 @@ TEST(misuse_of_rays)
     REFUSES(shoot(between, 64, UINT32_MAX));
     REFUSES(shoot(linked(between.from, between.to, TIA_RADIO_ORDER_MAX + 1, 0, NULL), 64, 0));
     REFUSES(shoot(linked(between.from, between.to, 1, UINT32_MAX, NULL), 64, 0));
+    REFUSES(shoot(linked(between.from, between.from, 1, 1, NULL), 64, 3));
+    GIVES(TIA_OK, tia_radio_shoot(radio, room, &nowhere, 64, 3, true, received, NULL)); /* it ignores the receiver */
     GIVES(TIA_OK, shoot(linked(between.from, between.to, 1, 1, NULL), 64, 3));
     misuse_end();
 }

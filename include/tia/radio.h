@@ -62,7 +62,8 @@ struct tia_radio_path {
     struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* rising by segment */
 };
 
-/* A search. `from` and `to` differ. Neither should be tia_radio_inside anything: what is found then means nothing. */
+/* A search. `from` and `to` differ, but for rays that go everywhere. Neither should be tia_radio_inside anything: what
+ * is found then means nothing. */
 struct tia_radio_link {
     struct tia_vec3 from, to;
     uint32_t order; /* the most reflections: 0..TIA_RADIO_ORDER_MAX */

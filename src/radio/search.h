@@ -43,6 +43,9 @@ struct tia_radio_room {
 bool tia_radio_can_search(const struct tia_radio *radio, const struct tia_radio_room *room,
                           const struct tia_radio_link *link);
 
+/* Whether its ends differ. */
+bool tia_radio_has_ends(const struct tia_radio_link *link);
+
 /* Reflection i of a sequence of `order`. */
 static inline uint32_t search_plane(const struct tia_radio_room *room, uint32_t order, uint32_t i)
 {

@@ -11,8 +11,12 @@ bool tia_radio_can_search(const struct tia_radio *radio, const struct tia_radio_
                           const struct tia_radio_link *link)
 {
     return radio && memory_is_usable(room) && link && link->order <= TIA_RADIO_ORDER_MAX &&
-           link->walls <= TIA_RADIO_WALLS_MAX &&
-           (link->from.x != link->to.x || link->from.y != link->to.y || link->from.z != link->to.z);
+           link->walls <= TIA_RADIO_WALLS_MAX;
+}
+
+bool tia_radio_has_ends(const struct tia_radio_link *link)
+{
+    return link->from.x != link->to.x || link->from.y != link->to.y || link->from.z != link->to.z;
 }
 
 static void begin(struct tia_radio_room *room, const struct tia_radio *radio, const struct tia_radio_link *link)
@@ -46,7 +50,8 @@ static bool mirror(struct tia_radio_room *room, uint32_t depth, uint32_t number)
 int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                   const uint32_t *planes, uint32_t order)
 {
-    if (!tia_radio_can_search(radio, room, link) || !link->found || order > TIA_RADIO_ORDER_MAX || (order && !planes))
+    if (!tia_radio_can_search(radio, room, link) || !tia_radio_has_ends(link) || !link->found ||
+        order > TIA_RADIO_ORDER_MAX || (order && !planes))
         return TIA_ERR_ARGUMENT;
     for (uint32_t i = 0; i < order; i++)
         if (planes[i] >= radio->plane_count)
@@ -91,7 +96,7 @@ int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room,
 {
     uint32_t next[TIA_RADIO_ORDER_MAX] = {0}, depth = 0;
 
-    if (!tia_radio_can_search(radio, room, link) || !link->found)
+    if (!tia_radio_can_search(radio, room, link) || !tia_radio_has_ends(link) || !link->found)
         return TIA_ERR_ARGUMENT;
     begin(room, radio, link);
     int status = tell(room, 0);

@@ -230,7 +230,8 @@ int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, 
                     bool (*received)(void *ctx, const struct tia_radio_ray *ray), void *ctx)
 {
     struct shot shot = {room, density, everywhere, received, ctx};
-    if (!tia_radio_can_search(radio, room, link) || i >= tia_radio_directions(density) || !received)
+    if (!tia_radio_can_search(radio, room, link) || !(everywhere || tia_radio_has_ends(link)) ||
+        i >= tia_radio_directions(density) || !received)
         return TIA_ERR_ARGUMENT;
     struct search_ray *ray = &room->rays[0];
     uint32_t count = 1;

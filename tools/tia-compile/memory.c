@@ -27,9 +27,9 @@ struct layout {
     unsigned map, volumes, own; /* what these techniques keep */
 };
 
-static const struct layout layouts[KINDS] = {{88, 32, 304, 48, 208, 72, 392, 224, 88, 40, 2856, 744, 560, 40},
-                                             {52, 20, 240, 28, 200, 64, 368, 216, 80, 32, 2576, 728, 544, 28},
-                                             {52, 20, 236, 28, 200, 64, 368, 208, 80, 32, 2576, 728, 544, 28}};
+static const struct layout layouts[KINDS] = {{88, 40, 304, 48, 208, 72, 392, 224, 88, 40, 2856, 744, 560, 40},
+                                             {52, 24, 240, 28, 200, 64, 368, 216, 80, 32, 2576, 728, 544, 28},
+                                             {52, 24, 236, 28, 200, 64, 368, 208, 80, 32, 2576, 728, 544, 28}};
 
 /* The kind of this machine; KINDS when it is of none. */
 static int kind_here(void)
