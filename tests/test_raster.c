@@ -113,19 +113,19 @@ static void nearest(bool flat, unsigned ranges, int trials)
 
 TEST(the_nearest_face_in_perspective_is_the_oracles)
 {
-    nearest(false, 21, 1500);
+    nearest(false, TIA_RANGE_MAX + 1, 1500);
 }
 
 TEST(the_nearest_face_orthographic_is_the_oracles)
 {
-    nearest(true, 21, 200);
+    nearest(true, TIA_RANGE_FLAT + 1, 200);
 }
 
 TEST(all_states_are_as_opengl_says)
 {
     for (int i = 0; i < 600; i++) {
         struct trial t = {.flat = i % 8 == 0};
-        unsigned range = (unsigned)random_below(21);
+        unsigned range = (unsigned)random_below(t.flat ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
         begin(&t, ALL, range);
         t.most = most_of(&t.lattice, range);
         struct random_polygon p[20] = {{.count = 0}};
@@ -236,7 +236,7 @@ TEST(nearness_errs_by_no_more_than_derived)
 
     for (int i = 0; i < 1000; i++) {
         struct trial t = {.flat = i % 4 == 0};
-        unsigned range = (unsigned)random_below(21);
+        unsigned range = (unsigned)random_below(t.flat ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
         struct random_polygon p = {.count = 0};
         begin(&t, TIA_BUFFER_DEPTH, range);
         t.most = most_of(&t.lattice, range);

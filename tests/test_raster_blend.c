@@ -52,7 +52,10 @@ static void try_polygons(enum tia_projection projection, unsigned range)
 TEST(values_are_rounded_to_nearest)
 {
     for (int i = 0; i < 6000; i++)
-        try_polygons(i % 3 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, (unsigned)random_below(21));
+        if (i % 3)
+            try_polygons(TIA_PERSPECTIVE, (unsigned)random_below(TIA_RANGE_MAX + 1));
+        else
+            try_polygons(TIA_ORTHOGRAPHIC, (unsigned)random_below(TIA_RANGE_FLAT + 1));
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 

@@ -223,8 +223,10 @@ TEST(what_is_out_of_range_is_refused)
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8193, 1, 0, 0), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 2, 0, 0), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 4, 4, 0), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 1, 0, 21), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 1, 0, 20), TIA_OK);
+    CHECK_EQ(tia_lattice_init(&l, TIA_ORTHOGRAPHIC, 8, 8, 1, 0, 21), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_lattice_init(&l, TIA_ORTHOGRAPHIC, 8, 8, 1, 0, 20), TIA_OK);
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 1, 0, 25), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 8, 8, 1, 0, 24), TIA_OK);
     CHECK_EQ(tia_raster_init(&t, memory, sizeof memory, &l, beyond, ALL, 8), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_raster_init(&t, memory, sizeof memory, &l, empty, ALL, 8), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_raster_init(&t, memory, sizeof memory, &l, area, TIA_BUFFER_SUM, 8), TIA_ERR_ARGUMENT);

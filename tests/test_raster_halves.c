@@ -64,7 +64,10 @@ static void compare(enum tia_projection projection, unsigned range)
 TEST(buffers_are_the_same)
 {
     for (int i = 0; i < 300; i++)
-        compare(i % 4 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, (unsigned)random_below(21));
+        if (i % 4)
+            compare(TIA_PERSPECTIVE, (unsigned)random_below(TIA_RANGE_MAX + 1));
+        else
+            compare(TIA_ORTHOGRAPHIC, (unsigned)random_below(TIA_RANGE_FLAT + 1));
 }
 
 TEST(values_are_the_same)

@@ -106,10 +106,10 @@ TEST(images_and_ranges_beyond_are_refused)
 {
     struct tia_lattice l;
 
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX, TIA_SIZE_MAX, 16, 15, 20), TIA_OK);
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX, TIA_SIZE_MAX, 16, 15, 24), TIA_OK);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX + 1, 1, 1, 0, 20), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, TIA_SIZE_MAX + 1, 1, 0, 20), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 1, 0, 21), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 1, 0, 25), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 2, 0, 0), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 4, 4, 0), TIA_ERR_ARGUMENT);
 }

@@ -41,7 +41,7 @@ static void compare(const struct tia_level *level, enum tia_projection projectio
     static struct random_polygon polygons[POLYGONS];
     struct tia_raster_target whole[2], part[2];
     struct tia_lattice lattice;
-    unsigned range = (unsigned)random_below(21);
+    unsigned range = (unsigned)random_below(projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
     void *memory[2];
 
     CHECK_EQ(tia_lattice_init(&lattice, projection, 90, 40, 1, 0, range), TIA_OK);

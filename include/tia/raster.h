@@ -50,9 +50,13 @@ struct tia_lattice {
     int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
 };
 
+#define TIA_RANGE_MAX 24  /* in perspective */
+#define TIA_RANGE_FLAT 20 /* orthographic */
+
 /* The pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel when there are 1, 4
- * or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size, range 0..20. TIA_FRUSTUM
- * counts as perspective, since its shear is in the vertices. TIA_ERR_ARGUMENT when something is outside these bounds.
+ * or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size, range at least 0 and at
+ * most as above. TIA_FRUSTUM counts as perspective, since its shear is in the vertices. TIA_ERR_ARGUMENT when something
+ * is outside these bounds.
  *
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face

@@ -5,7 +5,6 @@
 
 #define SMALL_BITS 25
 #define SMALL_FRACTION 18
-#define RANGE_MAX 20
 
 static int32_t common_divisor(int32_t a, int32_t b)
 {
@@ -73,8 +72,10 @@ static void choose_format(struct tia_lattice *l, int range)
 int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
                      uint32_t samples, uint32_t sample, unsigned range)
 {
+    unsigned most = projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT : TIA_RANGE_MAX;
+
     if (!lattice || (unsigned)projection > TIA_ORTHOGRAPHIC || !width || width > TIA_SIZE_MAX || !height ||
-        height > TIA_SIZE_MAX || range > RANGE_MAX || sample >= samples ||
+        height > TIA_SIZE_MAX || range > most || sample >= samples ||
         (samples != 1 && samples != 4 && samples != 16))
         return TIA_ERR_ARGUMENT;
     lattice->projection = projection;
