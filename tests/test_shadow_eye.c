@@ -226,7 +226,7 @@ static void check_camera(enum tia_projection projection)
         copy(p, at);
         find_vertex(&c, width, height, at, false, want);
         CHECK_EQ(tia_eye_range(&eye, point), range_of(want, flat));
-        if (range_of(want, flat) > 20)
+        if (range_of(want, flat) > (flat ? TIA_RANGE_FLAT : TIA_RANGE_MAX))
             continue;
         tia_eye_point(&eye, point, FRACTION, &v);
         check_vertex(&v, want, flat);

@@ -103,6 +103,10 @@ TEST(whose_key_it_is)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
+/* A window of 2^-9 x 2^-9 before the eye: things more than 2^14 beside it are out of reach of the rasteriser. */
+static const struct tia_camera narrow = {
+    .projection = TIA_FRUSTUM, .eye = TIA_VEC3(0, 3, 9), .window = {-64, 64, -64, 64, TIA_Q16(1)}};
+
 /* Light through a box: only traced rays are left, and the key does not quit. Through a narrow lens, far corners are out
  * of the rasteriser's range, which only preparing tells. */
 TEST(what_only_rays_can_draw)
@@ -120,12 +124,79 @@ TEST(what_only_rays_can_draw)
     w = yard_world();
     yard.shapes = &wide;
     yard.shape_count = 1;
-    yard.camera.fov = TIA_Q16(1);
+    yard.camera = narrow;
     world_event(w, START + 500, TIA_EVENT_TAP, 't');
     quit_at(w, START + 90000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 2);
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
+}
+
+/* Far away, the light needs vertices of other fraction bits, so that nothing of the picture before is of use; then
+ * back. */
+TEST(a_light_moves_far_away)
+{
+    static const struct tia_shape floor[] = {
+        {.kind = TIA_BOX, .box = {TIA_VEC3(-200, -1, -200), TIA_VEC3(200, 0, 200)}},
+        {.kind = TIA_BOX, .box = {TIA_VEC3(-1, 0, -1), TIA_VEC3(1, 2, 1)}},
+    };
+    static const uint16_t keys[] = {TIA_KEY_RIGHT, TIA_KEY_PAGE_UP, TIA_KEY_LEFT, TIA_KEY_PAGE_DOWN};
+
+    for (enum tia_shadows technique = TIA_SHADOWS_TRACED; technique <= TIA_SHADOWS_ZPASS_PLAIN; technique++) {
+        struct world *w = yard_world();
+        yard.shapes = floor;
+        yard.shadows = technique;
+        yard.scale_bits = 11;
+        for (unsigned i = 0; i < 4; i++)
+            world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, keys[i]);
+        quit_at(w, START + 90000);
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frame_count, 5);
+        CHECK_EQ(w->frames[2].light.x, TIA_Q16(2048 + 3));
+        CHECK_EQ(w->frames[2].light.y, TIA_Q16(2048 + 5));
+        CHECK(w->frames[1].told.relit && w->frames[4].told.relit);
+    }
+}
+
+/* Where a light would be too far away for the technique, the key has no effect, and further keys go on from there; but
+ * for the technique that does not mind. Who keeps no lights has the loop ended. */
+TEST(a_light_that_would_be_too_far_away_stays)
+{
+    struct world *w = yard_world();
+
+    yard.camera = narrow;
+    yard.shadows = TIA_SHADOWS_ZFAIL;
+    yard.scale_bits = 13;
+    for (unsigned i = 0; i < 4; i++)
+        world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, i == 3 ? TIA_KEY_PAGE_UP : TIA_KEY_RIGHT);
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frames[1].light.x, TIA_Q16(8192 + 3));
+    CHECK_EQ(w->frames[w->frame_count - 1].light.x, TIA_Q16(8192 + 3));
+    CHECK_EQ(w->frames[w->frame_count - 1].light.y, TIA_Q16(8192 + 5));
+    w = yard_world();
+    yard.camera = narrow;
+    yard.shadows = TIA_SHADOWS_TRACED;
+    yard.scale_bits = 13;
+    for (unsigned i = 0; i < 2; i++)
+        world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, TIA_KEY_RIGHT);
+    world_event(w, START + 3000, TIA_EVENT_TAP,
+                't'); /* to the first technique, and past all that cannot have the light */
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 4);
+    CHECK_EQ(w->frames[3].light.x, TIA_Q16(2 * 8192 + 3));
+    CHECK_EQ(w->frames[3].told.shadows, TIA_SHADOWS_TRACED);
+    w = yard_world();
+    w->viewer.kept = NULL;
+    yard.camera = narrow;
+    yard.shadows = TIA_SHADOWS_ZFAIL;
+    yard.scale_bits = 13;
+    for (unsigned i = 0; i < 2; i++)
+        world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, TIA_KEY_RIGHT);
+    quit_at(w, START + 90000);
+    CHECK_EQ(world_play(w), TIA_ERR_RANGE);
+    CHECK_EQ(w->frame_count, 2);
 }
 
 /* Six maps of 1024 x 1024 do not fit into the world's memory; all else does. */
@@ -239,6 +310,8 @@ int main(void)
     RUN(lights_between_techniques);
     RUN(whose_key_it_is);
     RUN(what_only_rays_can_draw);
+    RUN(a_light_moves_far_away);
+    RUN(a_light_that_would_be_too_far_away_stays);
     RUN(what_there_is_no_memory_for);
     RUN(in_the_middle_of_a_frame);
     RUN(told_before_it_is_shown);

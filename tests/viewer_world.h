@@ -26,6 +26,7 @@ struct world_frame {
 struct world {
     struct tia_viewer viewer;
     struct tia_light lights[WORLD_LIGHTS];
+    struct tia_light kept[WORLD_LIGHTS];
     bool detached[WORLD_LIGHTS];
     uint64_t now_us;
 
@@ -268,6 +269,7 @@ static inline struct world *world_new(void)
         .scene = &tia_thesis_scene,
         .lights = w.lights,
         .light_capacity = WORLD_LIGHTS,
+        .kept = w.kept,
         .detached = w.detached,
         .display = &world_display,
         .input = &world_input,

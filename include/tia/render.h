@@ -97,15 +97,15 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for
  * uint64_t. The view refers to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less
- * than the scene's lights, TIA_ERR_RANGE when tia_scene_check refuses the scene, TIA_ERR_MEMORY when `size` is too
- * small.
- */
+ * than the scene's lights, TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its
+ * shadows, see shadow.h; TIA_ERR_MEMORY when `size` is too small. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height);
 
 /* Replaces the lights. TIA_ERR_MEMORY when there are more than light_capacity, or with TIA_SHADOWS_MAP when they need
  * more maps, or more samples, than all lights and keys of the scene together; TIA_ERR_RANGE when tia_scene_check
- * refuses one; after an error the old lights stay. */
+ * refuses one, or one is too far away for the scene's shadows, see tia_shadow_light_too_far; after an error the old
+ * lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
 /* Bytes for the hits of `area` in a picture of `scene`, as above; SIZE_MAX when there are too many. */

@@ -26,6 +26,7 @@ extern "C" {
 #define TIA_SHADOW_SAMPLES 64
 
 struct tia_scene;
+struct tia_light;
 struct tia_mesh;
 
 enum tia_shadows {
@@ -44,9 +45,17 @@ const char *tia_shadows_name(unsigned technique);
 
 /* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
  * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
- * a clip coordinate, see raster.h, reaches 2^20: it is then that many times half the view's width or height off its
- * middle. */
+ * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that many
+ * times half the view's width or height off its middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
+
+/* The same of a light: the first of these for the scene that is too far away, in a view that tia_view_init or
+ * tia_view_set_lights has refused. Of a light with an area all of it counts. *range receives the r for which 2^r is too
+ * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
+ * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
+ * half a pixel. */
+uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
+                                  unsigned width, unsigned height, unsigned *range);
 
 /* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
  * map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one, around the

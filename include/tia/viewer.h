@@ -107,6 +107,8 @@ struct tia_viewer {
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
     uint32_t light_capacity;
+    struct tia_light *kept; /* NULL, or an array as large for the lights of the last picture: a key that moves one too
+                               far away for the scene's shadows then has no effect, where else it ends the loop */
     bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
     struct tia_options options; /* dithering alone: all else must be NULL */

@@ -180,6 +180,7 @@
 #define raster_open_tile NAMES(raster_open_tile)
 #define raster_find_face NAMES(raster_find_face)
 #define raster_light_tile NAMES(raster_light_tile)
+#define raster_trace_tile NAMES(raster_trace_tile)
 #define curved_intersect NAMES(curved_intersect)
 #define curved_passes NAMES(curved_passes)
 #define curved_mark NAMES(curved_mark)

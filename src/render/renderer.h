@@ -38,8 +38,9 @@ struct renderer {
     bool by_pixel;        /* see tia_draws_by_pixel */
     enum level_part part; /* of a level, which may draw in its place */
 
-    /* NULL, or whether the view's memory is enough for these lights, see tia_view_set_lights. */
-    bool (*has_room)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
+    /* NULL, or an error if the view cannot have these lights: TIA_ERR_MEMORY when its memory is not enough for them,
+     * TIA_ERR_RANGE when one is too far away. See tia_view_set_lights. */
+    int (*refuses)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
     /* Traces and lights at once, where that saves work; NULL: one after the other. */
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,

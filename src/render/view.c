@@ -79,10 +79,10 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
     if (count > view->light_capacity)
         return TIA_ERR_MEMORY;
     int status = check_lights(view, lights, count);
+    if (!status && view->renderer->refuses)
+        status = view->renderer->refuses(view, lights, count);
     if (status)
         return status;
-    if (view->renderer->has_room && !view->renderer->has_room(view, lights, count))
-        return TIA_ERR_MEMORY;
     view->light_count = count;
     for (uint32_t i = 0; i < count; i++)
         view->lights[i] = lights[i];

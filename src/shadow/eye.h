@@ -26,7 +26,7 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
  * less than 2^17 from the eye in each coordinate. */
 unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
 
-/* The vertex of a point that is in range 20, each coordinate rounded once to `fraction` bits, 0..40. */
+/* The vertex of a point that is in range TIA_RANGE_MAX, each coordinate rounded once to `fraction` bits, 0..40. */
 void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
 
 /* The vertex at infinity in a direction, Q1.62 and of about the length 1; of any length, which does not matter, with

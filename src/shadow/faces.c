@@ -3,8 +3,6 @@
 #include "math/align.h"
 #include "math/wide.h"
 
-#define RANGE_MOST 20 /* the rasteriser's, see raster.h */
-
 /* ---- how many there are ---- */
 
 struct counts {
@@ -71,96 +69,6 @@ size_t tia_flat_size(const struct tia_scene *scene)
 
 /* ---- points ---- */
 
-/* Of a plane's points only the first is one. */
-static uint32_t places_of(const struct tia_flat_source *source)
-{
-    return source->kind == TIA_PLANE ? 1 : source->points;
-}
-
-static unsigned range_of_object(const struct tia_scene *scene, const struct tia_eye *eye, uint32_t object,
-                                struct asker *asker)
-{
-    struct tia_flat_source source;
-    unsigned most = 0;
-
-    if (!tia_flat_takes(scene, object))
-        return 0;
-    tia_flat_source_init(&source, scene, object);
-    for (uint32_t i = 0; i < places_of(&source) && !asker_stops(asker, 1); i++) {
-        int64_t world[3];
-        tia_flat_source_point(&source, i, world);
-        unsigned range = tia_eye_range(eye, world);
-        most = range > most ? range : most;
-    }
-    return most;
-}
-
-static unsigned range_of(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
-{
-    unsigned most = 0;
-
-    for (uint32_t s = 0; s < objects_of(scene); s++) {
-        unsigned range = range_of_object(scene, eye, s, asker);
-        most = range > most ? range : most;
-    }
-    return most;
-}
-
-uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    struct asker asker = {.stop = NULL};
-    struct tia_eye eye;
-
-    if (!width || !height || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || tia_scene_check(scene, NULL))
-        return TIA_NO_OBJECT;
-    tia_eye_init(&eye, scene, width, height);
-    for (uint32_t s = 0; scene->shadows && s < objects_of(scene); s++)
-        if (range_of_object(scene, &eye, s, &asker) > RANGE_MOST)
-            return s;
-    return TIA_NO_OBJECT;
-}
-
-/* Corners around a rectangle or a disc, or the same point eight times. */
-static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
-{
-    const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
-    const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
-    const int64_t b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
-    unsigned most = 0;
-
-    for (int i = 0; i < 8; i++) {
-        const int64_t s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
-        int64_t at[3];
-        for (int k = 0; k < 3; k++)
-            at[k] = (centre[k] + (light->kind == TIA_RECTANGLE_LIGHT ? s[0] * a[k] + s[1] * b[k]
-                                  : light->kind == TIA_DISC_LIGHT    ? s[k] * light->radius
-                                                                     : 0)) *
-                    65536;
-        unsigned range = tia_eye_range(eye, at);
-        most = range > most ? range : most;
-    }
-    return most;
-}
-
-/* Without room for lights beyond what the faces need, lights are counted as well, and may move by keys to four times
- * that. In orthographic views the nearest of those that are far away matter: the others become directions. */
-static unsigned range_with_lights(const struct tia_scene *scene, const struct tia_eye *eye, unsigned faces)
-{
-    unsigned room = eye->projection == TIA_ORTHOGRAPHIC ? faces + TIA_FLAT_LIGHT_BITS : RANGE_MOST;
-    unsigned most = faces;
-
-    for (uint32_t i = 0; i < scene->light_count + scene->binding_count; i++) {
-        const struct tia_light *light =
-            i < scene->light_count ? &scene->lights[i] : &scene->bindings[i - scene->light_count].state;
-        if (light->kind == TIA_AMBIENT_LIGHT || light->kind == TIA_DIRECTIONAL_LIGHT)
-            continue;
-        unsigned range = range_of_light(eye, light) + 2;
-        range = range > room ? room : range;
-        most = range > most ? range : most;
-    }
-    return most < RANGE_MOST ? most : RANGE_MOST;
-}
-
 static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
 {
     return (struct tia_raster_vertex){-v.x, -v.y, -v.w, -v.h};
@@ -185,7 +93,7 @@ static void add_points(struct tia_flat_scene *flat, const struct tia_flat_source
 {
     struct tia_raster_vertex *to = &flat->points[flat->point_count];
 
-    for (uint32_t i = 0; i < places_of(source) && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < tia_flat_places(source) && !asker_stops(asker, 1); i++) {
         int64_t world[3];
         tia_flat_source_point(source, i, world);
         tia_eye_point(&flat->eye, world, flat->lattice.fraction, &to[i]);
@@ -239,8 +147,7 @@ static void find_box(const struct tia_flat_scene *flat, struct tia_flat_object *
     }
 }
 
-static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scene, uint32_t i, uint32_t *room,
-                       struct asker *asker)
+static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scene, uint32_t i, uint32_t *room)
 {
     struct tia_flat_object *object = &flat->objects[flat->object_count++];
     struct tia_flat_source source;
@@ -252,9 +159,7 @@ static void add_object(struct tia_flat_scene *flat, const struct tia_scene *scen
                                        .face_count = source.faces,
                                        .parts = {source.parts[0], source.parts[1]},
                                        .divided = source.divided};
-    add_points(flat, &source, asker);
     add_faces(flat, &source, room);
-    find_box(flat, object, flat->point_count, flat->point_count + source.points);
     flat->point_count += source.points;
     flat->face_count += source.faces;
 }
@@ -303,7 +208,7 @@ void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *fl
                      unsigned sample)
 {
     const struct tia_lattice *l = &flat->lattice;
-    unsigned range = (unsigned)(flat->bits - l->fraction);
+    unsigned range = tia_flat_range(flat);
 
     *out = *flat;
     (void)tia_lattice_init(&out->lattice, l->projection, l->width, l->height, tia_flat_samples(scene), sample, range);
@@ -318,23 +223,42 @@ static char *take(char **memory, size_t size)
     return at;
 }
 
-int tia_flat_light_range(const struct tia_flat_scene *flat)
+/* ---- vertices ---- */
+
+struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat)
 {
-    return (flat->eye.projection == TIA_ORTHOGRAPHIC ? 29 : 40) - flat->lattice.fraction;
+    return (struct tia_reach){&flat->eye, flat->lattice.width, flat->lattice.height, flat->samples, flat->reach};
 }
 
-/* Chooses the format of the vertices: for the range of the faces or, if that leaves no spare bits, of the lights. */
-static int init_lattice(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned width, unsigned height,
-                        unsigned *range)
+unsigned tia_flat_range(const struct tia_flat_scene *flat)
 {
-    enum tia_projection projection = scene->camera.projection;
-    uint32_t samples = tia_flat_samples(scene);
-    int status = tia_lattice_init(&flat->lattice, projection, width, height, samples, 0, *range);
+    return (unsigned)(flat->bits - flat->lattice.fraction);
+}
 
-    if (status || (projection != TIA_ORTHOGRAPHIC && (int)*range < tia_flat_light_range(flat)))
-        return status;
-    *range = range_with_lights(scene, &flat->eye, *range);
-    return tia_lattice_init(&flat->lattice, projection, width, height, samples, 0, *range);
+/* The points of all objects, and the boxes around them. */
+static void place_points(struct tia_flat_scene *flat, const struct tia_scene *scene, struct asker *asker)
+{
+    flat->point_count = 0;
+    for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++) {
+        struct tia_flat_source source;
+        tia_flat_source_init(&source, scene, flat->objects[i].object);
+        add_points(flat, &source, asker);
+        find_box(flat, &flat->objects[i], flat->point_count, flat->point_count + source.points);
+        flat->point_count += source.points;
+    }
+}
+
+int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct asker *asker)
+{
+    const struct tia_lattice now = flat->lattice;
+    int status =
+        tia_lattice_init(&flat->lattice, scene->camera.projection, now.width, now.height, flat->samples, 0, range);
+
+    flat->bits = flat->lattice.fraction + (int)range;
+    if (!status)
+        place_points(flat, scene, asker);
+    status = status ? status : make_planes(flat, scene, asker);
+    return asker->stopped ? TIA_STOPPED : status;
 }
 
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
@@ -354,20 +278,24 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
-    unsigned range = range_of(scene, &flat->eye, asker);
-    if (range > RANGE_MOST)
+    flat->reach = tia_reach_of_faces(scene, &flat->eye, asker);
+    if (asker->stopped)
+        return TIA_STOPPED;
+    flat->samples = tia_flat_samples(scene);
+    flat->lattice.width = (uint16_t)width;
+    flat->lattice.height = (uint16_t)height;
+    struct tia_reach reach = tia_flat_reach(flat);
+    if (flat->reach > tia_reach_most(flat->eye.projection) ||
+        tia_reach_too_far(&reach, scene->lights, scene->light_count) < scene->light_count)
         return TIA_ERR_RANGE;
-    int status = init_lattice(flat, scene, width, height, &range);
-    flat->bits = flat->lattice.fraction + (int)range;
-    for (uint32_t i = 0; !status && i < objects_of(scene) && !asker_stops(asker, 1); i++)
+    for (uint32_t i = 0; i < objects_of(scene) && !asker_stops(asker, 1); i++)
         if (tia_flat_takes(scene, i))
-            add_object(flat, scene, i, room, asker);
+            add_object(flat, scene, i, room);
     if (!asker_stops(asker, 0))
         (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room, asker);
     for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++)
         flat->objects[i].closed = closes(flat, &flat->objects[i]);
-    status = status ? status : make_planes(flat, scene, asker);
-    return asker->stopped ? TIA_STOPPED : status;
+    return tia_flat_place(flat, scene, tia_reach_with_lights(&reach, scene, scene->lights, scene->light_count), asker);
 }
 
 const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face)

@@ -2,7 +2,7 @@
 #ifndef TIA_SHADOW_FACES_H
 #define TIA_SHADOW_FACES_H
 
-#include "eye.h"
+#include "reach.h"
 #include "source.h"
 
 /* An object: faces first_face .. first_face + face_count - 1, in the order of its elements, see render.h; an element of
@@ -17,13 +17,12 @@ struct tia_flat_object {
     int64_t low[3], high[3]; /* a box around the points of a closed one, in the coordinates of tia_flat_affine */
 };
 
-/* Orthographic views have vertices for lights up to 2^TIA_FLAT_LIGHT_BITS times as far as the scene reaches. */
-#define TIA_FLAT_LIGHT_BITS 9
-
 struct tia_flat_scene {
     struct tia_eye eye;
     struct tia_lattice lattice;
-    int bits; /* coordinates of points are below 2^bits */
+    unsigned reach;   /* that of the faces, see reach.h */
+    uint32_t samples; /* of a pixel */
+    int bits;         /* coordinates of points are below 2^bits */
     struct tia_flat_object *objects;
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
@@ -48,15 +47,19 @@ unsigned tia_flat_samples(const struct tia_scene *scene);
  * faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
 
-/* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t.
- * TIA_ERR_RANGE when a point is too far away for the rasteriser: 2^20 in the units of raster.h; TIA_STOPPED when the
- * asker is stopped. */
+/* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t, with the
+ * scene's lights. TIA_ERR_RANGE when a corner or a light is too far away for the rasteriser, see reach.h;
+ * TIA_STOPPED when the asker is stopped. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct asker *asker);
 
-/* The largest range of a light's point, see tia_eye_range: raster.h has coordinates below 2^29 in orthographic views,
- * else below 2^40. It is that of the faces, or of what tia_flat_init found lights to need if that is more. */
-int tia_flat_light_range(const struct tia_flat_scene *flat);
+/* What lights need to know of it. */
+struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat);
+
+/* The range of its vertices, see tia_reach_with_lights. Then places them anew with those fraction bits that another
+ * range leaves; TIA_STOPPED when the asker is stopped: they have no meaning then. */
+unsigned tia_flat_range(const struct tia_flat_scene *flat);
+int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct asker *asker);
 
 /* The same faces where sample `sample` of each pixel is. */
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,

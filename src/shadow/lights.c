@@ -66,9 +66,12 @@ static void from_direction(const struct tia_flat_scene *flat, const int64_t give
     tia_eye_direction(&flat->eye, d, flat->bits, out);
 }
 
-static void from_point(const struct tia_flat_scene *flat, int64_t at[3], tia_flat_light *out)
+static void from_point(const struct tia_flat_scene *flat, const struct tia_light *light, int64_t at[3],
+                       tia_flat_light *out)
 {
-    if ((int)tia_eye_range(&flat->eye, at) <= tia_flat_light_range(flat)) {
+    const struct tia_reach reach = tia_flat_reach(flat);
+
+    if (!tia_reach_is_direction(&reach, light)) {
         tia_eye_point(&flat->eye, at, flat->lattice.fraction, out);
         return;
     }
@@ -93,7 +96,7 @@ void tia_flat_light_centre(const struct tia_flat_scene *flat, const struct tia_l
     if (light->kind == TIA_DIRECTIONAL_LIGHT)
         from_direction(flat, back, out);
     else
-        from_point(flat, at, out);
+        from_point(flat, light, at, out);
 }
 
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
@@ -110,5 +113,5 @@ void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light
         on_rectangle(light, i, at);
     else
         on_disc(light, i, at);
-    from_point(flat, at, out);
+    from_point(flat, light, at, out);
 }

@@ -33,7 +33,13 @@ void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *po
 
 void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);
 
-/* Point i in the world, Q31.32. Of a plane only point 0 is one, the others are directions. */
+/* How many of its points are in the world: of a plane only point 0, the others are directions. */
+static inline uint32_t tia_flat_places(const struct tia_flat_source *source)
+{
+    return source->kind == TIA_PLANE ? 1 : source->points;
+}
+
+/* Point i of these in the world, Q31.32. */
 void tia_flat_source_point(const struct tia_flat_source *source, uint32_t i, int64_t world[3]);
 
 /* Face i: numbers of points. */

@@ -24,6 +24,7 @@ static int press_light(struct loop *loop, uint16_t key)
     if (status > 0 && loop->plays)
         v->detached[light] = true;
     loop->changed = loop->changed || status > 0;
+    loop->pressed = loop->pressed || status > 0;
     return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
 }
 

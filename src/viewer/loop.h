@@ -65,6 +65,7 @@ struct loop {
     /* While a frame is drawn, see watch.c. */
     struct tia_event queue[VIEWER_QUEUE]; /* events that came meanwhile */
     unsigned queued;
+    uint64_t lights_us;         /* when its lights were set */
     uint64_t begun_us, look_us; /* when the frame was begun; when to look again */
     bool outdated;              /* a key was pressed since all were handled: while the view was prepared, too */
     bool answered;              /* a picture of this frame has been shown */
@@ -95,6 +96,9 @@ struct loop {
     bool changed;  /* the screen is out of date */
     bool covered;  /* it is but for what is drawn over the picture */
     bool switched; /* a key has changed the technique since the last frame */
+    bool pressed;  /* and one the lights */
+    bool keeps;    /* the viewer's `kept` are those of the last picture, kept_count of them */
+    uint32_t kept_count;
 };
 
 static inline uint64_t viewer_now(const struct loop *loop)

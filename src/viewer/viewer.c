@@ -18,6 +18,31 @@ static int idle_ms(const struct loop *loop)
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
 }
 
+static void keep_lights(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+
+    loop->pressed = false;
+    loop->keeps = v->kept != NULL;
+    loop->kept_count = loop->state.light_count;
+    for (uint32_t i = 0; loop->keeps && i < loop->kept_count; i++)
+        v->kept[i] = v->lights[i];
+}
+
+/* What keys have made of the lights since the last picture. False: nothing. */
+static bool take_back_lights(struct loop *loop)
+{
+    const struct tia_viewer *v = loop->viewer;
+
+    if (!loop->pressed || !loop->keeps)
+        return false;
+    loop->pressed = false;
+    loop->state.light_count = loop->kept_count;
+    for (uint32_t i = 0; i < loop->kept_count; i++)
+        v->lights[i] = v->kept[i];
+    return true;
+}
+
 /* Shows the picture and reports it. */
 static int show_frame(struct loop *loop, struct tia_frame *frame)
 {
@@ -35,6 +60,7 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     loop->changed = loop->covered = false;
     loop->key_us = 0;
     loop->good = loop->scene->camera;
+    keep_lights(loop);
     loop->frame++;
     frame->key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
     return v->frame_done ? v->frame_done(v->frame_ctx, frame) : TIA_OK;
@@ -53,23 +79,19 @@ static struct tia_frame new_frame(const struct loop *loop)
 
 static int draw_frame(struct loop *loop)
 {
-    struct tia_frame frame;
-    uint64_t start = viewer_now(loop);
+    struct tia_frame frame = new_frame(loop);
     bool refines = tia_viewer_refines(loop);
-    int status = loop->core->set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
 
-    frame = new_frame(loop);
     loop->complete = loop->unfinished = false;
     tia_viewer_watch_begin(loop);
-    if (!status)
-        status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
+    int status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
     loop->gave_up = status == VIEWER_OUTDATED;
     if (loop->gave_up && loop->answered)
         loop->key_us = 0;
     if (loop->gave_up)
         return TIA_OK;
     if (!refines)
-        frame.draw_us = viewer_now(loop) - start;
+        frame.draw_us = viewer_now(loop) - loop->lights_us;
     if (status)
         return status;
     loop->last_us = tia_viewer_whole_us(loop, &frame);
@@ -92,8 +114,21 @@ static int show_again(struct loop *loop)
     return status ? status : show_frame(loop, &frame);
 }
 
-/* A technique or a camera that cannot draw what the check lets pass, such as a point that is too far away, or that
- * there is no memory for, is left out. Those before the key can. */
+/* Whether the picture is to be drawn, and not only shown again. */
+static bool is_due(const struct loop *loop)
+{
+    return loop->changed || loop->viewer->frame_limit || (loop->unfinished && !tia_viewer_is_moving(loop)) ||
+           (loop->covered && !loop->complete && !loop->unfinished);
+}
+
+static int set_lights(struct loop *loop)
+{
+    loop->lights_us = viewer_now(loop);
+    return loop->core->set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
+}
+
+/* A technique, a light or a camera that cannot draw what the check lets pass, such as a point that is too far away, or
+ * that there is no memory for, is left out. Those before the key can. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -103,7 +138,10 @@ static int prepare(struct loop *loop)
         status = loop->view ? TIA_OK : tia_viewer_prepare(loop);
         if (!status)
             status = tia_viewer_play(loop);
-        if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) || (!loop->switched && !tia_viewer_go_back(loop)))
+        if (!status && is_due(loop))
+            status = set_lights(loop);
+        if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) ||
+            !(loop->switched || take_back_lights(loop) || tia_viewer_go_back(loop)))
             break;
         if (loop->switched)
             tia_viewer_switch(loop);
@@ -130,8 +168,7 @@ static int show(struct loop *loop)
         status = prepare(loop);
     if (status)
         return status;
-    if (loop->changed || v->frame_limit || (loop->unfinished && !tia_viewer_is_moving(loop)) ||
-        (loop->covered && !loop->complete && !loop->unfinished))
+    if (is_due(loop))
         return draw_frame(loop);
     return loop->covered && loop->complete ? show_again(loop) : TIA_OK;
 }

@@ -11,8 +11,9 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
     lights->count = scene->light_count;
     lights->capacity = scene->light_count + scene->binding_count + 1;
     lights->array = calloc(lights->capacity, sizeof *lights->array);
+    lights->kept = calloc(lights->capacity, sizeof *lights->kept);
     lights->detached = calloc(lights->capacity, sizeof *lights->detached);
-    if (!lights->array || !lights->detached)
+    if (!lights->array || !lights->kept || !lights->detached)
         return false;
     if (lights->count > 0)
         memcpy(lights->array, scene->lights, lights->count * sizeof *lights->array);
@@ -22,6 +23,7 @@ bool lights_copy(struct lights *lights, const struct tia_scene *scene)
 void lights_free(struct lights *lights)
 {
     free(lights->array);
+    free(lights->kept);
     free(lights->detached);
 }
 

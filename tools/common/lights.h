@@ -5,8 +5,8 @@
 #include <tia/scene.h>
 
 struct lights {
-    struct tia_light *array;
-    bool *detached; /* lights that a key has set or moved: they no longer follow their tracks */
+    struct tia_light *array, *kept; /* and room for as many, see viewer.h */
+    bool *detached;                 /* lights that a key has set or moved: they no longer follow their tracks */
     uint32_t count, capacity;
 };
 

@@ -65,18 +65,36 @@ const char *fail_reason(int status)
     }
 }
 
-void fail_view_reason(char *why, size_t size, int status, const struct tia_scene *scene, unsigned width,
-                      unsigned height)
+#define TOO_FAR "too far from the camera for so narrow a view"
+
+/* False: no light is too far away. */
+static bool blame_light(char *why, size_t size, const struct fail_view *view)
 {
-    uint32_t object = status == TIA_ERR_RANGE ? tia_shadow_too_far(scene, width, height) : TIA_NO_OBJECT;
+    const struct tia_scene *scene = view->scene;
+    unsigned range;
+    uint32_t light =
+        tia_shadow_light_too_far(scene, view->lights, view->light_count, view->width, view->height, &range);
+
+    if (light == TIA_NO_OBJECT)
+        light = tia_shadow_light_too_far(scene, scene->lights, scene->light_count, view->width, view->height, &range);
+    if (light == TIA_NO_OBJECT)
+        return false;
+    (void)snprintf(why, size, "shadows %s: light %u: " TOO_FAR ": 2^%u times half of it, or more",
+                   tia_shadows_name(scene->shadows), (unsigned)light, range);
+    return true;
+}
+
+void fail_view_reason(char *why, size_t size, int status, const struct fail_view *view)
+{
+    const struct tia_scene *scene = view->scene;
+    uint32_t object = status == TIA_ERR_RANGE ? tia_shadow_too_far(scene, view->width, view->height) : TIA_NO_OBJECT;
     bool sphere = object < scene->sphere_count;
-    if (object == TIA_NO_OBJECT) {
+
+    if (object != TIA_NO_OBJECT)
+        (void)snprintf(why, size, "shadows %s: %s %u: " TOO_FAR, tia_shadows_name(scene->shadows),
+                       sphere ? "sphere" : "shape", (unsigned)(sphere ? object : object - scene->sphere_count));
+    else if (status != TIA_ERR_RANGE || !blame_light(why, size, view))
         (void)snprintf(why, size, "%s", fail_reason(status));
-        return;
-    }
-    (void)snprintf(why, size, "shadows %s: %s %u: too far from the camera for so narrow a view",
-                   tia_shadows_name(scene->shadows), sphere ? "sphere" : "shape",
-                   (unsigned)(sphere ? object : object - scene->sphere_count));
 }
 
 void note(const char *format, ...)

@@ -23,10 +23,15 @@ void fail_into(char *text, size_t size);
 /* A tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);
 
-/* The same of a view of the scene that cannot be had: also what is too far away for the scene's technique for shadows.
- */
-void fail_view_reason(char *why, size_t size, int status, const struct tia_scene *scene, unsigned width,
-                      unsigned height);
+/* The same of a view of the scene, with other lights than its own, that cannot be had: also what is too far away for
+ * the scene's technique for shadows. */
+struct fail_view {
+    const struct tia_scene *scene;
+    const struct tia_light *lights;
+    uint32_t light_count;
+    unsigned width, height;
+};
+void fail_view_reason(char *why, size_t size, int status, const struct fail_view *view);
 
 /* Prints a line in the same form that is not an error. */
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);

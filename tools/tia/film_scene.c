@@ -80,10 +80,12 @@ static int prepare_view(struct film_scene *film)
     struct rotation rotation = film_rotation(options);
     int status = options->core->view_init_until(&film->view, film->view_memory, size, film->scene, lights->capacity,
                                                 rotation.width, rotation.height, film->stop, film->stop_ctx);
-    if (status)
-        fail_view_reason(film->why, PORT_WHY, status, film->scene, rotation.width, rotation.height);
     if (!status)
         status = options->core->set_lights(film->view, lights->array, lights->count);
+    if (status)
+        fail_view_reason(
+            film->why, PORT_WHY, status,
+            &(struct fail_view){film->scene, lights->array, lights->count, rotation.width, rotation.height});
     return !status ? set_level(film) : status;
 }
 

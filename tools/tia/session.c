@@ -188,6 +188,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .scene = &options->scene,
                                .lights = session->lights.array,
                                .light_capacity = session->lights.capacity,
+                               .kept = session->lights.kept,
                                .detached = session->lights.detached,
                                .variant = options->scene_path ? &session->variant : NULL,
                                .gaze = gaze_of(options),
@@ -282,8 +283,9 @@ int session_run(struct session *session)
     session->stats.scale_bits = session->options->scene.scale_bits;
     session->stats.threads = session->pool ? threads_count(session->pool) : 1;
     if (status < 0 && session->why[0] == '\0')
-        fail_view_reason(session->why, PORT_WHY, status, &session->options->scene, session->stats.width,
-                         session->stats.height);
+        fail_view_reason(session->why, PORT_WHY, status,
+                         &(struct fail_view){&session->options->scene, session->lights.array,
+                                             session->viewer.light_count, session->stats.width, session->stats.height});
     return status == TIA_ERR_RANGE ? EXIT_USAGE : status < 0 ? EXIT_RUNNING : EXIT_FINE;
 }
 

@@ -206,6 +206,7 @@ int web_run(int goes_on)
                                 .scene = &session.scene,
                                 .lights = session.lights.array,
                                 .light_capacity = session.lights.capacity,
+                                .kept = session.lights.kept,
                                 .detached = session.lights.detached,
                                 .variant = &session.variant,
                                 .control = &session_control,

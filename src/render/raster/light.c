@@ -39,8 +39,10 @@ static bool find_hit(const struct first_hits *first, int x, int y, int sample, c
     const struct raster_buffers b = raster_buffers(r->raster, r->hits, (unsigned)sample);
     size_t at = hits_index(r->hits, (unsigned)x, (unsigned)y);
 
-    if (b.object[at] != TIA_NO_OBJECT && b.face[at] == TIA_NO_FACE) {
-        ray_intersect_object(r->rays, ray, b.object[at], hit);
+    uint32_t object = raster_object(b.object[at]);
+
+    if (object != TIA_NO_OBJECT && b.face[at] == TIA_NO_FACE) {
+        ray_intersect_object(r->rays, ray, object, hit);
         return false;
     }
     lit->bits = b.lit[at];
@@ -56,6 +58,18 @@ static bool passes(const struct first_hits *first, const struct ray *shadow, num
     const struct rasterised *r = (const struct rasterised *)(const void *)first;
 
     return curved_passes(r->rays, shadow, distance, blocker);
+}
+
+/* Whether the vertices have changed since a pixel of the tile was traced. */
+static bool is_outdated(const struct raster_view *raster, const struct tia_hits *hits, struct tia_tile tile)
+{
+    const struct raster_buffers b = raster_buffers(raster, hits, 0);
+
+    for (unsigned y = tile.y; y < (unsigned)tile_bottom(tile); y++)
+        for (unsigned x = tile.x; x < (unsigned)tile_right(tile); x++)
+            if (b.object[hits_index(hits, x, y)] >> RASTER_OBJECT_BITS != raster->range)
+                return true;
+    return false;
 }
 
 static void light_sample(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
@@ -117,7 +131,10 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
                            .raster = raster,
                            .rays = view->prepared,
                            .hits = hits};
+    struct tia_hits again = *hits;
 
+    if (is_outdated(raster, hits, tile))
+        raster_trace_tile(view, &again, tile);
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &asker);
     if (raster->place_count || options->path_hash || options->lit ||

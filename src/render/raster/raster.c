@@ -1,10 +1,5 @@
-/* raster.c - what each pixel sees of flat faces is rasterised, of curved objects found by rays. */
+/* raster.c - flat faces are rasterised: what is prepared for that. */
 #include "view.h"
-
-#include "curved.h"
-#include "render/whitted/path.h"
-
-/* ---- preparing ---- */
 
 static bool draws(const struct tia_scene *scene)
 {
@@ -78,6 +73,7 @@ static int prepare(struct tia_view *view)
         return status;
     tia_curved_find(raster->places, scene, &raster->shadow->flat.eye, width, height);
     raster->shadow->scene = scene;
+    raster->range = tia_flat_range(&raster->shadow->flat);
     return tia_shadow_technique(scene->shadows)->prepare(raster->shadow, &asker);
 }
 
@@ -95,11 +91,31 @@ static void add_samples(const struct raster_view *raster, struct tia_shadow_view
     }
 }
 
-static bool has_room(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
+static int refuses(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
+    const struct tia_reach reach = tia_flat_reach(&raster_of(view)->shadow->flat);
 
-    return !technique->has_room || technique->has_room(view->scene, lights, count);
+    if (tia_reach_too_far(&reach, lights, count) < count)
+        return TIA_ERR_RANGE;
+    return !technique->has_room || technique->has_room(view->scene, lights, count) ? TIA_OK : TIA_ERR_MEMORY;
+}
+
+/* Makes the vertices and what the technique has of them anew where the lights need another range. */
+static int make_vertices(struct tia_view *view, struct asker *asker)
+{
+    struct raster_view *raster = raster_of(view);
+    struct tia_flat_scene *flat = &raster->shadow->flat;
+    const struct tia_reach reach = tia_flat_reach(flat);
+    unsigned range = tia_reach_with_lights(&reach, view->scene, view->lights, view->light_count);
+
+    if (range == raster->range)
+        return TIA_OK;
+    int status = tia_flat_place(flat, view->scene, range, asker);
+    if (!status)
+        status = tia_shadow_technique(view->scene->shadows)->prepare(raster->shadow, asker);
+    raster->range = status ? RASTER_NO_RANGE : range;
+    return status;
 }
 
 static int set_lights(struct tia_view *view)
@@ -110,6 +126,8 @@ static int set_lights(struct tia_view *view)
     int status = ray_set_lights(view);
 
     shadow->sample_count = 0;
+    if (!status)
+        status = make_vertices(view, &asker);
     if (status)
         return status;
     for (uint32_t n = 0; n < view->light_count; n++) {
@@ -129,75 +147,14 @@ static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
     return tia_flat_samples(scene) * raster_sample_size(more_bytes(scene), pixels);
 }
 
-/* ---- what is seen ---- */
-
-/* A curved object takes the place of the face that a pixel sees, if it is nearer. */
-static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,
-                            const struct raster_buffers *b, size_t at, int x, int y, unsigned sample)
-{
-    struct ray ray;
-    struct hit hit;
-
-    const struct light_pixel pixel = ray_pixel_at(x, y);
-
-    ray_camera_ray(&rays->camera, &pixel, (int)sample, &ray);
-    raster_find_face(rays, flat, b->face[at], x, y, &ray, &hit);
-    curved_intersect(rays, &ray, &hit);
-    if (hit.object == TIA_NO_OBJECT || tia_flat_takes(rays->scene, hit.object))
-        return;
-    b->object[at] = hit.object;
-    b->face[at] = TIA_NO_FACE;
-    b->nearness[at] = 0;
-}
-
-static void trace_sample(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                         unsigned sample)
-{
-    const struct raster_view *raster = raster_of(view);
-    const struct tia_flat_scene *flat = &raster->shadow[sample].flat;
-    struct raster_buffers b = raster_buffers(raster, hits, sample);
-    struct path path = {.view = view->prepared};
-    struct asker asker = view_asker(view);
-    uint32_t last = TIA_NO_FACE, seen = TIA_NO_OBJECT;
-    struct tia_shadow_tile open;
-
-    raster_open_tile(view, hits, tile, sample, &b, &open);
-    tia_clear_depth(&open.target);
-    tia_clear_count(&open.target, 0);
-    (void)tia_shadow_faces(&open.target, flat, &asker);
-    curved_mark(raster->places, raster->place_count, hits, tile, b.count);
-    for (int y = (int)tile.y; y < tile_bottom(tile); y++)
-        for (int x = (int)tile.x; x < tile_right(tile); x++) {
-            size_t at = hits_index(hits, (unsigned)x, (unsigned)y);
-            if (b.face[at] != last) {
-                last = b.face[at];
-                seen = last == TIA_NO_FACE ? TIA_NO_OBJECT : tia_flat_object_of(flat, last)->object;
-            }
-            b.object[at] = seen;
-            if (b.count[at] && !path_stops(&path))
-                look_for_curved(path.view, flat, &b, at, x, y, sample);
-        }
-}
-
-static void trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
-{
-    struct raster_buffers b = raster_buffers(raster_of(view), hits, 0);
-
-    for (unsigned i = 0; i < raster_of(view)->sample_count; i++)
-        trace_sample(view, hits, tile, i);
-    for (unsigned y = tile.y; y < (unsigned)tile_bottom(tile); y++)
-        for (unsigned x = tile.x; x < (unsigned)tile_right(tile); x++)
-            hits->object[hits_index(hits, x, y)] = b.object[hits_index(hits, x, y)];
-}
-
 const struct renderer raster_renderer = {
     .draws = draws,
     .prepared_size = prepared_size,
     .prepare = prepare,
     .set_lights = set_lights,
     .buffer_size = buffer_size,
-    .trace = trace_tile,
+    .trace = raster_trace_tile,
     .light = raster_light_tile,
     .part = LEVEL_PARTS,
-    .has_room = has_room,
+    .refuses = refuses,
 };

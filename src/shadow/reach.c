@@ -1,0 +1,218 @@
+/* reach.c - with a width and height of at most 2^b pixels, half a pixel is at least 2^-b of half the window. Let
+ * corners have coordinates below R = 2^r, and a light one of 2^(d-1) or more, d the range of both.
+ *
+ * A light as a vertex of range d is rounded by 2^-(30 - d) at most, as all corners then are: orthographic vertices have
+ * 29 - d fraction bits.
+ *
+ * A light as a direction from the eye: what is at p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since
+ * the way from the caster is below 2R along each axis. With the direction it is p - s l, which is s p away, less than
+ * 2^(2r + 2 - d) where R is small beside 2^d. That is below half a pixel from d = 2r + 2 + b on, and no more than the
+ * rounding from d = r + 16 on. */
+#include "reach.h"
+
+#include "math/integer.h"
+#include "source.h"
+
+#define POINT_BITS(flat) ((flat) ? 29 : 40) /* of a coordinate, see raster.h */
+
+/* To where lights may move without another range: vertices keep 20 fraction bits, orthographic ones 9 at least. */
+#define ROOM_RANGE 20
+#define NEAR_BITS 9
+
+/* ---- corners ---- */
+
+static unsigned larger(unsigned a, unsigned b)
+{
+    return a > b ? a : b;
+}
+
+static unsigned smaller(unsigned a, unsigned b)
+{
+    return a < b ? a : b;
+}
+
+static unsigned range_of_object(const struct tia_scene *scene, const struct tia_eye *eye, uint32_t object,
+                                struct asker *asker)
+{
+    struct tia_flat_source source;
+    unsigned most = 0;
+
+    if (!tia_flat_takes(scene, object))
+        return 0;
+    tia_flat_source_init(&source, scene, object);
+    for (uint32_t i = 0; i < tia_flat_places(&source) && !asker_stops(asker, 1); i++) {
+        int64_t world[3];
+        tia_flat_source_point(&source, i, world);
+        most = larger(most, tia_eye_range(eye, world));
+    }
+    return most;
+}
+
+unsigned tia_reach_of_faces(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
+{
+    unsigned most = 0;
+
+    for (uint32_t s = 0; s < scene->sphere_count + scene->shape_count; s++)
+        most = larger(most, range_of_object(scene, eye, s, asker));
+    return most;
+}
+
+static bool is_view(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    return width && height && width <= TIA_SIZE_MAX && height <= TIA_SIZE_MAX && !tia_scene_check(scene, NULL);
+}
+
+uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    struct asker asker = {.stop = NULL};
+    struct tia_eye eye;
+
+    if (!is_view(scene, width, height))
+        return TIA_NO_OBJECT;
+    tia_eye_init(&eye, scene, width, height);
+    for (uint32_t s = 0; scene->shadows && s < scene->sphere_count + scene->shape_count; s++)
+        if (range_of_object(scene, &eye, s, &asker) > tia_reach_most(eye.projection))
+            return s;
+    return TIA_NO_OBJECT;
+}
+
+/* ---- lights ---- */
+
+static bool has_place(const struct tia_light *light)
+{
+    return light->kind != TIA_AMBIENT_LIGHT && light->kind != TIA_DIRECTIONAL_LIGHT;
+}
+
+static bool is_flat(const struct tia_reach *reach)
+{
+    return reach->eye->projection == TIA_ORTHOGRAPHIC;
+}
+
+/* b of above */
+static unsigned image_bits(const struct tia_reach *reach)
+{
+    return 32 - (unsigned)tia_clz32((larger(reach->width, reach->height) - 1) | 1);
+}
+
+/* Corners around a rectangle or a disc, or the same point eight times. */
+static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
+{
+    const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
+    const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
+    const int64_t b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
+    unsigned most = 0;
+
+    for (int i = 0; i < 8; i++) {
+        const int64_t s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+        int64_t at[3];
+        for (int k = 0; k < 3; k++)
+            at[k] = (centre[k] + (light->kind == TIA_RECTANGLE_LIGHT ? s[0] * a[k] + s[1] * b[k]
+                                  : light->kind == TIA_DISC_LIGHT    ? s[k] * light->radius
+                                                                     : 0)) *
+                    65536;
+        most = larger(most, tia_eye_range(eye, at));
+    }
+    return most;
+}
+
+static bool is_far(const struct tia_reach *reach, unsigned range)
+{
+    return is_flat(reach) && range >= larger(2 * reach->faces + 2 + image_bits(reach), reach->faces + 16);
+}
+
+bool tia_reach_is_direction(const struct tia_reach *reach, const struct tia_light *light)
+{
+    return light->kind == TIA_DIRECTIONAL_LIGHT ||
+           (has_place(light) && is_far(reach, range_of_light(reach->eye, light)));
+}
+
+unsigned tia_reach_of_lights(const struct tia_reach *reach)
+{
+    unsigned most = tia_reach_most(reach->eye->projection);
+
+    return is_flat(reach) ? larger(reach->faces, smaller(most, 30 - image_bits(reach))) : most;
+}
+
+/* False: it has a direction, or none. */
+static bool find_range(const struct tia_reach *reach, const struct tia_light *light, unsigned *range)
+{
+    if (!has_place(light))
+        return false;
+    *range = range_of_light(reach->eye, light);
+    return !is_far(reach, *range);
+}
+
+uint32_t tia_reach_too_far(const struct tia_reach *reach, const struct tia_light *lights, uint32_t count)
+{
+    unsigned most = tia_reach_of_lights(reach), range;
+
+    for (uint32_t i = 0; i < count; i++)
+        if (find_range(reach, &lights[i], &range) && range > most)
+            return i;
+    return count;
+}
+
+uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
+                                  unsigned width, unsigned height, unsigned *range)
+{
+    struct asker asker = {.stop = NULL};
+    struct tia_reach reach = {.width = width, .height = height};
+    struct tia_eye eye;
+
+    if (!is_view(scene, width, height) || !scene->shadows || (count && !lights) || !range)
+        return TIA_NO_OBJECT;
+    tia_eye_init(&eye, scene, width, height);
+    reach.eye = &eye;
+    reach.faces = tia_reach_of_faces(scene, &eye, &asker);
+    uint32_t light = tia_reach_too_far(&reach, lights, count);
+    *range = tia_reach_of_lights(&reach);
+    return light < count ? light : TIA_NO_OBJECT;
+}
+
+/* ---- faces with lights ---- */
+
+static unsigned range_of_places(const struct tia_reach *reach, const struct tia_light *lights, uint32_t count)
+{
+    unsigned most = reach->faces, range;
+
+    for (uint32_t i = 0; i < count; i++)
+        if (find_range(reach, &lights[i], &range))
+            most = larger(most, range);
+    return most;
+}
+
+/* The largest range that a light's point may have with vertices for `range`. */
+static unsigned limit_of(const struct tia_reach *reach, unsigned range)
+{
+    struct tia_lattice lattice;
+    int status =
+        tia_lattice_init(&lattice, reach->eye->projection, reach->width, reach->height, reach->samples, 0, range);
+
+    return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - lattice.fraction);
+}
+
+/* Of the scene's lights and keys: each may move to four times its distance, if that is not farther than 2^ROOM_RANGE,
+ * or 2^NEAR_BITS times what orthographic faces reach. */
+static unsigned with_room(const struct tia_reach *reach, const struct tia_scene *scene)
+{
+    unsigned room = is_flat(reach) ? smaller(reach->faces + NEAR_BITS, ROOM_RANGE) : ROOM_RANGE;
+    unsigned most = reach->faces, range;
+
+    for (uint32_t i = 0; i < scene->light_count + scene->binding_count; i++) {
+        const struct tia_light *light =
+            i < scene->light_count ? &scene->lights[i] : &scene->bindings[i - scene->light_count].state;
+        if (find_range(reach, light, &range) && range <= tia_reach_of_lights(reach))
+            most = larger(most, larger(range, smaller(range + 2, room)));
+    }
+    return most;
+}
+
+unsigned tia_reach_with_lights(const struct tia_reach *reach, const struct tia_scene *scene,
+                               const struct tia_light *lights, uint32_t count)
+{
+    unsigned places = range_of_places(reach, lights, count), range = reach->faces;
+
+    if (is_flat(reach) || limit_of(reach, range) <= range)
+        range = with_room(reach, scene);
+    return places <= limit_of(reach, range) ? range : places;
+}
