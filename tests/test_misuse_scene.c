@@ -241,6 +241,11 @@ TEST(misuse_of_shadows)
     GIVES(TIA_NO_OBJECT, tia_shadow_too_far(&mapped, UINT_MAX, 8));
     GIVES(TIA_NO_OBJECT, tia_shadow_too_far(&odd, 8, 8));
     GIVES(TIA_NO_OBJECT, tia_shadow_too_far(&broken, 8, 8));
+    unsigned range;
+    GIVES(TIA_NO_OBJECT, tia_shadow_light_too_far(NULL, NULL, 0, 8, 8, &range));
+    GIVES(TIA_NO_OBJECT, tia_shadow_light_too_far(&mapped, NULL, 1, 8, 8, &range));
+    GIVES(TIA_NO_OBJECT, tia_shadow_light_too_far(&mapped, mapped.lights, mapped.light_count, 8, 8, NULL));
+    GIVES(TIA_NO_OBJECT, tia_shadow_light_too_far(&broken, NULL, 0, 8, 8, &range));
     GIVES(SIZE_MAX, (intmax_t)tia_shadow_mesh_room(NULL));
     GIVES(0, tia_shadow_mesh_closes(NULL, misuse_memory));
     GIVES(0, tia_shadow_mesh_closes(&mesh, NULL));
