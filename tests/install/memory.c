@@ -43,6 +43,36 @@ static int poll(void *ctx, struct tia_event *event)
     return 0;
 }
 
+/* The rest of the ports is there, though nothing is drawn without memory. */
+
+static int acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
+{
+    (void)ctx;
+    (void)tile;
+    (void)surface;
+    return TIA_ERR_DEVICE;
+}
+
+static int submit(void *ctx, struct tia_tile tile)
+{
+    (void)ctx;
+    (void)tile;
+    return TIA_ERR_DEVICE;
+}
+
+static int present(void *ctx)
+{
+    (void)ctx;
+    return TIA_ERR_DEVICE;
+}
+
+static int wait_long(void *ctx, int timeout_ms)
+{
+    (void)ctx;
+    (void)timeout_ms;
+    return TIA_ERR_DEVICE;
+}
+
 static uint64_t now_us(void *ctx)
 {
     (void)ctx;
@@ -51,8 +81,8 @@ static uint64_t now_us(void *ctx)
 
 static size_t viewer_size(void)
 {
-    static const struct tia_display display = {.mode = mode};
-    static const struct tia_input input = {.poll = poll};
+    static const struct tia_display display = {.mode = mode, .acquire = acquire, .submit = submit, .present = present};
+    static const struct tia_input input = {.poll = poll, .wait = wait_long};
     static const struct tia_clock clock = {now_us};
     static struct tia_light lights[LIGHTS];
     static bool detached[LIGHTS];
