@@ -125,6 +125,10 @@ ifeq ($(F64),yes)
 HOSTED += -DTIA_HAVE_F64
 endif
 
+# `make run` alone makes what its picture needs: the parts of build/tia below are then linked where they are there.
+LEAN := $(if $(GOALS),$(if $(filter-out run,$(GOALS)),,yes))
+unless_lean = $(if $(LEAN),$(wildcard $(1)),$(1))
+
 # ---- sources: one object per file and arithmetic ----
 # All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
@@ -152,6 +156,8 @@ LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
+TIA_F64 := $(call unless_lean,$(filter %-f64.a,$(LIBF64)))
+TIA_WATCHED := $(call unless_lean,$(LIBWATCHED))
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
@@ -170,15 +176,16 @@ endif
 # again only when its text changes.
 COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
 made_with_core := $(COMPILER) $(CORE) $(CFLAGS)
-made_with_host := $(COMPILER) $(HOSTED) $(HAVE_LEVELS) $(CFLAGS)
-made_with_levels := $(COMPILER) $(CORE) $(HAVE_LEVELS) $(foreach l,$(LEVEL_NAMES),$(flags_$(l))) $(CFLAGS)
+made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS)
+made_with_parts := $(HAVE_LEVELS) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
+made_with_levels := $(COMPILER) $(CORE) $(foreach l,$(LEVEL_NAMES),$(flags_$(l))) $(CFLAGS)
 made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
 same = $(and $(findstring x$(1)x,x$(2)x),$(findstring x$(2)x,x$(1)x))
 define made_with_file
 $(BUILD)/made-with/$(1): $(if $(call same,$(strip $(file <$(BUILD)/made-with/$(1))),$(strip $(made_with_$(1)))),,FORCE)
 	@mkdir -p $$(@D) && printf '%s\n' '$$(subst ','\'',$$(strip $$(made_with_$(1))))' >$$@
 endef
-$(foreach m,core host levels link,$(eval $(call made_with_file,$(m))))
+$(foreach m,core host levels parts link,$(eval $(call made_with_file,$(m))))
 
 # $(call compile,WHAT,options): where one source makes several objects, WHAT names the arithmetic.
 define compile
@@ -199,7 +206,7 @@ $(BUILD)/f32/%.o: %.c $(BUILD)/made-with/core
 level_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
 $(BUILD)/levels/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
 	$(call compile,CC,$(call level_flags,$*))
-$(BUILD)/levels/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host
+$(BUILD)/levels/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
 	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
 $(BUILD)/host/%.o: %.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED))
@@ -232,7 +239,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 
 # A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -243,8 +250,12 @@ $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call 
 $(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows: LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
-$(BUILD)/tia $(BUILD)/tests/test_observe: $(LIBWATCHED)
-$(BUILD)/tia $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
+$(BUILD)/host/tools/tia/arithmetic.o: $(BUILD)/made-with/parts
+$(BUILD)/host/tools/tia/arithmetic.o: HOSTED += $(filter -DTIA_LINKED_%,$(made_with_parts))
+$(BUILD)/tia: $(TIA_WATCHED)
+$(BUILD)/tia: LIBS := $(TIA_WATCHED) $(LIBTIA) $(LIBS)
+$(BUILD)/tests/test_observe: $(LIBWATCHED)
+$(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
 	$(link)

@@ -13,7 +13,7 @@ $(BUILD)/pic/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC pic,$(CORE) $(PIC))
 $(BUILD)/pic/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
 	$(call compile,CC pic,$(call level_flags,$*) $(PIC))
-$(BUILD)/pic/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host
+$(BUILD)/pic/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
 	$(call compile,CC pic,$(HOSTED) $(HAVE_LEVELS) $(PIC))
 PIC := -fPIC -fno-semantic-interposition
 $(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map $(BUILD)/made-with/link

@@ -23,6 +23,7 @@ LANES_SRC := $(wildcard bench/lanes_*.c)
 BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(LEVELS_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
 $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
+$(BUILD)/host/bench/float_lanes.o: $(BUILD)/made-with/parts
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
 $(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/raster.c)) \
           $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link

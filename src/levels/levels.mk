@@ -14,6 +14,12 @@ flags_neon32 := -mfpu=neon
 flags_wasm   := -msimd128
 LEVELS ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is asked with a line for each level.
-LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+LEVELS_HAD := $(if $(filter no,$(LEVELS)),,$(strip $(foreach l,$(LEVEL_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/levels/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+# `make run` alone makes the one that this processor can do best, beside those that are there.
+ifneq ($(LEAN),)
+level_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/levels/asked.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')
+LEVEL_BEST := $(lastword $(foreach l,$(LEVELS_HAD),$(call level_asked,$(l))))
+LEVELS_HAD := $(if $(LEVEL_BEST),$(foreach l,$(LEVELS_HAD),$(if $(filter $(LEVEL_BEST),$(l))$(wildcard $(BUILD)/levels/src/levels/rays/$(l).o),$(l))),$(LEVELS_HAD))
+endif
 LEVELS_SRC := $(filter-out $(foreach l,$(filter-out $(LEVELS_HAD),$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(LEVELS_SRC))
 HAVE_LEVELS := $(addprefix -DTIA_HAVE_,$(shell echo $(LEVELS_HAD) | tr a-z A-Z))

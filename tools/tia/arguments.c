@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arithmetic.h"
 #include "check.h"
 #include "common/keys.h"
 #include "common/message.h"
@@ -202,6 +203,8 @@ static int load_views(struct options *options)
     options->plain_scene = options->scene;
     if (views->view == VIEW_COLOUR && !views->draws_rays)
         return EXIT_FINE;
+    if (!arithmetic_watched())
+        return fail(EXIT_USAGE, "--%s: not built in (make builds it)", option);
     if (options->core != &tia_core_q16)
         return fail(EXIT_USAGE, "--%s: not with --arithmetic: it shows the rays of integers", option);
     if (options->scene.integration.integrator)
@@ -219,7 +222,7 @@ void arguments_set_view(struct options *options)
     if (views->view == VIEW_COLOUR && !views->draws_rays)
         return;
     views_need_rays(&options->scene);
-    options->core = views_core(views);
+    options->core = views_core(views, arithmetic_watched());
 }
 
 int arguments_load(struct options *options)

@@ -2,16 +2,17 @@
 
 #include <string.h>
 
+/* The Makefile defines TIA_LINKED_... for this file alone: which libraries this program is linked with. */
 static const struct tia_core *const cores[] = {
     &tia_core_q16,
-#ifdef TIA_HAVE_F64
+#ifdef TIA_LINKED_F64
     &tia_core_f64,
 #endif
 };
 
 const struct tia_estimator *arithmetic_estimator(const struct tia_core *core)
 {
-#ifdef TIA_HAVE_F64
+#ifdef TIA_LINKED_F64
     if (core == &tia_core_f64)
         return &tia_estimator_f64;
 #endif
@@ -24,4 +25,24 @@ const struct tia_core *arithmetic_called(const char *name)
         if (strcmp(cores[i]->name, name) == 0)
             return cores[i];
     return NULL;
+}
+
+const char *arithmetic_missing(const char *name)
+{
+    if (strcmp(name, "f64") != 0)
+        return "not q16 or f64";
+#ifdef TIA_HAVE_F64
+    return "not built in (make builds it)";
+#else
+    return "this build has q16 only (make F64=yes)";
+#endif
+}
+
+const struct tia_core *arithmetic_watched(void)
+{
+#ifdef TIA_LINKED_WATCHED
+    return &tia_core_watched;
+#else
+    return NULL;
+#endif
 }

@@ -8,6 +8,12 @@
 /* The core called "q16", "f64", ...; NULL when this program does not have it. */
 const struct tia_core *arithmetic_called(const char *name);
 
+/* Why there is none called so. */
+const char *arithmetic_missing(const char *name);
+
+/* The integers with an observer of rays, for views; NULL when this program does not have them. */
+const struct tia_core *arithmetic_watched(void);
+
 /* What samples for one of these; NULL for other cores, such as those of views. */
 const struct tia_estimator *arithmetic_estimator(const struct tia_core *core);
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "arithmetic.h"
 #include "clock.h"
 #include "save.h"
 
@@ -22,7 +23,7 @@ static const char help[] = "arrows, page up, page down: move the light\n"
 
 static bool views_are_there(const struct options *options)
 {
-    return options->plain_core == &tia_core_q16 && !options->scene.integration.integrator;
+    return arithmetic_watched() && options->plain_core == &tia_core_q16 && !options->scene.integration.integrator;
 }
 
 static bool ends(const struct options *options, uint16_t key)

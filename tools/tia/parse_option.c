@@ -114,8 +114,7 @@ static int set_arithmetic(struct options *options, char *value)
     options->core = arithmetic_called(value);
     if (options->core)
         return EXIT_FINE;
-    return wrong("--arithmetic", value,
-                 strcmp(value, "f64") == 0 ? "this build has q16 only (make F64=yes)" : "not q16 or f64");
+    return wrong("--arithmetic", value, arithmetic_missing(value));
 }
 
 /* Cuts "drm:/dev/dri/card1" into its name and device. */

@@ -34,7 +34,7 @@ static const struct tia_core *base_of(const struct settings *settings)
     if (session.scene.integration.integrator != TIA_WHITTED || (settings->view == VIEW_COLOUR && !settings->rays))
         return &tia_core_q16;
     views_need_rays(&session.scene);
-    return views_core(&views);
+    return views_core(&views, &tia_core_watched);
 }
 
 const struct tia_core *seat_core(void)

@@ -13,6 +13,7 @@ enum { RAYS_DRAWN = 256 };
 /* Set when a view is prepared and when its lights are set, before threads draw. */
 static struct {
     struct views views;
+    const struct tia_core *watched;
     struct tia_core core;
     struct legend legend;
     const struct tia_scene *scene;
@@ -57,7 +58,7 @@ static void add_ray(void *ctx, const struct tia_traced *traced)
 
 static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 {
-    const struct tia_core *core = &tia_core_watched;
+    const struct tia_core *core = now.watched;
     const struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_observer observer = {add_ray, NULL, 0};
     const struct tia_options options = {.observer = &observer};
@@ -104,7 +105,7 @@ static int init_until(struct tia_view **view, void *memory, size_t size, const s
                                  scale_of(scene),
                                  scene->sphere_count + scene->shape_count,
                                  0};
-    return tia_core_watched.view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
+    return now.watched->view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
 }
 
 static int init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene, uint32_t capacity,
@@ -115,7 +116,7 @@ static int init(struct tia_view **view, void *memory, size_t size, const struct 
 
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    int status = tia_core_watched.set_lights(view, lights, count);
+    int status = now.watched->set_lights(view, lights, count);
 
     now.legend.lights = count;
     return status || !now.views.draws_rays ? status : collect_rays(view, now.views.x, now.views.y);
@@ -132,11 +133,11 @@ static int draw_false(const struct tia_view *view, const struct tia_hits *hits, 
         char *row = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch;
         struct seen seen = {.rays = 0};
         struct tia_observer observer = {seen_ray, &seen, 0};
-        struct tia_options watched = *options;
+        struct tia_options observed = *options;
         tia_rgb565 colour;
 
-        watched.observer = &observer;
-        status = tia_core_watched.light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &watched);
+        observed.observer = &observer;
+        status = now.watched->light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &observed);
         *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface->step) =
             seen_colour(&seen, now.views.view, observer.tests, now.legend.scale);
     }
@@ -146,7 +147,7 @@ static int draw_false(const struct tia_view *view, const struct tia_hits *hits, 
 static int light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                  const struct tia_surface *surface, const struct tia_options *options)
 {
-    int status = now.views.view == VIEW_COLOUR ? tia_core_watched.light(view, hits, tile, surface, options)
+    int status = now.views.view == VIEW_COLOUR ? now.watched->light(view, hits, tile, surface, options)
                                                : draw_false(view, hits, tile, surface, options);
 
     for (unsigned i = 0; !status && now.views.draws_rays && i < now.line_count; i++)
@@ -159,15 +160,16 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
 static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options)
 {
-    int status = tia_core_watched.trace(view, hits, tile);
+    int status = now.watched->trace(view, hits, tile);
 
     return status ? status : light(view, hits, tile, surface, options);
 }
 
-const struct tia_core *views_core(const struct views *views)
+const struct tia_core *views_core(const struct views *views, const struct tia_core *watched)
 {
     now.views = *views;
-    now.core = tia_core_watched;
+    now.watched = watched;
+    now.core = *watched;
     now.core.view_init = init;
     now.core.view_init_until = init_until;
     now.core.set_lights = set_lights;

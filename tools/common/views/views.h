@@ -18,8 +18,9 @@ struct views {
 /* "colour", ...; NULL for VIEW_COUNT and above. */
 const char *view_name(unsigned view);
 
-/* The core that shows this. */
-const struct tia_core *views_core(const struct views *views);
+/* The core that shows this, on top of the one that observes rays, tia_core_watched: programs without views need not
+ * link it. */
+const struct tia_core *views_core(const struct views *views, const struct tia_core *watched);
 
 /* The rays of a pixel of a view of that core, for who draws them himself: *lines are valid until the next call. */
 int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct line **lines, unsigned *count);
