@@ -1,8 +1,10 @@
-# pictures.mk - draws the pictures of README.md and docs/ again; the Makefile includes it. tests/quick/gallery and
-# tests/quick/course compare them with what is drawn.
+# pictures.mk - draws the pictures of README.md and docs/ again, and writes the figures there that are counted; the
+# Makefile includes it. tests/quick/gallery, tests/quick/course and tests/slow/counted compare them with today's.
 
-.PHONY: gallery docs
-docs: gallery
+.PHONY: gallery docs counted
+counted: all boards $(COUNT_FILES)
+	@$(call python,tools/generate/counted.py $(BUILD))
+docs: gallery counted
 	@sed -n 's,^    build/\(tia.* docs/course/[a-z0-9-]*\.png.*\),$(BUILD)/\1,p' docs/course/*.md | \
 	    while read -r command; do echo "  DRAW    $${command##*docs/course/}"; sh -c "$$command" >/dev/null || exit; done
 

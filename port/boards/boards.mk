@@ -111,6 +111,9 @@ $(foreach n,$(RAYED),$(eval $(call rayed,$(n))))
 $(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%.c $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+$(BUILD)/boards/observed: $(BUILD)/host/tests/boards/observed.o $(LIBCOMMON) $(LIBPORTS) $(LIBWATCHED) $(LIBTIA) $(BUILD)/made-with/link
+	@mkdir -p $(@D)
+	$(link)
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k,,$(CORE_SRC))))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
@@ -130,16 +133,20 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
+# What counts instructions, and the rays that they draw.
+COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
+               $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
+
 .PHONY: boards check-boards size-boards count count-rays
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
-check: boards
+check: boards $(COUNT_FILES)
 check-boards: all boards
 	@$(run_tests) tests/slow/boards
 size: size-boards
 size-boards: boards
 	@$(call python,tests/boards/size.py $(BUILD))
-count: $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR)
+count: $(filter-out $(BUILD)/boards/mps2-an385/rays-%,$(COUNT_FILES))
 	@$(call python,tests/boards/count.py $(BUILD))
 count-rays: $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/insn.so
 	@$(call python,tests/boards/count.py --rays $(BUILD))

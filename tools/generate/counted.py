@@ -1,0 +1,372 @@
+#!/usr/bin/env python3
+"""Writes the figures of README.md and docs/ that are counted, not timed, as they are today; `make docs` calls it.
+
+    counted.py [--check] [--only NAME] [--root FOLDER] [BUILD]
+
+`<!-- counted: NAME -->` stands in front of a table, a block or a paragraph with such figures. --check rewrites nothing
+and names each figure that is another one today: "ok NAME", "FAIL NAME: WHY" or "skip NAME: WHY" a line. It leaves out
+what takes minutes. Compilers give other instructions by version, so figures are of Debian 12's; with another one, or
+without one, a name is left as it is."""
+import argparse
+import ast
+import functools
+import glob
+import importlib.machinery
+import importlib.util
+import itertools
+import os
+import re
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "tests/boards"))
+import count
+import qemu
+import size
+
+BUILD = "build"
+VERSIONS = {"gcc": "12", "arm-none-eabi-gcc": "12.2", "riscv64-unknown-elf-gcc": "12.2", "avr-gcc": "5.4"}
+DATABASES = sorted(os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, "scenes/nff/*.nff")))
+
+
+class Missing(Exception):
+    """Why a figure cannot be counted here."""
+
+
+class Wrong(Exception):
+    """A page without the place for a figure."""
+
+
+def run(*command):
+    return subprocess.run(command, check=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, cwd=ROOT).stdout
+
+
+def tool(name, *arguments):
+    return run(os.path.join(BUILD, name), *arguments)
+
+
+def version_is_right(compiler, kind):
+    version = run(compiler, "-dumpversion").strip()
+    if not (version + ".").startswith(VERSIONS[kind] + "."):
+        raise Missing(f"the figures are of {kind} {VERSIONS[kind]}, this is {version}")
+
+
+def boards(*names):
+    for board in names:
+        if qemu.missing(board):
+            raise Missing(f"{qemu.missing(board)[0]} is not installed (make deps docs installs it)")
+        compiler = qemu.binutil(board, "gcc")
+        version_is_right(compiler, compiler)
+
+
+def plain_build():
+    """Floats depend on the compiler and its flags."""
+    with open(os.path.join(ROOT, BUILD, "made-with/core"), encoding="utf-8") as file:
+        made = file.read().split()
+    if made[-1] != "-O2" or os.uname().machine != "x86_64":
+        raise Missing("the figures are of a build by -O2 on x86-64")
+    if "clang" in run(made[1], "--version"):
+        raise Missing("the figures are of a build by gcc")
+    version_is_right(made[1], "gcc")
+
+
+# ---- what is counted: a function makes of what stands there, as lines, what should ----
+
+def cells(line):
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def table(row):
+    """A table whose rows `row` makes anew, from their cells."""
+    def made(lines):
+        return lines[:2] + ["|" + "".join(f" {cell} |" if cell != "" else " |" for cell in row(cells(line))) for line in lines[2:]]
+    return made
+
+
+def by_first_cell(rows):
+    """A row's cells after the first; None keeps what is there."""
+    def row(old):
+        if old[0] not in rows:
+            raise Wrong(f"nothing is counted for the row {old[0]!r}")
+        new = rows[old[0]]
+        return [old[0]] + [o if n is None else n for o, n in zip(old[1:], new, strict=True)]
+    return table(row)
+
+
+def words(figures):
+    """A paragraph: the numbers where a sentence of `figures` has braces."""
+    def made(lines):
+        text, found = "\n".join(lines), 0
+        for sentence, numbers in figures.items():
+            pattern = re.escape(sentence).replace(r"\ ", r"\s+").replace(r"\{\}", r"([\d.]*\d)")
+            for match in reversed(list(re.finditer(pattern, text))):
+                found += 1
+                for i in range(len(numbers), 0, -1):
+                    text = text[:match.start(i)] + str(numbers[i - 1]) + text[match.end(i):]
+        if not found:
+            raise Wrong("none of the sentences is there")
+        return text.split("\n")
+    return made
+
+
+def block(text):
+    return lambda _: ["    " + line if line else line for line in text.split("\n\n")[0].splitlines()]
+
+
+COMPARED = {"scene": (), "random": ("--random", "200", "--seed", "7", "--summary"),
+            "everything": ("--rays-random", "100", "--summary"), "databases": ("-s", "320x240", *DATABASES, "--summary")}
+
+
+@functools.lru_cache(None)
+def compared(what):
+    plain_build()
+    return tool("tia-compare", *COMPARED[what])
+
+
+def differing(what):
+    """Pixels in all, and those that differ in integers and in floats."""
+    q16, f32 = [line.split() for line in compared(what).split("\n\n")[0].splitlines()[-2:]]
+    at, base = q16.index("q16"), f32.index("f32")
+    return int(q16[at + 1]), int(q16[at + 1]) - int(q16[at + 2]), int(f32[base + 1]) - int(f32[base + 2])
+
+
+def compare(full):
+    return by_first_cell({"the built-in scene, 5 frames of 1920x1080": differing("scene"),
+                          "200 random scenes of spheres": differing("random"),
+                          "100 random scenes of everything": differing("everything") if full else (None,) * 3,
+                          "the Standard Procedural Databases, 13 scenes": differing("databases")})
+
+
+def sizes(_):
+    boards(*(board for board, _ in size.BOARDS))
+    rows = {}
+    for board, processor in size.BOARDS:
+        flash, data, stack = size.measure(BUILD, board)
+        rows[processor] = (flash, data, stack, data + stack, size.RAM - data, size.least_stack(board, size.image_of(BUILD, board)))
+    return by_first_cell(rows)
+
+
+@functools.lru_cache(None)
+def counts():
+    """By processor and arithmetic: instructions of a full and of a relit frame, and the AVR's cycles."""
+    boards(*(board for board, _ in count.BOARDS))
+    made = {}
+    for board, processor in count.BOARDS:
+        for arithmetic, _ in count.ARITHMETICS:
+            image = count.image_of(BUILD, board, arithmetic)
+            if os.path.exists(image):
+                full, relit, _, _, cycles = count.count(board, image, count.plugin_of(BUILD))
+                made[processor, arithmetic] = full, relit, cycles
+    return made
+
+
+def instructions(_):
+    made = counts()
+    return by_first_cell({processor: [count.per_pixel(number) for arithmetic, _ in count.ARITHMETICS
+                                      for number in made.get((processor, arithmetic), (None, None))[:2]]
+                          for _, processor in count.BOARDS})
+
+
+def cycles(_):
+    integers, floats = (counts()["ATmega1284P", arithmetic][2] for arithmetic in ("q16", "f32"))
+    return words({"takes {} cycles a pixel: a frame of 320x240 is drawn in {} seconds at 16 MHz":
+                  (count.per_pixel(integers), round(integers / 16e6)),
+                  "float is faster, in {} cycles": (count.per_pixel(floats),)})
+
+
+def shadows(_):
+    boards("mps2-an385")
+    return by_first_cell({name: (f"{number:.0f}", view, hits) for name, number, view, hits in count.shadows(BUILD)})
+
+
+def light(_):
+    boards("mps2-an385")
+    image = f"{BUILD}/boards/mps2-an385/light.elf"
+    said = qemu.run("mps2-an385", image)
+    views, hits = zip(*((int(view), int(hit)) for view, hit in re.findall(r"^(?:ao|path) \w+ (\d+) (\d+)$", said, re.M)))
+    stack = int(re.search(r"^stack (\d+)$", said, re.M)[1])
+    return words({"Of that RAM {} bytes are data, {} of them a view and {} a tile's hits, and {} are stack":
+                  (size.sections("mps2-an385", image)[1], max(views), max(hits), stack)})
+
+
+@functools.lru_cache(None)
+def rays():
+    """By scene of the databases: rays, and instructions on a Cortex-M3."""
+    boards("mps2-an385")
+    made = {}
+    for line in tool("boards/observed", *DATABASES).splitlines():
+        name = os.path.basename(line.split()[0])[:-4]
+        image = f"{BUILD}/boards/mps2-an385/rays-{name}.elf"
+        made[name] = int(line.split()[1]), count.count("mps2-an385", image, count.plugin_of(BUILD))[0]
+    return made
+
+
+def ray_by_ray(_):
+    def row(old):
+        number, executed = rays()[old[0]]
+        now = round(executed / number)
+        return old[0], f"{number / count.RAY_PIXELS:.2f}", old[2], now, round(100 - 100 * now / int(old[2]))
+    return table(row)
+
+
+SCENES = tuple(f"scenes/{name}.tia" for name in ("porch", "shadow-volume", "shadow-mapping"))
+
+
+def techniques(_):
+    """A row has the techniques whose pictures are the same, and the memory of each."""
+    seen, by_technique, scene = {}, {}, None
+    for line in tool("tia-compare", "--shadows", "-s", "400x300", *SCENES).splitlines():
+        if match := re.match(r"(\S+\.tia), 400x300, (\d+) pixels see", line):
+            scene = match[1]
+            seen[scene] = match[2]
+        elif scene and (match := re.match(r"([a-z-]+) +(\d+) +(\d+) +(\d+) .* (\d+)$", line)):
+            by_technique[scene, match[1]] = match[2], match[3], match[4], match[5]
+    at = None
+
+    def row(old):
+        nonlocal at
+        at = old[0].split(",")[0] or at
+        figures = [by_technique[at, name] for name in old[1].split(", ")]
+        if len({f[:3] for f in figures}) > 1:
+            raise Wrong(f"{at}: {old[1]} do not draw the same")
+        title = re.sub(r"\d+", seen[at], old[0].split(",")[1]) if old[0] else ""
+        return [f"{at},{title}" if old[0] else "", old[1], *figures[0][:3], ", ".join(f[3] for f in figures)]
+    return table(row)
+
+
+def loaded(path):
+    """A script as a module."""
+    loader = importlib.machinery.SourceFileLoader("script", os.path.join(ROOT, path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("script", loader))
+    loader.exec_module(module)
+    return module
+
+
+KINDS = ("thesis", "random", "rays holes", "ao path room lamps", "play", "curved flat mirror orthographic polygons", "radio")
+
+
+def frames(_):
+    """Pinned frames by kind, and the builds that draw them."""
+    with open(os.path.join(ROOT, "tests/golden/frames.crc"), encoding="utf-8") as file:
+        kinds = [re.match("[a-z]+", line)[0] for line in file if not line.startswith("#")]
+    if set(kinds) != set(" ".join(KINDS).split()):
+        raise Wrong(f"tests/golden/frames.crc has other kinds of frames: {sorted(set(kinds))}")
+    by_kind = [sum(kind in group.split() for kind in kinds) for group in KINDS]
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        if "avx512vl" not in file.read().split():
+            raise Missing("the builds are those of a processor with AVX-512")
+    arch = loaded("tests/slow/arch")
+    plain, levels = list(arch.builds()), list(arch.level_builds())
+    usual = sum(build.usual() for build in plain + levels)
+    return words({"Of {} frames in {} builds": (len(kinds), len(plain)),
+                  "the CRC-32 of {} frames with `tests/golden/frames.crc`: {} builds": (len(kinds), len(plain)),
+                  "{} more builds draw with": (len(levels),),
+                  "takes {} of these {}.": (usual, len(plain + levels)),
+                  "{} frames are of the built-in scene, {} of random balls, {} of random scenes of everything, {} of paths "
+                  "and ambient occlusion, {} of keyframes played, and {} of [shadows]": by_kind[:6],
+                  "{} are the points of radio": by_kind[6:]})
+
+
+def mutants(_):
+    with open(os.path.join(ROOT, "tests/mutate"), encoding="utf-8") as file:
+        tree = ast.parse(file.read())
+    names = next([mutant.elts[0].value for mutant in node.value.elts] for node in tree.body
+                 if isinstance(node, ast.Assign) and node.targets[0].id == "MUTANTS")
+    return words({"at a time, {} times": (len(names),),
+                  "shrinks each of {} bounds to a fourth": (sum("fourth" in name for name in names),)})
+
+
+# Their order is that of the work; those of COMPARED with "everything" take minutes.
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "cycles": cycles,
+         "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
+         "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in COMPARED}}
+SLOW = ("compare-everything",)
+
+
+# ---- pages ----
+
+MARK = re.compile(r"(?m)^<!-- counted: (\S+) -->\n((?:.*\S.*\n)+)")
+
+
+def pages(root):
+    found = ["README.md", *sorted(os.path.relpath(path, root) for path in glob.glob(os.path.join(root, "docs/*.md")))]
+    made = {}
+    for page in found:
+        with open(os.path.join(root, page), encoding="utf-8") as file:
+            made[page] = file.read()
+    return made
+
+
+def stale(page, old, new):
+    """What says something else today, a line of the page each."""
+    for before, after in itertools.zip_longest(old, new, fillvalue=""):
+        if before != after:
+            yield f"{page} says {' '.join(before.split())!r}, is {' '.join(after.split())!r}"
+
+
+def rewrite(texts, name, full):
+    """Changes the texts, and returns what was stale."""
+    make, found, wrong = NAMES[name](full), 0, []
+    for page in list(texts):
+        for match in reversed([match for match in MARK.finditer(texts[page]) if match[1] == name]):
+            found += 1
+            old = match[2].splitlines()
+            new = make(old)
+            wrong += stale(page, old, new)
+            texts[page] = texts[page][:match.start(2)] + "\n".join(new) + "\n" + texts[page][match.end(2):]
+    if not found:
+        raise Wrong(f"no page has a mark 'counted: {name}'")
+    return wrong
+
+
+def store(root, before, texts):
+    for page, text in texts.items():
+        if text != before[page]:
+            with open(os.path.join(root, page), "w", encoding="utf-8") as file:
+                file.write(text)
+
+
+def report(root, name, checks):
+    """Checks or rewrites what has this name: the line that says so."""
+    before = pages(root)
+    texts = dict(before)
+    try:
+        if name not in NAMES:
+            raise Wrong("nothing is counted for this name")
+        wrong = rewrite(texts, name, not checks)
+    except Missing as why:
+        return f"skip {name}: {why}"
+    except (Wrong, qemu.Failed, subprocess.CalledProcessError, OSError) as why:
+        return f"FAIL {name}: {why}"
+    if checks:
+        return f"FAIL {name}: {'; '.join(wrong)} (make docs)" if wrong else f"ok {name}"
+    store(root, before, texts)
+    return f"ok {name}" + (f": {len(wrong)} lines are new" if wrong else "")
+
+
+def main():
+    global BUILD
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--only", choices=NAMES)
+    parser.add_argument("--root", default=ROOT)
+    parser.add_argument("build", nargs="?", default=BUILD)
+    arguments = parser.parse_args()
+    BUILD = arguments.build
+    root = os.path.abspath(arguments.root)
+    os.chdir(ROOT)
+    marks = {match[1] for text in pages(root).values() for match in MARK.finditer(text)}
+    names = [arguments.only] if arguments.only else [*NAMES, *sorted(marks - set(NAMES))]
+    failed = False
+    for name in names:
+        if not (arguments.check and name in SLOW):
+            said = report(root, name, arguments.check)
+            failed = failed or said.startswith("FAIL ")
+            print(said, flush=True)
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
