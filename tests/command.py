@@ -97,6 +97,23 @@ def formats():
             if tia("-o", "-", "--format", name, "-s", "1x1").returncode == 0]
 
 
+def needs_png():
+    if "png" not in formats():
+        raise Skip("built without libpng (libpng-dev)")
+
+
+def needs_f64():
+    if tia("--arithmetic", "f64", "-o", "-", "--format", "565", "-s", "1x1").returncode == 2:
+        raise Skip("built without double precision (make F64=yes)")
+
+
+def needs_json():
+    """Without libjansson no file is read."""
+    scene = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "lightfield.tia")
+    if b"reads no .json" in tia(scene, "-o", "-", "--format", "565", "--calibration", "none.json").stderr:
+        raise Skip("built without libjansson (libjansson-dev)")
+
+
 def as_somebody():
     """For preexec_fn: gives up root's right to write everywhere."""
     if os.getuid() == 0:
