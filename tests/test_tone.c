@@ -96,11 +96,27 @@ TEST(exposures)
     }
 }
 
+/* Those are powers of two: floor(2^(8 + stops) sum/count), by shifts of what has 64 bits. */
+TEST(whole_stops)
+{
+    for (int stop = -24; stop <= 24; stop++) {
+        const struct tia_exposure exposure = tia_exposure_of(stop * 65536);
+        for (int i = 0; i < 10000; i++) {
+            uint32_t count = (uint32_t)random_short(24) + 1;
+            int64_t sum = (int64_t)((random_bits() >> random_u32() % 40) % ((uint64_t)count << 38));
+            uint64_t mean = (uint64_t)sum / count << 8 | ((uint64_t)sum % count << 8) / count;
+            uint64_t want = stop < 0 ? mean >> -stop : mean >> (32 - stop % 32) ? UINT32_MAX : mean << stop;
+            CHECK_EQ(tia_exposed(&exposure, sum, count), sum <= 0 ? 0 : want < UINT32_MAX ? want : UINT32_MAX);
+        }
+    }
+}
+
 int main(void)
 {
     RUN(srgb_is_exact);
     RUN(linear_is_nearest);
     RUN(means_are_exact);
     RUN(exposures);
+    RUN(whole_stops);
     return check_status();
 }

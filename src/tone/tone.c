@@ -29,14 +29,26 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
 
 #define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: of samples of 2^14 */
 
-/* The mean in units of 2^-32 is at most 2^46, and what overflows when shifted is far too bright. */
+/* The mean in units of 2^-32, rounded down, without overflow; of sums from 2^55 on it is at most 2^46. */
+static int64_t mean_of(int64_t sum, uint32_t count)
+{
+    int64_t whole = sum / count;
+
+    if (!(sum >> 55))
+        return sum * 256 / count;
+    return (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + sum % count * 256 / count;
+}
+
+/* What overflows when shifted is far too bright. Whole stops need no product. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
     if (!exposure || !count || sum <= 0)
         return 0;
-    int64_t whole = sum / count, rest = sum % count;
-    int64_t mean = (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + rest * 256 / count;
+    int64_t mean = mean_of(sum, count);
     int shift = 62 - exposure->shift;
+
+    if (exposure->mantissa == INT64_C(1) << 62 && exposure->shift <= 0)
+        return mean >> -exposure->shift > UINT32_MAX ? UINT32_MAX : (uint32_t)(mean >> -exposure->shift);
     wide product = wide_product(mean, exposure->mantissa);
     if (wide_bits(product) - shift > 32)
         return UINT32_MAX;
@@ -54,6 +66,16 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
     return level;
 }
 
+/* The same of 8 bits, as files have them, for which it should take little time: but near black it is a step or two. */
+static unsigned reached8(uint32_t value)
+{
+    unsigned level = tia_srgb8_from[value >> 24], end = tia_srgb8_from[(value >> 24) + 1];
+
+    while (level < end && value >= tia_srgb8[level])
+        level++;
+    return level;
+}
+
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits)
 {
     if (!bits || bits > 16)
@@ -62,5 +84,5 @@ unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits)
         return (unsigned)(((uint64_t)value * ((1u << bits) - 1) + (UINT64_C(1) << 31)) >> 32);
     if (bits != 5 && bits != 6 && bits != 8)
         return 0;
-    return reached(bits == 5 ? tia_srgb5 : bits == 6 ? tia_srgb6 : tia_srgb8, bits, value);
+    return bits == 8 ? reached8(value) : reached(bits == 5 ? tia_srgb5 : tia_srgb6, bits, value);
 }

@@ -27,6 +27,11 @@ def main():
         for i in range(0, n, 8):
             print("    " + " ".join(f"{w}u," for w in words[i:i + 8]))
         print("};")
+    print("\nconst uint8_t tia_srgb8_from[257] = {")
+    from_ = [sum(w <= i << 24 for w in words) for i in range(257)]
+    for i in range(0, 257, 16):
+        print("    " + " ".join(f"{level}," for level in from_[i:i + 16]))
+    print("};")
 
 
 main()

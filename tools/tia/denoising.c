@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "estimation.h"
+#include "pixels/pages.h"
 
 struct denoising {
     struct estimation *e;
@@ -54,7 +55,7 @@ int denoise_sums(struct estimation *e, const struct tia_gathered *gathered)
     struct denoising d = {.e = e, .gathered = gathered};
     unsigned height = e->film.height;
     size_t size = tia_denoise_size(e->film.width, height);
-    void *memory = malloc(size);
+    void *memory = pages_alloc(size);
     int status = memory ? tia_denoise_init(&d.denoiser, memory, size, e->film.width, height) : TIA_ERR_MEMORY;
 
     if (!status) {

@@ -4,14 +4,17 @@
 #include <string.h>
 
 #include "clock.h"
+#include "common/image/image.h"
 #include "common/signals.h"
 #include "estimation.h"
 #include "fail.h"
+#include "pixels/pages.h"
 
 /* A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete, and those with
  * the next round. A round of a small picture is several samples, so that threads have something to do. Of fewer than
- * SPREAD_MIN samples nobody knows how much they differ. */
-enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000 };
+ * SPREAD_MIN samples nobody knows how much they differ. A signal leaves 0.2 s for the picture: a picture up to
+ * SMALL_PIXELS is denoised in 0.15 s. */
+enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 1 << 17 };
 
 struct gathered {
     struct tia_gathered all;
@@ -25,6 +28,12 @@ struct rounds {
     uint32_t done, round; /* samples in `kept`, and how many are to be added */
     uint64_t begun_us, told_us;
     double error; /* estimated, < 0: not yet */
+    struct row_error *row_errors;
+};
+
+/* Sums over the pixels of a row: of standard errors, and of luminance, both in units of 2^-16. */
+struct row_error {
+    uint64_t errors, light;
 };
 
 bool rounds_possible(const struct estimation *e)
@@ -85,7 +94,7 @@ static bool get_memory(struct gathered *g, const struct rounds *r)
     bool guides = has_guides(r->e->options);
     size_t sums = r->pixels * sizeof *g->all.sums, more = guides ? r->pixels * sizeof *g->all.guides : 0;
 
-    g->memory = calloc(1, gathered_size(r->e));
+    g->memory = pages_alloc(gathered_size(r->e));
     g->all.sums = g->memory;
     g->all.guides = guides ? (void *)((char *)g->memory + sums) : NULL;
     g->all.squares = has_squares(r->e) ? (void *)((char *)g->memory + sums + more) : NULL;
@@ -93,35 +102,76 @@ static bool get_memory(struct gathered *g, const struct rounds *r)
     return g->memory;
 }
 
-/* The mean of the pixels' standard errors over that of their luminance. */
-static double estimated_error(const struct rounds *r)
+/* Whether a signal has come and what is not needed for a picture has to be left out, so that it ends in time. */
+static bool hurries(const struct rounds *r)
 {
-    uint64_t errors = 0, light = 0;
+    return r->pixels > SMALL_PIXELS && signals_asked(NULL);
+}
 
-    for (size_t i = 0; i < r->pixels; i++) {
-        const struct tia_sum *s = &r->kept.all.sums[i];
-        errors += tia_standard_error(s, r->kept.all.squares[i], r->done);
-        light += (uint64_t)(s->rgb[0] + 2 * s->rgb[1] + s->rgb[2]) / 4 / r->done >> 8;
+static void estimate_row(void *arg, unsigned y)
+{
+    struct rounds *r = arg;
+    struct tia_gathered row = at(&r->kept.all, (size_t)y * r->e->film.width);
+    struct row_error *sum = &r->row_errors[y];
+    bool late = hurries(r);
+
+    *sum = (struct row_error){0, 0};
+    for (size_t x = 0; x < r->e->film.width && !late; x++) {
+        const struct tia_sum *s = &row.sums[x];
+        sum->errors += tia_standard_error(s, row.squares[x], r->done);
+        sum->light += (uint64_t)(s->rgb[0] + 2 * s->rgb[1] + s->rgb[2]) / 4 / r->done >> 8;
     }
-    return light ? (double)errors / (double)light : 0;
+}
+
+/* The mean of the pixels' standard errors over that of their luminance; -1: there is no time for it. */
+static double estimated_error(struct rounds *r)
+{
+    struct row_error all = {0, 0};
+
+    threads_workers.run(r->e->pool, estimate_row, r, r->e->film.height);
+    for (unsigned y = 0; y < r->e->film.height; y++) {
+        all.errors += r->row_errors[y].errors;
+        all.light += r->row_errors[y].light;
+    }
+    return hurries(r) ? -1 : all.light ? (double)all.errors / (double)all.light : 0;
 }
 
 /* ---- a round ---- */
 
+/* What the next round is added to: nothing before the first, whose memory is as it came. */
+static void begin_row(const struct rounds *r, size_t place, const struct tia_gathered *to)
+{
+    const struct tia_gathered from = at(&r->kept.all, place);
+    size_t width = r->e->film.width;
+
+    if (r->done == 0) {
+        memset(to->sums, 0, width * sizeof *to->sums);
+        if (to->squares)
+            memset(to->squares, 0, width * sizeof *to->squares);
+        if (to->guides)
+            memset(to->guides, 0, width * sizeof *to->guides);
+        return;
+    }
+    memcpy(to->sums, from.sums, width * sizeof *to->sums);
+    if (to->squares)
+        memcpy(to->squares, from.squares, width * sizeof *to->squares);
+    if (to->guides)
+        memcpy(to->guides, from.guides, width * sizeof *to->guides);
+}
+
+/* Once a row was stopped the round does not count, so that the rows that are left are not needed. */
 static void draw_row(void *arg, unsigned y)
 {
     struct rounds *r = arg;
     struct estimation *e = r->e;
     size_t width = e->film.width, place = y * width;
-    struct tia_gathered from = at(&r->kept.all, place), to = at(&r->next.all, place);
+    struct tia_gathered to = at(&r->next.all, place);
     struct tia_tile row = {0, (uint16_t)y, (uint16_t)width, 1};
     uint32_t first = e->sums.first + r->done;
 
-    memcpy(to.sums, from.sums, width * sizeof *to.sums);
-    if (to.squares)
-        memcpy(to.squares, from.squares, width * sizeof *to.squares);
-    if (to.guides)
-        memcpy(to.guides, from.guides, width * sizeof *to.guides);
+    if (atomic_load(&e->status))
+        return;
+    begin_row(r, place, &to);
     int status = e->estimator->gather(e->film_scene.view, row, first, first + r->round, &to);
     if (status)
         atomic_store(&e->status, status);
@@ -216,7 +266,21 @@ static int draw(struct rounds *r)
 
 /* ---- the file ---- */
 
-static int write_all(struct rounds *r)
+/* Rows that are written at once. */
+struct rows {
+    const struct rounds *r;
+    unsigned y, count;
+};
+
+static void develop_row(void *arg, unsigned row)
+{
+    const struct rows *rows = arg;
+    struct estimation *e = rows->r->e;
+
+    estimation_develop(e, rows->y, row, rows->r->kept.all.sums + (size_t)(rows->y + row) * e->film.width);
+}
+
+static int write_all(const struct rounds *r)
 {
     struct estimation *e = r->e;
     unsigned height = e->film.height, band = estimation_band_rows(e), count = (height + band - 1) / band;
@@ -224,21 +288,25 @@ static int write_all(struct rounds *r)
     int status = estimation_head(e);
 
     for (unsigned i = 0; i < count && !status; i++) {
-        unsigned y = (bottom_up ? count - 1 - i : i) * band, rows = height - y < band ? height - y : band;
-        for (unsigned row = 0; row < rows; row++)
-            estimation_develop(e, y, row, r->kept.all.sums + (size_t)(y + row) * e->film.width);
-        status = estimation_write(e, rows);
+        unsigned y = (bottom_up ? count - 1 - i : i) * band;
+        struct rows rows = {r, y, height - y < band ? height - y : band};
+        threads_workers.run(e->pool, develop_row, &rows, rows.count);
+        status = estimation_write(e, rows.count);
     }
     return status;
 }
 
+/* A large picture has its noise after a signal, and is not compressed. */
 static int finish(struct rounds *r)
 {
     const struct options *options = r->e->options;
+    bool late = hurries(r);
     int status = TIA_OK;
 
     r->e->sums.count = r->done;
-    if (options->denoise)
+    if (late && r->e->image)
+        image_hurry(r->e->image);
+    if (options->denoise && !late)
         status = denoise_sums(r->e, &r->kept.all);
     else if (options->guide)
         status = show_guide(r->e, &r->kept.all);
@@ -247,27 +315,29 @@ static int finish(struct rounds *r)
 
 /* The limits of --time-limit and --error leave how many samples there are to chance, and so do signals: that is said.
  */
-static void say_samples(const struct rounds *r, uint32_t asked)
+static void say_samples(struct rounds *r, uint32_t asked)
 {
     bool limited = r->e->options->time_limit || r->e->options->error;
-    double error = r->done < SPREAD_MIN || !has_squares(r->e) ? -1
-                   : r->error >= 0 && r->e->options->error    ? r->error
-                                                              : estimated_error(r);
+    const char *noise = r->e->options->denoise && hurries(r) ? ", not denoised (see --resume)" : "";
 
     if (r->done == asked && !limited)
         return;
+    double error = r->done < SPREAD_MIN || !has_squares(r->e) ? -1
+                   : r->error >= 0 && r->e->options->error    ? r->error
+                                                              : estimated_error(r);
     progress_erase(&r->e->progress);
     if (error < 0)
-        note("%u samples a pixel", (unsigned)r->done);
+        note("%u samples a pixel%s", (unsigned)r->done, noise);
     else
-        note("%u samples a pixel, estimated error %.4f", (unsigned)r->done, error);
+        note("%u samples a pixel, estimated error %.4f%s", (unsigned)r->done, error, noise);
 }
 
 static int begin(struct rounds *r)
 {
     struct estimation *e = r->e;
 
-    if (!get_memory(&r->kept, r) || !get_memory(&r->next, r))
+    r->row_errors = malloc(e->film.height * sizeof *r->row_errors);
+    if (!r->row_errors || !get_memory(&r->kept, r) || !get_memory(&r->next, r))
         return ROUNDS_NO_MEMORY;
     int status = estimation_open(e);
     if (status)
@@ -293,5 +363,6 @@ int rounds_draw(struct estimation *e)
     }
     free(r.kept.memory);
     free(r.next.memory);
+    free(r.row_errors);
     return status;
 }

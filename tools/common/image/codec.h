@@ -15,6 +15,7 @@ struct image_codec {
     int (*begin)(struct image *image);
     int (*row)(struct image *image, const tia_rgb565 *pixels);
     int (*bytes)(struct image *image, const unsigned char *row); /* NULL: RGB565 alone; see image_rows */
+    void (*hurry)(struct image *image);                          /* NULL: it does not compress; see image_hurry */
     int (*end)(struct image *image);
     void (*free)(struct image *image); /* called after begin in any case */
 };

@@ -139,6 +139,12 @@ int image_rows(struct image *image, const unsigned char *bytes, unsigned count)
     return image->status;
 }
 
+void image_hurry(struct image *image)
+{
+    if (image->codec->hurry)
+        image->codec->hurry(image);
+}
+
 int image_seal(struct image *image)
 {
     uint64_t rows = (uint64_t)image->height * image->film.frames;

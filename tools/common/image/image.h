@@ -42,6 +42,9 @@ bool image_format_has(enum image_format format, unsigned depth);
 /* The same of a picture with a depth: rows of width x 3 numbers, of 16 bits the higher byte first, of 32 the lower. */
 int image_rows(struct image *image, const unsigned char *bytes, unsigned count);
 
+/* From the next row on as little time as possible is spent on compression. */
+void image_hurry(struct image *image);
+
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 
