@@ -155,18 +155,23 @@ const char *tia_shown_guide_name(unsigned shown)
     return shown && shown <= sizeof names / sizeof *names ? names[shown - 1] : NULL;
 }
 
+static bool has_guide(const struct tia_gathered *g, enum tia_shown_guide shown)
+{
+    return g && g->guides && (shown != TIA_SHOW_ERROR || (g->sums && g->squares));
+}
+
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *g, size_t at, uint32_t count)
 {
     struct tia_sum sum = {{0, 0, 0}};
 
-    if (!is_whole(g) || !count || count > TIA_SPP_MAX)
+    if (!has_guide(g, shown) || !count || count > TIA_SPP_MAX)
         return sum;
     const struct tia_guide *guide = &g->guides[at];
+    uint32_t error = shown == TIA_SHOW_ERROR ? tia_standard_error(&g->sums[at], g->squares[at], count) : 0;
     for (int c = 0; c < 3; c++)
         sum.rgb[c] = shown == TIA_SHOW_NORMAL  ? (guide->normal[c] + (int64_t)count * (INT64_C(1) << 24)) / 2
                      : shown == TIA_SHOW_DEPTH ? (guide->depth < DEPTH_MAX ? guide->depth : DEPTH_MAX) * 256
-                     : shown == TIA_SHOW_ERROR
-                         ? (int64_t)tia_standard_error(&g->sums[at], g->squares[at], count) * 256 * count
-                         : guide->albedo[c];
+                     : shown == TIA_SHOW_ERROR ? (int64_t)error * 256 * count
+                                               : guide->albedo[c];
     return sum;
 }

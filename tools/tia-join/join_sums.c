@@ -78,7 +78,7 @@ static int open_one(struct addition *a, struct summand *s, const char *path)
     if (!s->file)
         return refuse(a, path, strerror(errno));
     size_t header = sums_parse(&s->sums, text, fread(text, 1, sizeof text, s->file));
-    if (!header)
+    if (!header || s->sums.guided)
         return refuse(a, path, "no part of samples");
     if (fseek(s->file, 0, SEEK_END) != 0 ||
         (uint64_t)ftell(s->file) != header + (uint64_t)s->sums.height * sums_row_bytes(&s->sums))

@@ -10,9 +10,25 @@
 struct bands {
     struct estimation *e;
     struct resume resume;
+    struct denoising denoising;
     unsigned y, rows, known; /* the band; how many of its rows, from the top, are known already */
-    struct tia_sum *sums;
+    bool again;              /* all rows have been drawn before */
+    struct tia_gathered band;
 };
+
+static struct tia_gathered row_of(const struct bands *b, unsigned row)
+{
+    return gathered_at(&b->band, (size_t)row * b->e->film.width);
+}
+
+static void clear(const struct tia_gathered *row, size_t width)
+{
+    memset(row->sums, 0, width * sizeof *row->sums);
+    if (row->guides)
+        memset(row->guides, 0, width * sizeof *row->guides);
+    if (row->squares)
+        memset(row->squares, 0, width * sizeof *row->squares);
+}
 
 static void draw_row(void *arg, unsigned row)
 {
@@ -20,18 +36,17 @@ static void draw_row(void *arg, unsigned row)
     struct estimation *e = b->e;
     unsigned width = e->film.width, y = b->y + row;
     struct tia_tile tile = {0, (uint16_t)y, (uint16_t)width, 1};
-    struct tia_sum *sums = b->sums + (size_t)row * width;
+    struct tia_gathered to = row_of(b, row);
     int status = TIA_OK;
 
     if (row >= b->known) {
-        memset(sums, 0, width * sizeof *sums);
-        status =
-            e->estimator->sample(e->film_scene.view, tile, e->sums.first, e->sums.first + e->sums.count, sums, width);
+        clear(&to, width);
+        status = e->estimator->gather(e->film_scene.view, tile, e->sums.first, e->sums.first + e->sums.count, &to);
     }
     if (status)
         atomic_store(&e->status, status);
-    estimation_develop(e, b->y, row, sums);
-    progress_add(&e->progress, width);
+    if (!b->again)
+        progress_add(&e->progress, width);
 }
 
 /* Of the rows that an interrupted run has left, those of the band. */
@@ -40,34 +55,115 @@ static int read_known(struct bands *b)
     unsigned rows = b->resume.rows;
 
     b->known = rows <= b->y ? 0 : rows - b->y < b->rows ? rows - b->y : b->rows;
-    return b->known ? resume_read(&b->resume, b->y, b->known, b->sums) : TIA_OK;
+    return b->known ? resume_read(&b->resume, b->y, b->known, &b->band) : TIA_OK;
+}
+
+static unsigned band_count(const struct bands *b)
+{
+    unsigned band = estimation_band_rows(b->e);
+
+    return (b->e->film.height + band - 1) / band;
+}
+
+static void choose(struct bands *b, unsigned number)
+{
+    unsigned band = estimation_band_rows(b->e), left;
+
+    b->y = number * band;
+    left = b->e->film.height - b->y;
+    b->rows = left < band ? left : band;
+}
+
+/* The samples of a band: from the file, or drawn and appended to it. */
+static int gather(struct bands *b, unsigned number)
+{
+    choose(b, number);
+    int status = read_known(b);
+    if (status)
+        return status;
+    threads_workers.run(b->e->pool, draw_row, b, b->rows);
+    status = atomic_load(&b->e->status);
+    return status ? status : resume_append(&b->resume, b->y, b->rows, &b->band);
+}
+
+static void put_row(void *arg, unsigned row)
+{
+    struct bands *b = arg;
+    const struct tia_gathered from = row_of(b, row);
+
+    denoising_put(&b->denoising, b->y + row, &from);
+}
+
+static void develop_row(void *arg, unsigned row)
+{
+    struct bands *b = arg;
+    const struct tia_gathered from = row_of(b, row);
+
+    if (b->e->options->denoise)
+        denoising_get(&b->denoising, b->y + row, from.sums);
+    else if (b->e->options->guide)
+        show_guide(b->e, &from);
+    estimation_develop(b->e, b->y, row, from.sums);
+}
+
+/* All rows before any is written: the denoiser needs them, and a file grows from the top, whichever way the picture
+ * is written. */
+static int gather_all(struct bands *b)
+{
+    bool denoise = b->e->options->denoise;
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < band_count(b) && !status; i++) {
+        status = gather(b, i);
+        if (!status && denoise)
+            threads_workers.run(b->e->pool, put_row, b, b->rows);
+    }
+    if (!status && denoise)
+        denoising_filter(&b->denoising);
+    b->again = true;
+    return status;
 }
 
 static int draw(struct bands *b)
 {
     struct estimation *e = b->e;
-    unsigned height = e->film.height, band = estimation_band_rows(e), count = (height + band - 1) / band;
-    bool bottom_up = e->image && image_bottom_up(e->image);
-    int status = TIA_OK;
+    bool bottom_up = e->image && image_bottom_up(e->image), denoise = e->options->denoise;
+    unsigned count = band_count(b);
+    int status = denoise || (bottom_up && e->options->resume) ? gather_all(b) : TIA_OK;
 
     for (unsigned i = 0; i < count && !status; i++) {
-        b->y = (bottom_up ? count - 1 - i : i) * band;
-        b->rows = height - b->y < band ? height - b->y : band;
-        status = read_known(b);
+        unsigned number = bottom_up ? count - 1 - i : i;
+        if (denoise)
+            choose(b, number);
+        else
+            status = gather(b, number);
         if (status)
             break;
-        threads_workers.run(e->pool, draw_row, b, b->rows);
-        status = atomic_load(&e->status);
-        status = status ? status : resume_append(&b->resume, b->y, b->rows, b->sums);
-        status = status ? status : estimation_write(e, b->rows);
+        threads_workers.run(e->pool, develop_row, b, b->rows);
+        status = estimation_write(e, b->rows);
     }
     return status;
 }
 
+static int get_memory(struct bands *b)
+{
+    size_t pixels = (size_t)estimation_band_rows(b->e) * b->e->film.width;
+
+    b->band.pitch = b->e->film.width;
+    b->band.sums = malloc(pixels * sizeof *b->band.sums);
+    if (b->e->sums.guided) {
+        b->band.guides = malloc(pixels * sizeof *b->band.guides);
+        b->band.squares = malloc(pixels * sizeof *b->band.squares);
+    }
+    if (!b->band.sums || (b->e->sums.guided && (!b->band.guides || !b->band.squares)))
+        return TIA_ERR_MEMORY;
+    return b->e->options->denoise ? denoising_begin(&b->denoising, b->e) : TIA_OK;
+}
+
 int bands_draw(struct estimation *e)
 {
-    struct bands b = {.e = e, .sums = malloc((size_t)estimation_band_rows(e) * e->film.width * sizeof *b.sums)};
-    int status = b.sums ? TIA_OK : TIA_ERR_MEMORY;
+    struct bands b = {.e = e};
+    int status = get_memory(&b);
 
     if (!status && rounds_possible(e)) /* but for their memory */
         note("no memory for %zu bytes: drawn row by row, a signal keeps nothing (see --resume)", rounds_size(e));
@@ -77,6 +173,9 @@ int bands_draw(struct estimation *e)
     status = status ? status : estimation_head(e);
     status = status ? status : draw(&b);
     resume_close(&b.resume);
-    free(b.sums);
+    denoising_end(&b.denoising);
+    free(b.band.sums);
+    free(b.band.guides);
+    free(b.band.squares);
     return status;
 }

@@ -89,7 +89,8 @@ static void prepare(struct estimation *e)
                             .count = how->spp ? how->spp : TIA_SPP,
                             .tone = tia_tone_of(how),
                             .exposure = how->exposure,
-                            .crc = e->film.crc};
+                            .crc = e->film.crc,
+                            .guided = options->denoise || options->guide};
     if (options->samples_range) {
         e->sums.first = options->first_sample;
         e->sums.count = options->last_sample - options->first_sample + 1;
@@ -119,7 +120,7 @@ static int draw(struct estimation *e)
 
     if (status != ROUNDS_NO_MEMORY)
         return status;
-    return options->denoise || options->guide || options->error || options->time_limit ? TIA_ERR_MEMORY : bands_draw(e);
+    return options->error || options->time_limit ? TIA_ERR_MEMORY : bands_draw(e);
 }
 
 int estimate(const struct options *options)

@@ -56,8 +56,25 @@ int rounds_draw(struct estimation *e);
 enum { ROUNDS_NO_MEMORY = 1 };
 size_t rounds_size(const struct estimation *e);
 
-/* What becomes of gathered samples: without noise, in the sums; or a guide instead of the picture. */
-int denoise_sums(struct estimation *e, const struct tia_gathered *gathered);
-int show_guide(struct estimation *e, const struct tia_gathered *gathered);
+/* A denoiser of the whole picture; all zero, there is none. */
+struct denoising {
+    struct estimation *e;
+    struct tia_denoiser *denoiser;
+    void *memory;
+    unsigned pass;
+};
+
+/* Takes 56 bytes a pixel. */
+int denoising_begin(struct denoising *denoising, struct estimation *e);
+void denoising_end(struct denoising *denoising);
+
+/* What e->sums.count samples of row `y` have gathered; and, after all rows and the filter, its sums without noise. Rows
+ * come in any order, from any threads. */
+void denoising_put(struct denoising *denoising, unsigned y, const struct tia_gathered *row);
+void denoising_filter(struct denoising *denoising);
+void denoising_get(const struct denoising *denoising, unsigned y, struct tia_sum *row);
+
+/* Puts the guide of --guide into the sums of a row. */
+void show_guide(const struct estimation *e, const struct tia_gathered *row);
 
 #endif

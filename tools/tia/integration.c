@@ -149,27 +149,37 @@ static const char *rounds_option(const struct options *options)
                                  : NULL;
 }
 
+/* What ends a picture after some round of all its samples: those are in memory. */
+static int check_limits(struct options *options)
+{
+    const char *option = options->time_limit ? "time-limit" : "error";
+    unsigned width = options->width ? options->width : 640, height = options->height ? options->height : 480;
+
+    if (options->resume)
+        return fail(EXIT_USAGE, "--%s: not with --resume", option);
+    if ((uint32_t)width * height > 1u << 24)
+        return fail(EXIT_USAGE, "--%s: a picture of at most 16777216 pixels, not %ux%u", option, width, height);
+    if (!options->spp && !options->samples_range)
+        options->scene.integration.spp = TIA_SPP_MAX;
+    return EXIT_FINE;
+}
+
 /* --denoise, --guide, --time-limit and --error; after choose_depth. */
 static int check_rounds(struct options *options)
 {
     const char *option = rounds_option(options);
-    unsigned width = options->width ? options->width : 640, height = options->height ? options->height : 480;
 
     if (!option)
         return EXIT_FINE;
     if (!is_sampled(options) || !options->output || !options->depth_bits)
         return fail(EXIT_USAGE, "--%s: is for .png, .ppm and .pfm files of --integrator ao and path", option);
-    if (options->resume || (options->format == IMAGE_PART && (options->denoise || options->guide)))
-        return fail(EXIT_USAGE, "--%s: not with %s", option, options->resume ? "--resume" : "parts of samples");
+    if (options->format == IMAGE_PART && (options->denoise || options->guide))
+        return fail(EXIT_USAGE, "--%s: not with parts of samples", option);
     if (options->denoise && options->guide)
         return fail(EXIT_USAGE, "--guide: not with --denoise, which it shows the guides of");
-    if ((uint32_t)width * height > 1u << 24)
-        return fail(EXIT_USAGE, "--%s: a picture of at most 16777216 pixels, not %ux%u", option, width, height);
-    if ((options->time_limit || options->error) && !options->spp && !options->samples_range)
-        options->scene.integration.spp = TIA_SPP_MAX;
     if (options->guide && !options->tone)
         options->scene.integration.tone = TIA_TONE_LINEAR;
-    return EXIT_FINE;
+    return options->time_limit || options->error ? check_limits(options) : EXIT_FINE;
 }
 
 /* Pictures of samples have 8 bits a channel where the file can; but what only RGB565 has wins. */

@@ -25,6 +25,9 @@ static int read_header(struct resume *r, uint64_t size)
         return kept_refused(&r->kept, "no part that an interrupted run has left");
     if (old.crc != r->sums.crc || old.width != r->sums.width || old.height != r->sums.height)
         return kept_refused(&r->kept, "a part of another scene, size or integrator");
+    if (old.guided != r->sums.guided)
+        return kept_refused(&r->kept, old.guided ? "is of a run with --denoise or --guide"
+                                                 : "is of a run without --denoise and --guide");
     if (old.first != r->sums.first || old.count != r->sums.count)
         return kept_refused(&r->kept, "has other samples (--spp, --samples-range)");
     r->header = sums_print(wanted, &old); /* its tone and exposure do not matter */
@@ -42,23 +45,23 @@ int resume_open(struct resume *r, const char *path, const struct sums *sums, cha
     return status ? status : read_header(r, size);
 }
 
-int resume_read(const struct resume *r, unsigned y, unsigned rows, struct tia_sum *band)
+int resume_read(const struct resume *r, unsigned y, unsigned rows, const struct tia_gathered *band)
 {
     size_t length = sums_row_bytes(&r->sums), got = 0;
     unsigned char *bytes = malloc(length);
     int status = bytes ? TIA_OK : TIA_ERR_MEMORY;
 
-    memset(band, 0, (size_t)rows * r->sums.width * sizeof *band);
     for (unsigned i = 0; i < rows && !status; i++) {
+        const struct tia_gathered row = gathered_at(band, (size_t)i * r->sums.width);
         status = kept_read(&r->kept, bytes, length, place_of(r, y + i), &got);
-        if (!status && (got < length || !sums_add_row(band + (size_t)i * r->sums.width, &r->sums, y + i, bytes)))
+        if (!status && (got < length || !sums_get_gathered(&row, &r->sums, y + i, bytes)))
             status = kept_refused(&r->kept, "is damaged");
     }
     free(bytes);
     return status;
 }
 
-int resume_append(struct resume *r, unsigned y, unsigned rows, const struct tia_sum *band)
+int resume_append(struct resume *r, unsigned y, unsigned rows, const struct tia_gathered *band)
 {
     size_t length = sums_row_bytes(&r->sums);
     unsigned char *bytes = r->kept.path ? malloc(length) : NULL;
@@ -67,7 +70,8 @@ int resume_append(struct resume *r, unsigned y, unsigned rows, const struct tia_
     for (unsigned i = 0; r->kept.path && i < rows && !status; i++) {
         if (y + i != r->rows)
             continue;
-        sums_put_row(bytes, &r->sums, y + i, band + (size_t)i * r->sums.width);
+        const struct tia_gathered row = gathered_at(band, (size_t)i * r->sums.width);
+        sums_put_gathered(bytes, &r->sums, y + i, &row);
         status = kept_write(&r->kept, bytes, length, place_of(r, y + i));
         r->rows++;
     }

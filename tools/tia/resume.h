@@ -19,8 +19,8 @@ struct resume {
 int resume_open(struct resume *resume, const char *path, const struct sums *sums, char *why);
 
 /* Reads rows that are in the file; appends those that are not, if they are the next ones. */
-int resume_read(const struct resume *resume, unsigned y, unsigned rows, struct tia_sum *band);
-int resume_append(struct resume *resume, unsigned y, unsigned rows, const struct tia_sum *band);
+int resume_read(const struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
+int resume_append(struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
 
 void resume_close(struct resume *resume);
 

@@ -29,6 +29,7 @@ struct rounds {
     uint64_t begun_us, told_us;
     double error; /* estimated, < 0: not yet */
     struct row_error *row_errors;
+    struct denoising *denoising;
 };
 
 /* Sums over the pixels of a row: of standard errors, and of luminance, both in units of 2^-16. */
@@ -48,26 +49,10 @@ static bool watched(const struct estimation *e)
     return e->progress.terminal || e->progress.asked;
 }
 
-static bool has_guides(const struct options *options)
-{
-    return options->denoise || options->guide;
-}
-
-/* A row: the same places in each array. */
-static struct tia_gathered at(const struct tia_gathered *g, size_t place)
-{
-    struct tia_gathered row = *g;
-
-    row.sums += place;
-    row.guides = row.guides ? row.guides + place : NULL;
-    row.squares = row.squares ? row.squares + place : NULL;
-    return row;
-}
-
 /* Squares are for whoever asks for an error, is told of it, or has noise taken out by it. */
 static bool has_squares(const struct estimation *e)
 {
-    return has_guides(e->options) || e->options->error || e->options->time_limit || watched(e);
+    return e->sums.guided || e->options->error || e->options->time_limit || watched(e);
 }
 
 static size_t pixels_of(const struct estimation *e)
@@ -78,8 +63,7 @@ static size_t pixels_of(const struct estimation *e)
 /* Of one of the two. */
 static size_t gathered_size(const struct estimation *e)
 {
-    size_t guide = has_guides(e->options) ? sizeof(struct tia_guide) : 0,
-           square = has_squares(e) ? sizeof(uint64_t) : 0;
+    size_t guide = e->sums.guided ? sizeof(struct tia_guide) : 0, square = has_squares(e) ? sizeof(uint64_t) : 0;
 
     return pixels_of(e) * (sizeof(struct tia_sum) + guide + square);
 }
@@ -91,7 +75,7 @@ size_t rounds_size(const struct estimation *e)
 
 static bool get_memory(struct gathered *g, const struct rounds *r)
 {
-    bool guides = has_guides(r->e->options);
+    bool guides = r->e->sums.guided;
     size_t sums = r->pixels * sizeof *g->all.sums, more = guides ? r->pixels * sizeof *g->all.guides : 0;
 
     g->memory = pages_alloc(gathered_size(r->e));
@@ -111,7 +95,7 @@ static bool hurries(const struct rounds *r)
 static void estimate_row(void *arg, unsigned y)
 {
     struct rounds *r = arg;
-    struct tia_gathered row = at(&r->kept.all, (size_t)y * r->e->film.width);
+    struct tia_gathered row = gathered_at(&r->kept.all, (size_t)y * r->e->film.width);
     struct row_error *sum = &r->row_errors[y];
     bool late = hurries(r);
 
@@ -141,7 +125,7 @@ static double estimated_error(struct rounds *r)
 /* What the next round is added to: nothing before the first, whose memory is as it came. */
 static void begin_row(const struct rounds *r, size_t place, const struct tia_gathered *to)
 {
-    const struct tia_gathered from = at(&r->kept.all, place);
+    const struct tia_gathered from = gathered_at(&r->kept.all, place);
     size_t width = r->e->film.width;
 
     if (r->done == 0) {
@@ -165,7 +149,7 @@ static void draw_row(void *arg, unsigned y)
     struct rounds *r = arg;
     struct estimation *e = r->e;
     size_t width = e->film.width, place = y * width;
-    struct tia_gathered to = at(&r->next.all, place);
+    struct tia_gathered to = gathered_at(&r->next.all, place);
     struct tia_tile row = {0, (uint16_t)y, (uint16_t)width, 1};
     uint32_t first = e->sums.first + r->done;
 
@@ -296,6 +280,44 @@ static int write_all(const struct rounds *r)
     return status;
 }
 
+static void put_row(void *arg, unsigned y)
+{
+    const struct rounds *r = arg;
+    const struct tia_gathered from = gathered_at(&r->kept.all, (size_t)y * r->e->film.width);
+
+    denoising_put(r->denoising, y, &from);
+}
+
+static void get_row(void *arg, unsigned y)
+{
+    const struct rounds *r = arg;
+
+    denoising_get(r->denoising, y, r->kept.all.sums + (size_t)y * r->e->film.width);
+}
+
+static int denoise(struct rounds *r)
+{
+    struct denoising denoising;
+    int status = denoising_begin(&denoising, r->e);
+
+    r->denoising = &denoising;
+    if (!status) {
+        threads_workers.run(r->e->pool, put_row, r, r->e->film.height);
+        denoising_filter(&denoising);
+        threads_workers.run(r->e->pool, get_row, r, r->e->film.height);
+    }
+    denoising_end(&denoising);
+    return status;
+}
+
+static void guide_row(void *arg, unsigned y)
+{
+    const struct rounds *r = arg;
+    const struct tia_gathered row = gathered_at(&r->kept.all, (size_t)y * r->e->film.width);
+
+    show_guide(r->e, &row);
+}
+
 /* A large picture has its noise after a signal, and is not compressed. */
 static int finish(struct rounds *r)
 {
@@ -307,9 +329,9 @@ static int finish(struct rounds *r)
     if (late && r->e->image)
         image_hurry(r->e->image);
     if (options->denoise && !late)
-        status = denoise_sums(r->e, &r->kept.all);
+        status = denoise(r);
     else if (options->guide)
-        status = show_guide(r->e, &r->kept.all);
+        threads_workers.run(r->e->pool, guide_row, r, r->e->film.height);
     return status ? status : write_all(r);
 }
 

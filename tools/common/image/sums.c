@@ -5,11 +5,16 @@
 
 #include "common/checksum.h"
 
-enum { CHANNEL = 8, CHECK = 4 };
+enum { CHANNEL = 8, CHECK = 4, MAGIC = 8, NUMBERS = 3 + 3 + 1 + 3 + 1 };
+
+static const char *magic_of(const struct sums *s)
+{
+    return s->guided ? "TIAGUIDE" : "TIASUMS1";
+}
 
 size_t sums_print(char text[SUMS_HEADER], const struct sums *s)
 {
-    return (size_t)snprintf(text, SUMS_HEADER, "TIASUMS1 W%u H%u N%u+%u T%u E%d S%08x\n", s->width, s->height,
+    return (size_t)snprintf(text, SUMS_HEADER, "%s W%u H%u N%u+%u T%u E%d S%08x\n", magic_of(s), s->width, s->height,
                             (unsigned)s->first, (unsigned)s->count, (unsigned)s->tone, (int)s->exposure,
                             (unsigned)s->crc);
 }
@@ -25,7 +30,7 @@ static bool is_sound(const struct sums *s)
 /* A line that reads alike but is spelled otherwise, with leading zeros, say, is not valid. */
 size_t sums_parse(struct sums *s, const char *text, size_t length)
 {
-    char line[SUMS_HEADER], again[SUMS_HEADER];
+    char line[SUMS_HEADER], again[SUMS_HEADER], magic[MAGIC + 1];
     const char *end = memchr(text, '\n', length < SUMS_HEADER - 1 ? length : SUMS_HEADER - 1);
     unsigned n[6];
     int exposure;
@@ -35,15 +40,16 @@ size_t sums_parse(struct sums *s, const char *text, size_t length)
     size_t used = (size_t)(end - text) + 1;
     memcpy(line, text, used);
     line[used] = '\0';
-    if (sscanf(line, "TIASUMS1 W%u H%u N%u+%u T%u E%d S%8x", &n[0], &n[1], &n[2], &n[3], &n[4], &exposure, &n[5]) != 7)
+    if (sscanf(line, "%8s W%u H%u N%u+%u T%u E%d S%8x", magic, &n[0], &n[1], &n[2], &n[3], &n[4], &exposure, &n[5]) !=
+        8)
         return 0;
-    *s = (struct sums){n[0], n[1], n[2], n[3], (enum tia_tone)n[4], exposure, n[5]};
+    *s = (struct sums){n[0], n[1], n[2], n[3], (enum tia_tone)n[4], exposure, n[5], !strcmp(magic, "TIAGUIDE")};
     return is_sound(s) && sums_print(again, s) == used && !memcmp(again, line, used) ? used : 0;
 }
 
 size_t sums_row_bytes(const struct sums *s)
 {
-    return (size_t)s->width * 3 * CHANNEL + CHECK;
+    return (size_t)s->width * (s->guided ? NUMBERS : 3) * CHANNEL + CHECK;
 }
 
 static unsigned char *put(unsigned char *at, uint64_t value, unsigned bytes)
@@ -70,19 +76,39 @@ static uint32_t check_of(const struct sums *s, unsigned y, const unsigned char *
     return checksum_bytes(checksum_bytes(0, place, sizeof place), bytes, sums_row_bytes(s) - CHECK);
 }
 
-void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_sum *row)
+/* In the order of the file. */
+static void put_guide(unsigned char *at, const struct tia_guide *guide, uint64_t squares)
+{
+    for (int c = 0; c < 3; c++)
+        at = put(at, (uint64_t)guide->normal[c], CHANNEL);
+    at = put(at, (uint64_t)guide->depth, CHANNEL);
+    for (int c = 0; c < 3; c++)
+        at = put(at, (uint64_t)guide->albedo[c], CHANNEL);
+    (void)put(at, squares, CHANNEL);
+}
+
+void sums_put_gathered(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_gathered *row)
 {
     unsigned char *at = bytes;
 
     for (unsigned x = 0; x < s->width; x++)
         for (unsigned c = 0; c < 3; c++)
-            at = put(at, (uint64_t)row[x].rgb[c], CHANNEL);
+            at = put(at, (uint64_t)row->sums[x].rgb[c], CHANNEL);
+    for (unsigned x = 0; x < s->width && s->guided; x++, at += (NUMBERS - 3) * CHANNEL)
+        put_guide(at, &row->guides[x], row->squares[x]);
     (void)put(at, check_of(s, y, bytes), CHECK);
 }
 
-bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const unsigned char *bytes)
+void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_sum *row)
 {
-    const unsigned char *at = bytes;
+    struct tia_sum *sums = (struct tia_sum *)(uintptr_t)row; /* it is only read */
+
+    sums_put_gathered(bytes, s, y, &(struct tia_gathered){.sums = sums});
+}
+
+/* Adds a row's sums; whether all are in their range. */
+static bool add_sums(struct tia_sum *row, const struct sums *s, const unsigned char *at)
+{
     const uint64_t most = (uint64_t)s->count << 38; /* samples of up to 2^14 in units of 2^-24 */
     bool sound = true;
 
@@ -92,7 +118,48 @@ bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const u
             sound = sound && sum <= most;
             row[x].rgb[c] += (int64_t)(sum <= most ? sum : 0);
         }
-    return sound && get(at, CHECK) == check_of(s, y, bytes);
+    return sound;
+}
+
+static bool checks(const struct sums *s, unsigned y, const unsigned char *bytes)
+{
+    return get(bytes + sums_row_bytes(s) - CHECK, CHECK) == check_of(s, y, bytes);
+}
+
+bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const unsigned char *bytes)
+{
+    return add_sums(row, s, bytes) && checks(s, y, bytes);
+}
+
+/* Lengths up to 1, albedos up to 2^14 in units of 2^-24, and any depth whose mean has a sign. */
+static bool get_guide(struct tia_guide *guide, uint32_t count, const unsigned char *at)
+{
+    const int64_t one = (int64_t)count << 24, most = (int64_t)count << 38;
+    bool sound = true;
+
+    for (int c = 0; c < 3; c++, at += CHANNEL) {
+        guide->normal[c] = (int64_t)get(at, CHANNEL);
+        sound = sound && guide->normal[c] >= -one && guide->normal[c] <= one;
+    }
+    guide->depth = (int64_t)get(at, CHANNEL);
+    for (int c = 0; c < 3; c++) {
+        guide->albedo[c] = (int64_t)get(at += CHANNEL, CHANNEL);
+        sound = sound && guide->albedo[c] >= 0 && guide->albedo[c] <= most;
+    }
+    return sound && guide->depth >= 0;
+}
+
+bool sums_get_gathered(const struct tia_gathered *row, const struct sums *s, unsigned y, const unsigned char *bytes)
+{
+    const unsigned char *at = bytes + (size_t)s->width * 3 * CHANNEL;
+
+    memset(row->sums, 0, s->width * sizeof *row->sums);
+    bool sound = add_sums(row->sums, s, bytes) && checks(s, y, bytes);
+    for (unsigned x = 0; x < s->width && s->guided && sound; x++, at += (NUMBERS - 3) * CHANNEL) {
+        sound = get_guide(&row->guides[x], s->count, at);
+        row->squares[x] = get(at + 7 * CHANNEL, CHANNEL);
+    }
+    return sound;
 }
 
 /* A float keeps 24 bits of the mean, and needs no exposure. */

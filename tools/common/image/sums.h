@@ -5,7 +5,11 @@
  * means samples 0 to 15 of each pixel of a picture of 640x480; T and E are the tone and the exposure that it is to be
  * shown with, as in tia/integrator.h; S is a crc of the scene and the options. The rows follow, from the top: for each
  * pixel red, green and blue, 64 bits each, little-endian, in units of 2^-24; then the CRC-32 of the row's number and S,
- * 32 bits each, and the row, little-endian. A file that ends after some row is what an interrupted run has left. */
+ * 32 bits each, and the row, little-endian. A file that ends after some row is what an interrupted run has left.
+ *
+ * Where it has left guides as well, for --denoise and --guide, the line begins with TIAGUIDE, and a row has before its
+ * CRC-32 for each pixel the normal, the depth, the albedo and the sum of squares of struct tia_gathered, 64 bits each.
+ */
 #ifndef TOOLS_IMAGE_SUMS_H
 #define TOOLS_IMAGE_SUMS_H
 
@@ -21,7 +25,19 @@ struct sums {
     enum tia_tone tone;
     tia_q16 exposure;
     uint32_t crc;
+    bool guided; /* with what a denoiser goes by */
 };
+
+/* From the pixel number `place` on. */
+static inline struct tia_gathered gathered_at(const struct tia_gathered *gathered, size_t place)
+{
+    struct tia_gathered from = *gathered;
+
+    from.sums += place;
+    from.guides = from.guides ? from.guides + place : NULL;
+    from.squares = from.squares ? from.squares + place : NULL;
+    return from;
+}
 
 /* Writes the line and its end; returns the length. */
 size_t sums_print(char text[SUMS_HEADER], const struct sums *sums);
@@ -35,6 +51,10 @@ void sums_put_row(unsigned char *bytes, const struct sums *sums, unsigned y, con
 
 /* Adds a row to `row`; false: its checksum is wrong. */
 bool sums_add_row(struct tia_sum *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
+
+/* A row with its guides, if there are any; false: its checksum is wrong, or a number out of its range. */
+void sums_put_gathered(unsigned char *bytes, const struct sums *sums, unsigned y, const struct tia_gathered *row);
+bool sums_get_gathered(const struct tia_gathered *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
 
 /* What a picture of `depth` bits a channel shows of a row, see struct image_film and image_rows. */
 void sums_develop(unsigned char *bytes, const struct sums *sums, const struct tia_sum *row, unsigned depth);
