@@ -41,8 +41,8 @@ LANE_OP vp vp_of(vd a)
                                     _mm256_set_epi32(3, 3, 2, 2, 1, 1, 0, 0));
 }
 
-#include "tracer.h"
 #include "pixels.h"
+#include "tracer.h"
 #include "walk_paths.h"
 
 SURE(avx2);

@@ -38,8 +38,8 @@ LANE_OP vp vp_of(vd a)
                                  _mm512_castps256_ps512(_mm512_cvtpd_ps(a)));
 }
 
-#include "tracer.h"
 #include "pixels.h"
+#include "tracer.h"
 #include "walk_paths.h"
 
 SURE(avx512);

@@ -134,6 +134,7 @@ LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waitin
             while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
                 depth += more;                                                                                         \
             if (v.child.count != SURE_INNER) {                                                                         \
+                q->work += v.child.count;                                                                              \
                 leaf(s, tree, &v, q);                                                                                  \
                 look_again(&w, q);                                                                                     \
             }                                                                                                          \

@@ -8,20 +8,20 @@
 _Static_assert(STRIP >= TIA_SIZE_MAX, "a row fits");
 
 struct drawing {
-    const struct tia_view *view;
     const struct sure_kernels *kernels;
     bool dither;
     struct sure_block block;
 };
 
-/* Samples that are not sure by the integers: then they are off by no more than their conversion. */
-static void replace_samples(const struct tia_view *view, struct sure_block *b)
+/* Samples that are not sure by the integers, each of which may take long: then they are off by no more than their
+ * conversion. */
+static void replace_samples(struct sure_block *b)
 {
     num_length colour[3];
 
     for (int i = 0; i < b->width * b->height * b->samples; i++) {
         int pixel = i / b->samples;
-        if (!b->unsure[i] || view_stops(view))
+        if (!b->unsure[i] || asker_stops(&b->asker, ASKER_PATIENCE))
             continue;
         tia_sure_sample(b->scene->view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
@@ -35,7 +35,7 @@ static tia_rgb565 exact_pixel(const struct sure_block *b, int x, int y, num_u th
 {
     num_length mean[3] = {0, 0, 0}, colour[3];
 
-    for (int i = 0; i < b->samples; i++) {
+    for (int i = 0; i < b->samples && !asker_stops(&b->asker, ASKER_PATIENCE); i++) {
         tia_sure_sample(b->scene->view, x, y, i, colour);
         for (int c = 0; c < 3; c++)
             mean[c] += num_length_clamp(colour[c], 0, NUM_LENGTH_ONE) / (num_length)b->samples;
@@ -55,13 +55,11 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
             b->threshold[y][x] = (double)threshold[y][x & 7] * SURE_2(30);
     }
     d->kernels->trace(b);
-    replace_samples(d->view, b);
+    replace_samples(b);
     d->kernels->set_pixels(b);
     for (int y = 0, i = 0; y < b->height; y++, out += pitch)
         for (int x = 0; x < b->width; x++, i++)
-            out[x] = !b->open[i] || view_stops(d->view)
-                         ? b->pixels[i]
-                         : exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]);
+            out[x] = b->open[i] ? exact_pixel(b, b->x + x, b->y + y, threshold[y][(b->x + x) & 7]) : b->pixels[i];
 }
 
 static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pixels)
@@ -71,7 +69,7 @@ static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pix
 
     b->y = strip.y;
     b->height = strip.height;
-    for (int x = 0; x < (int)strip.width && !view_stops(d->view); x += width, left -= width) {
+    for (int x = 0; x < (int)strip.width && !d->block.asker.stopped; x += width, left -= width) {
         b->x = strip.x + x;
         b->width = left < width ? left : width;
         draw_block(d, pixels + x, strip.width);
@@ -89,7 +87,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
                   const struct tia_options *options)
 {
     const struct sure_scene *s = tia_sure_scene(view);
-    struct drawing d = {.view = view, .kernels = view->level->sure, .dither = options->dither};
+    struct drawing d = {.kernels = view->level->sure, .dither = options->dither};
     int side = s->camera.side, most = SURE_SIDE / side;
     int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
     tia_rgb565 pixels[STRIP];
@@ -99,8 +97,9 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         return;
     }
     d.block.scene = s;
+    d.block.asker = view_asker(view);
     d.block.samples = side * side;
-    for (int y = 0; y < (int)tile.height && !view_stops(view); y += rows) {
+    for (int y = 0; y < (int)tile.height && !d.block.asker.stopped; y += rows) {
         int left = tile.height - y;
         struct tia_tile strip = {tile.x, (uint16_t)(tile.y + y), tile.width, (uint16_t)(left < rows ? left : rows)};
         draw_strip(&d, strip, pixels);

@@ -260,6 +260,7 @@ static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsig
 {
     vm active = mof(lanes), fine = pack_start(s->centre, s->extent, &shadow->p, active);
     struct query q = {.p = &shadow->p,
+                      .work = SURE_PACKET + s->unbounded_count + (ends ? s->light_count : 0),
                       .active = mand(active, fine),
                       .any = true,
                       .solid = true,
@@ -285,6 +286,7 @@ static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsig
     if (many(q.active))
         walk_objects(s, &s->objects, &q);
     *blocker = q.blocker;
+    shadow->work = q.work;
     shadow->blocked = q.blocked;
     shadow->unsure = mor(mand(q.maybe, mnot(q.blocked)), mand(active, mnot(fine)));
 }

@@ -185,8 +185,9 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
     *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + vset(SURE_POWER)), vset(0));
 }
 
-/* What has been added up at the points. */
+/* What has been added up at the points; `asker` counts what that takes. */
 struct lit {
+    struct asker *asker;
     vd own[3], eown;
     vm unsure;
 };
@@ -210,6 +211,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
         return;
     aim_shadow(scene, l, h, s, &shadow);
     find_shadow(scene, &shadow, lit, blocker);
+    (void)asker_stops(sum->asker, shadow.work);
     sum->unsure = mor(sum->unsure, shadow.unsure);
     lit = mand(lit, mnot(mor(shadow.blocked, shadow.unsure)));
     if (!many(lit))
@@ -231,7 +233,7 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class[k];
-    for (pick.sample = 0; pick.sample < l->from->samples; pick.sample++) {
+    for (pick.sample = 0; pick.sample < l->from->samples && !asker_stops(sum->asker, 1); pick.sample++) {
         sample_of(l, aim, h, &pick, &sample);
         find_falloff(l, &sample);
         add_sample(s, l, h, &sample, lanes, blocker, sum);
@@ -249,7 +251,7 @@ static void add_point(const struct sure_scene *s, const struct sure_light *l, co
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class;
-    for (pick.sample = 0; pick.sample < n && !many(sum->unsure); pick.sample += LANES) {
+    for (pick.sample = 0; pick.sample < n && !many(sum->unsure) && !asker_stops(sum->asker, 1); pick.sample += LANES) {
         unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
         sample_of(l, aim, h, &pick, &sample);
         find_falloff(l, &sample);
@@ -272,6 +274,7 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
         there.axes[0] = v3_spread(&aim->axes[0], k);
         there.axes[1] = v3_spread(&aim->axes[1], k);
         there.e = vspread(&aim->e, k);
+        one.asker = sum->asker;
         one.own[0] = one.own[1] = one.own[2] = one.eown = vset(0);
         one.unsure = mnone();
         add_point(s, l, &there, &point, class[k], blocker, &one);

@@ -46,8 +46,8 @@ LANE_OP vp vp_of(vd a)
     return vcombine_f32(vdup_lane_f32(f, 0), vdup_lane_f32(f, 1));
 }
 
-#include "tracer.h"
 #include "pixels.h"
+#include "tracer.h"
 #include "walk_paths.h"
 
 SURE(neon);

@@ -17,6 +17,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
         for (int c = 0; c < 3; c++)
             f->gather->colour[p->r.slot[k]][c] = 1;
     find_first(s, &q, &p->r.p, lanes, false, 0);
+    (void)asker_stops(&f->gather->asker, q.work);
     vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q.t + q.e, q.low))), p->r.slot) & ~mbits(sky);
     if (!lanes)
@@ -34,8 +35,10 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     lanes = sure_of(f, lanes, mor(unsure, vle(vabs(above), e)), p->r.slot);
     unsigned below = lanes & mbits(vlt(above, vset(0))), open = lanes & ~below;
     shadow.blocked = shadow.unsure = mnone();
-    if (open)
+    if (open) {
         find_hidden(s, &shadow, open, NULL, &f->blocker);
+        (void)asker_stops(&f->gather->asker, shadow.work);
+    }
     doubt(f, open & mbits(shadow.unsure), p->r.slot);
     below |= open & mbits(shadow.blocked);
     for (int k = 0; below >> k; k++)
@@ -45,13 +48,12 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
 
 static void occlude(struct sure_gather *g)
 {
-    const struct tia_view *view = g->scene->view->view;
     struct flight f;
     struct paths p;
     struct quads first;
 
     flight_open(&f, g);
-    for (int from = 0; from < g->count && !view_stops(view); from += LANES) {
+    for (int from = 0; from < g->count && !g->asker.stopped; from += LANES) {
         unsigned lanes = flight_start(&f, from, &p, &first);
         occlude_packet(&f, &p, lanes, &first);
     }

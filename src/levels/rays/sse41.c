@@ -34,8 +34,8 @@ typedef __m128 vp;
 #define vp_le(a, b) ((unsigned)_mm_movemask_ps(_mm_cmple_ps(a, b)))
 #define vp_swap(a) _mm_shuffle_ps(a, a, 0xb1)
 
-#include "tracer.h"
 #include "pixels.h"
+#include "tracer.h"
 #include "walk_paths.h"
 
 SURE(sse41);

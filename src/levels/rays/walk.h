@@ -131,6 +131,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     placed_query(q, &placed, &inner);
     if (many(inner.active))
         meet_shape(s, o, &inner, at, placed.k);
+    q->work = inner.work;
     report_placed(q, &placed, &inner, o->placed->most);
 }
 
@@ -238,6 +239,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct query *q, struct pac
     vm fine = pack_start(s->centre, s->extent, p, active);
 
     q->p = p;
+    q->work = SURE_PACKET + s->unbounded_count + s->light_count;
     q->active = mand(active, fine);
     q->any = q->solid = false;
     q->groups = NULL;
@@ -271,6 +273,7 @@ struct shadow {
     vd distance, edistance;
     vm blocked, unsure;
     vd through[3], ethrough;
+    uint32_t work;
 };
 
 /* *blocker is tried first, and becomes what blocked a ray. */
@@ -281,6 +284,7 @@ static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm ac
 
     check_shadow(mbits(active));
     q.p = &shadow->p;
+    q.work = SURE_PACKET + s->unbounded_count;
     q.active = mand(active, fine);
     q.any = true;
     q.solid = false;
@@ -301,6 +305,7 @@ static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm ac
     if (many(q.active))
         walk_objects(s, &s->objects, &q);
     *blocker = q.blocker;
+    shadow->work = q.work;
     shadow->ethrough = q.ethrough;
     shadow->blocked = q.blocked;
     shadow->unsure = mor(mand(q.maybe, mnot(q.blocked)), mand(active, mnot(fine)));

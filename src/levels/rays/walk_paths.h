@@ -160,6 +160,7 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
     struct lobes l;
 
     find_first(s, &q, &p->r.p, lanes, true, p->specular);
+    (void)asker_stops(&f->gather->asker, q.work);
     vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q.t + q.e, q.low))), p->r.slot);
     lanes = add_far_ends(f, lanes, p, &q);
@@ -184,14 +185,13 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 
 static void walk_paths(struct sure_gather *g)
 {
-    const struct tia_view *view = g->scene->view->view;
     struct flight f;
     struct paths p;
     struct quads first;
     int from = 0;
 
     flight_open(&f, g);
-    while (!view_stops(view)) {
+    while (!g->asker.stopped) {
         if (from < g->count && f.count[fullest(&f)] < LANES) {
             unsigned lanes = flight_start(&f, from, &p, &first);
             step_paths(&f, &p, lanes);

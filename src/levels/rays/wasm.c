@@ -40,8 +40,8 @@ LANE_OP vp vp_of(vd a)
     return (vp)wasm_i32x4_shuffle(f, f, 0, 0, 1, 1);
 }
 
-#include "tracer.h"
 #include "pixels.h"
+#include "tracer.h"
 #include "walk_paths.h"
 
 SURE(wasm);
