@@ -6,6 +6,7 @@
 #include <tia/tia.h>
 
 #include "check.h"
+#include "float_modes.h"
 
 #define GUARD 64 /* bytes before and behind the pixels, and between rows */
 #define GUARDED 0xa5

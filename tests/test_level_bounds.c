@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "float_modes.h"
 #include "level_integers.h"
 #include "level_runs.h"
 #include "levels/proved.h"
@@ -91,6 +92,7 @@ TEST(bounds_hold_and_are_not_ten_times_too_wide)
 
 int main(void)
 {
+    float_mode_of_level();
     RUN(bounds_hold_and_are_not_ten_times_too_wide);
     return check_status();
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "check.h"
+#include "float_modes.h"
 #include "level_integers.h"
 #include "level_runs.h"
 #include "levels/proved.h"
@@ -276,6 +277,7 @@ TEST(kept_bounds)
 
 int main(void)
 {
+    float_mode_of_level();
 #if FLT_EVAL_METHOD == 0
     RUN(cells);
 #endif

@@ -11,6 +11,7 @@
 #include "check.h"
 #include "common/scene/scene.h"
 #include "corpus/corpus_rays.h"
+#include "float_modes.h"
 #include "render/whitted/shade.h"
 #include "with_hierarchy.h"
 
@@ -284,6 +285,7 @@ TEST(many_rays)
 
 int main(int argc, char **argv)
 {
+    float_mode_of_level();
     if (argc > 2 && strcmp(argv[1], "--rays") == 0) {
         rays_asked = strtoull(argv[2], NULL, 10);
         first_pass = argc > 3 ? (unsigned)strtoul(argv[3], NULL, 10) : 0;

@@ -6,6 +6,7 @@
 #include "render/whitted/shade.h"
 
 #define SURE_CHECK
+#include "float_modes.h"
 #include "ray_edges.h"
 
 static bool is_refracted[ITEMS];
@@ -280,6 +281,7 @@ TEST(edges)
 
 int main(void)
 {
+    float_mode_of_level();
     RUN(edges);
     return check_status();
 }

@@ -3,6 +3,7 @@
  * which hits are still shaded. */
 #include "ray_edges.h"
 
+#include "float_modes.h"
 #include "ray_steps.h"
 #include "render/trace/texture.h"
 
@@ -346,6 +347,7 @@ int main(void)
     (void)edge_ray;
     (void)moved;
     (void)random_size;
+    float_mode_of_level();
     RUN(rays);
     RUN(coordinates);
     RUN(blends);

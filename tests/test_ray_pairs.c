@@ -1,6 +1,7 @@
 /* src/levels/rays, faces in floats: what the areas of a pair's edges are off by, of their bound. */
 #include "levels/rays/one.h"
 
+#include "float_modes.h"
 #include "ray_steps.h"
 
 /* A mesh of one face around its centre, in a box of these half axes, and a ray. */
@@ -106,6 +107,7 @@ TEST(areas)
 int main(void)
 {
     (void)trace;
+    float_mode_of_level();
     RUN(areas);
     return check_status();
 }

@@ -4,6 +4,7 @@
 #include <tia/levels.h>
 
 #include "check.h"
+#include "float_modes.h"
 #include "levels/level.h"
 #include "levels/rays/sure.h"
 #include "random.h"
@@ -134,6 +135,7 @@ TEST(pixels)
 
 int main(void)
 {
+    float_mode_of_level();
     RUN(pixels);
     return check_status();
 }

@@ -2,6 +2,7 @@
  * of its bound (see ray_steps.h). */
 #include "levels/rays/one.h"
 
+#include "float_modes.h"
 #include "levels/rays/walk_paths.h"
 #include "ray_steps.h"
 
@@ -391,6 +392,7 @@ int main(void)
     (void)trace;
     (void)occlude;
     (void)walk_paths;
+    float_mode_of_level();
     RUN(surfaces);
     RUN(colours);
     RUN(bounces);

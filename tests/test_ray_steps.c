@@ -2,6 +2,7 @@
  * end of its bound (see ray_steps.h). */
 #include "levels/rays/one.h"
 
+#include "float_modes.h"
 #include "ray_steps.h"
 
 enum { TRIES = 20000 };
@@ -335,6 +336,7 @@ TEST(samples)
 int main(void)
 {
     (void)trace;
+    float_mode_of_level();
     RUN(spots);
     RUN(attenuation);
     RUN(areas);

@@ -1,5 +1,6 @@
 /* src/levels/rays, cylinders: where lines meet the side when they are moved by all that the bound allows, by formula;
  * and by the integers where there is nothing but what either side rounds by. */
+#include "float_modes.h"
 #include "ray_edges.h"
 
 #include "ray_steps.h"
@@ -227,6 +228,7 @@ int main(void)
     (void)moved;
     (void)random_size;
     (void)worlds;
+    float_mode_of_level();
     RUN(moved_rays);
     RUN(roundings);
     return check_status();

@@ -121,6 +121,7 @@ static void compare_sample(const struct sure_gather *g, int i)
 static void check_bounds(const struct tia_scene *scene)
 {
     static struct sure_gather g;
+    struct environment caller;
     struct level_frames f;
 
     if (scene->integration.integrator != TIA_PATHS)
@@ -133,9 +134,11 @@ static void check_bounds(const struct tia_scene *scene)
         g.y[i] = i / W * 2 % H;
         g.index[i] = (uint32_t)(7 + i % 3);
     }
+    CHECK(environment_take(&caller));
     walk_paths(&g);
     for (int i = 0; i < g.count; i++)
         compare_sample(&g, i);
+    environment_leave(&caller);
     level_frames_close(&f);
 }
 

@@ -5,13 +5,21 @@
  * floating point and links without it. A program picks a level, asks how much memory it needs, and hands it to a view
  * that has been prepared:
  *
- *     level = tia_level_best();
+ *     const struct tia_level *level = tia_level_best();
  *     size_t size = tia_level_size(level, scene, light_capacity);
- *     tia_view_set_level(view, level, malloc(size), size);
+ *     void *memory = malloc(size);
+ *     if (size && !memory)
+ *         return TIA_ERR_MEMORY;
+ *     status = tia_view_set_level(view, level, memory, size);
  *
  * A level draws the span renderer's scenes (see scene.h) unless the eye is in a sphere, and scenes with a hierarchy
  * that the ray renderer, ambient occlusion or paths draw. Plain C draws everything else. No pixel, object or hash
- * differs. It needs the rounding mode in which C programs start.
+ * differs.
+ *
+ * Levels compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set: each
+ * call sets these in the processor's control register and puts the caller's register back, its exception flags as well.
+ * Where that register is not known and the environment is another one, plain C draws. A view's `stop` is called in the
+ * level's environment.
  */
 #ifndef TIA_LEVELS_H
 #define TIA_LEVELS_H

@@ -17,12 +17,18 @@ void tia_level_light_plain(const struct tia_view *view, struct tia_tile tile, co
 
 extern const struct level_renderer tia_level_spans, tia_level_rays, tia_level_samples;
 
+extern const struct level_entries tia_level_entries;
+
 /* `runs`: the rasteriser's, or NULL. */
 #define LEVEL(level, runs)                                                                                             \
     extern const struct tia_level tia_level_##level;                                                                   \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct tia_level tia_level_##level = {                                                                       \
-        #level,   &span_kernels_plain, {&tia_level_spans, &tia_level_rays, &tia_level_samples},                        \
-        &kernels, &tia_sure_##level,   runs}
+    const struct tia_level tia_level_##level = {#level,                                                                \
+                                                &tia_level_entries,                                                    \
+                                                &span_kernels_plain,                                                   \
+                                                {&tia_level_spans, &tia_level_rays, &tia_level_samples},               \
+                                                &kernels,                                                              \
+                                                &tia_sure_##level,                                                     \
+                                                runs}
 
 #endif

@@ -29,7 +29,7 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
     if (view->level)
-        level_renderer_for(view->level, view->renderer)->light(view, tile, surface, options);
+        view->level->enter->light(view, tile, surface, options);
     else
         view->renderer->light(view, hits, tile, surface, options);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;

@@ -71,9 +71,21 @@ struct level_renderer {
                    const struct tia_gathered *gathered);
 };
 
+/* How a view's level is called: as the functions above, which it calls in a floating-point environment of their own.
+ * The caller's is put back. Where there can be no such environment plain C draws. */
+struct level_entries {
+    void (*open)(struct tia_view *view); /* and prepares */
+    void (*prepare)(struct tia_view *view);
+    void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                  const struct tia_options *options);
+    void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                   const struct tia_gathered *gathered);
+};
+
 /* See tia/levels.h and src/levels. */
 struct tia_level {
     const char *name;
+    const struct level_entries *enter;
     const struct span_kernels *plain;                /* those whose bits it gives: one arithmetic's */
     const struct level_renderer *parts[LEVEL_PARTS]; /* NULL: left to plain C */
     const struct level_kernels *kernels;             /* of the spans */
@@ -87,6 +99,7 @@ struct tia_view {
     const struct renderer *renderer;
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
+    bool level_prepared;                       /* false: plain C draws all the same */
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;                            /* the renderer's */
     struct tia_light *lights;                  /* our copy */

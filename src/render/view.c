@@ -88,7 +88,7 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
         view->lights[i] = lights[i];
     status = view->renderer->set_lights(view);
     if (!status && view->level)
-        level_renderer_for(view->level, view->renderer)->prepare(view);
+        view->level->enter->prepare(view);
     return status;
 }
 
@@ -123,9 +123,7 @@ int tia_view_set_level(struct tia_view *view, const struct tia_level *level, voi
         return TIA_ERR_MEMORY;
     view->level = level;
     view->level_memory = memory;
-    if (drawn->open)
-        drawn->open(view);
-    drawn->prepare(view);
+    level->enter->open(view);
     return TIA_OK;
 }
 

@@ -16,7 +16,7 @@ static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t fi
     if (!is_inside(view, tile) || !gathered || !gathered->sums || end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
     if (view->level)
-        level_renderer_for(view->level, view->renderer)->sample(view, tile, first, end, gathered);
+        view->level->enter->sample(view, tile, first, end, gathered);
     else
         view->renderer->sample(view, tile, first, end, gathered);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
