@@ -75,7 +75,7 @@ static void measure_rounds(const struct picture *p, const char *level, struct ti
 
 static void row(const struct picture *p, const char *name, const struct tia_level *level)
 {
-    size_t view_size = tia_view_size(&p->scene, 1), more = tia_level_size(level, &p->scene, 1);
+    size_t view_size = tia_view_size(&p->scene, 1), more = tia_level_size(level, &p->scene, 1, 1);
     size_t hits_size = tia_hits_size(&p->scene, p->area);
     void *part[3] = {memory(view_size), memory(more), memory(hits_size)};
     struct tia_view *view;

@@ -34,7 +34,7 @@ static double draw(const struct tia_scene *scene, const struct tia_level *level,
 {
     const struct tia_tile all = {0, 0, width, height};
     size_t size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(scene, all);
-    size_t level_size = tia_level_size(level, scene, scene->light_count);
+    size_t level_size = tia_level_size(level, scene, scene->light_count, 1);
     void *of_view = memory(size), *of_hits = memory(hits_size), *of_level = memory(level_size);
     tia_rgb565 *pixels = memory((size_t)width * height * sizeof *pixels);
     const struct tia_surface surface = {pixels, 2, 2 * width};

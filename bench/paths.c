@@ -32,7 +32,8 @@ static void draw_sums(const struct tia_core *core, const struct tia_estimator *e
                       const struct tia_scene *scene, struct run *run)
 {
     static struct tia_sum sums[SIDE * SIDE];
-    size_t size = core->view_size(scene, scene->light_count), more = tia_level_size(level, scene, scene->light_count);
+    size_t size = core->view_size(scene, scene->light_count),
+           more = tia_level_size(level, scene, scene->light_count, 1);
     void *memory = malloc(size), *level_memory = malloc(more + 1);
     struct tia_view *view;
 

@@ -65,7 +65,7 @@ static void begin_core(struct canvas *c)
     const struct drawer *by = c->by;
     const struct tia_scene *scene = c->scene;
     size_t size = by->core->view_size(scene, scene->light_count);
-    size_t more = tia_level_size(by->level, scene, scene->light_count);
+    size_t more = tia_level_size(by->level, scene, scene->light_count, 1);
 
     c->view_memory = ray_scene_memory(size);
     c->level_memory = ray_scene_memory(more);

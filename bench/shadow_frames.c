@@ -54,7 +54,7 @@ static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t 
     f->area = (struct tia_tile){0, 0, width, height};
     const struct tia_level *level = tia_level_best();
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
-                       tia_level_size(level, scene, scene->light_count)};
+                       tia_level_size(level, scene, scene->light_count, 1)};
     for (int i = 0; i < 3; i++) {
         f->memory[i] = malloc(sizes[i] + 1); /* a level may need none */
         shadow_must(f->memory[i] != NULL);

@@ -40,7 +40,7 @@ static void set(struct stage *s, const struct tia_level *level)
     *s = (struct stage){.scene = tia_thesis_scene};
     s->scene.lights = &tia_thesis_scene.bindings[0].state;
     s->scene.light_count = 1;
-    size_t view = tia_view_size(&s->scene, 1), more = tia_level_size(level, &s->scene, 1);
+    size_t view = tia_view_size(&s->scene, 1), more = tia_level_size(level, &s->scene, 1, 2);
     size_t hits = tia_hits_size(&s->scene, all);
     s->part[0] = checked(malloc(view));
     s->part[1] = checked(malloc(more + 1));

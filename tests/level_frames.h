@@ -43,7 +43,7 @@ static inline bool level_frames_open(struct level_frames *f, const struct tia_le
                                      const struct tia_scene *scene, unsigned width, unsigned height)
 {
     size_t view = tia_view_size(scene, scene->light_count);
-    size_t more = tia_level_size(level, scene, scene->light_count);
+    size_t more = tia_level_size(level, scene, scene->light_count, 4);
 
     memset(f, 0, sizeof *f);
     f->scene = scene;

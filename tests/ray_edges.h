@@ -15,6 +15,7 @@ static struct tia_view *prepared;
 static const struct ray_view *view;
 static const struct sure_scene *scene;
 static void *memory[3];
+static struct light_room lights;
 static long double unit; /* of the file */
 
 static const char common[] = "camera perspective eye 0 0 9 look 0 0 0 fov 40\n"

@@ -69,7 +69,7 @@ enum { W = 24, H = 17 };
 /* Places in memory are the same since it is the same memory. */
 static void compare_memory(const struct tia_scene *scene, unsigned number)
 {
-    size_t size = tia_view_size(scene, scene->light_count), more = tia_level_size(level, scene, scene->light_count);
+    size_t size = tia_view_size(scene, scene->light_count), more = tia_level_size(level, scene, scene->light_count, 1);
     void *memory = malloc(size), *constants = calloc(1, more + 1), *want = malloc(more + 1);
     struct tia_view *view;
 

@@ -132,7 +132,9 @@ static void check_own(const struct lit *lit)
 
 static void check_block(struct sure_block *b)
 {
-    trace(b);
+    static struct work work;
+
+    trace(b, &work);
     for (int i = 0; i < b->width * b->height * b->samples; i++) {
         int pixel = i / b->samples;
         num_length colour[3];

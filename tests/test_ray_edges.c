@@ -81,7 +81,7 @@ static bool compare_hit(const struct ray *ray, struct pack *p, struct query *q, 
 {
     double at[3];
 
-    find_nearest(scene, q, p, 1);
+    find_nearest(scene, &lights.room, q, p, 1);
     meet(ray, hit);
     double object = object_of(hit);
     bool sky = q->t >= NEVER && q->low >= NEVER, sure = sky || q->t + q->e < q->low;
@@ -110,7 +110,7 @@ static void compare_shadow(const struct ray *ray, const struct pack *p, double d
 
     if (distance < e)
         return;
-    find_shadow(scene, &shadow, 1, &blocker);
+    find_shadow(scene, &lights.room, &shadow, 1, &blocker);
     surely += !shadow.unsure;
     open += shadow.unsure;
     if (shadow.unsure)
@@ -139,7 +139,8 @@ static void compare_light(const struct shade *h, const struct shading *shading, 
 {
     const num_length whole[3] = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE};
     struct asker nobody = {0};
-    struct lit lit = {.asker = &nobody, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
+    struct lit lit = {
+        .asker = &nobody, .room = &lights, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
     uint32_t blocker = TIA_NO_OBJECT;
     const uint8_t class[1] = {(uint8_t)path->class};
     num_length colour[3] = {0, 0, 0};

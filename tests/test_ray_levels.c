@@ -21,9 +21,9 @@ static unsigned random_scenes = 6;
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure;
 
-static void count(struct sure_block *block)
+static void count(struct sure_block *block, void *memory)
 {
-    kernels->trace(block);
+    kernels->trace(block, memory);
     samples += (unsigned)(block->width * block->height * block->samples);
     for (int i = 0; i < block->width * block->height * block->samples; i++)
         unsure += block->unsure[i];
@@ -199,6 +199,58 @@ static void draw_row(void *arg, unsigned index)
     CHECK_EQ(tia_render(f->level, f->hits[1], tile, &surface, NULL), TIA_OK);
 }
 
+/* With room for one only the others are drawn by plain C. */
+TEST(more_threads_than_rooms)
+{
+    size_t size = tia_level_size(level, &balls.scene, balls.scene.light_count, 1);
+    struct threads *pool = threads_create(4);
+    struct level_frames f;
+
+    CHECK(size < tia_level_size(level, &balls.scene, balls.scene.light_count, 2));
+    CHECK(level_frames_open(&f, level, &balls.scene, 120, 90));
+    CHECK_EQ(level_frames_differ(&f, true, false), 0);
+    CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], size), TIA_OK);
+    memset(f.got, GUARDED, f.bytes);
+    threads_workers.run(pool, draw_row, &f, 18);
+    CHECK(memcmp(f.want, f.got, f.bytes) == 0);
+    level_frames_close(&f);
+    threads_destroy(pool);
+}
+
+/* In the middle of a call, when its room is in use, one more is drawn all the same; then its own goes on. */
+static struct level_frames *nested;
+static unsigned nested_calls;
+
+static bool draw_inside(void *ctx)
+{
+    static tia_rgb565 pixels[120 * 90];
+    const struct tia_surface surface = {pixels, 2, 2 * 120};
+
+    (void)ctx;
+    if (nested_calls++)
+        return false;
+    CHECK_EQ(tia_render(nested->level, nested->hits[1], nested->area, &surface, NULL), TIA_OK);
+    for (int y = 0; y < 90; y++)
+        CHECK(!memcmp(&pixels[120 * y], nested->want + GUARD + y * nested->pitch, 2 * 120));
+    return false;
+}
+
+TEST(a_call_within_a_call)
+{
+    size_t size = tia_level_size(level, &balls.scene, balls.scene.light_count, 1);
+    struct level_frames f;
+
+    CHECK(level_frames_open(&f, level, &balls.scene, 120, 90));
+    CHECK_EQ(level_frames_differ(&f, true, false), 0);
+    CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], size), TIA_OK);
+    nested = &f;
+    nested_calls = 0;
+    f.level->stop = draw_inside;
+    CHECK_EQ(level_frames_differ(&f, false, false), 0);
+    CHECK(nested_calls > 1);
+    level_frames_close(&f);
+}
+
 TEST(threads)
 {
     struct threads *pool = threads_create(4);
@@ -226,7 +278,7 @@ TEST(lights_move)
     CHECK_EQ(tia_view_set_lights(f.plain, lights, balls.scene.light_count), TIA_OK);
     CHECK_EQ(tia_view_set_lights(f.level, lights, balls.scene.light_count), TIA_OK);
     CHECK_EQ(level_frames_differ(&f, true, true), 0);
-    size_t size = tia_level_size(level, &balls.scene, balls.scene.light_count);
+    size_t size = tia_level_size(level, &balls.scene, balls.scene.light_count, 1);
     CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], size - 1), TIA_ERR_MEMORY);
     CHECK(strcmp(tia_view_level(f.level), "plain") == 0);
     level_frames_close(&f);
@@ -234,7 +286,8 @@ TEST(lights_move)
 
 static void run_all(const struct tia_level *tested)
 {
-    const struct sure_kernels counting = {.trace = count, .set_pixels = tested->sure->set_pixels};
+    const struct sure_kernels counting = {
+        .trace = count, .set_pixels = tested->sure->set_pixels, .block_memory = tested->sure->block_memory};
     struct tia_level mine = *tested;
     char title[80];
 
@@ -251,6 +304,8 @@ static void run_all(const struct tia_level *tested)
     RUN_LEVEL(lights_move);
     level = tested; /* threads do not count */
     RUN_LEVEL(threads);
+    RUN_LEVEL(more_threads_than_rooms);
+    RUN_LEVEL(a_call_within_a_call);
 }
 
 int main(int argc, char **argv)

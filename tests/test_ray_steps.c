@@ -8,6 +8,8 @@
 enum { TRIES = 20000 };
 #define WITHIN .9999L /* of what a bound allows */
 
+static struct light_room lights;
+
 /* ---- lights ---- */
 
 static void try_spot(struct used *soft, struct used *hard, bool is_hard)
@@ -285,7 +287,7 @@ static void try_sample(struct used *u, bool grazing)
     struct shade h = {.colour = {1, 1, 1}, .eg = some_size(8, 30)};
     struct sample s = {.to = v3_of(to), .eto = grazing ? some_size(8, 30) : 0, .falloff = {some_part(), 0, 0}};
     struct asker nobody = {0};
-    struct lit lit = {.asker = &nobody};
+    struct lit lit = {.asker = &nobody, .room = &lights};
     uint32_t blocker = TIA_NO_OBJECT;
     long double turn = WITHIN * (long double)some_sign();
 
@@ -310,7 +312,7 @@ static void try_ambient(struct used *u)
     const struct sure_scene scene = {.lights = &l};
     struct shade h = {.colour = {0.5, 0.5, 0.5}, .ecolour = some_size(3, 30)};
     struct asker nobody = {0};
-    struct lit lit = {.asker = &nobody};
+    struct lit lit = {.asker = &nobody, .room = &lights};
     const uint8_t class[1] = {0};
     uint32_t blocker = TIA_NO_OBJECT;
 

@@ -178,7 +178,7 @@ static void try_exact(const struct ray *ray, struct used *ends, struct used *poi
     p.o = v3_set(at);
     sure_dir(at, ray->direction);
     p.d = v3_set(at);
-    find_nearest(scene, &q, &p, 1);
+    find_nearest(scene, &lights.room, &q, &p, 1);
     if (q.id < 0 || !(q.t + q.e < q.low)) {
         ends->open++;
         return;

@@ -33,15 +33,15 @@ static void count(const struct sure_gather *g)
     }
 }
 
-static void count_occluded(struct sure_gather *g)
+static void count_occluded(struct sure_gather *g, void *memory)
 {
-    kernels->occlude(g);
+    kernels->occlude(g, memory);
     count(g);
 }
 
-static void count_walked(struct sure_gather *g)
+static void count_walked(struct sure_gather *g, void *memory)
 {
-    kernels->walk(g);
+    kernels->walk(g, memory);
     count(g);
 }
 
@@ -121,6 +121,7 @@ static void compare_sample(const struct sure_gather *g, int i)
 static void check_bounds(const struct tia_scene *scene)
 {
     static struct sure_gather g;
+    static struct flight flight;
     struct environment caller;
     struct level_frames f;
 
@@ -135,7 +136,7 @@ static void check_bounds(const struct tia_scene *scene)
         g.index[i] = (uint32_t)(7 + i % 3);
     }
     CHECK(environment_take(&caller));
-    walk_paths(&g);
+    walk_paths(&g, &flight);
     for (int i = 0; i < g.count; i++)
         compare_sample(&g, i);
     environment_leave(&caller);
@@ -293,7 +294,8 @@ TEST(pixels_hashes_and_moved_lights)
 
 static void run_all(const struct tia_level *tested)
 {
-    const struct sure_kernels counting = {.occlude = count_occluded, .walk = count_walked};
+    const struct sure_kernels counting = {
+        .occlude = count_occluded, .walk = count_walked, .gather_memory = tested->sure->gather_memory};
     struct tia_level mine = *tested;
     char title[80];
 

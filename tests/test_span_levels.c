@@ -190,7 +190,8 @@ TEST(what_levels_leave_alone)
     CHECK_EQ(corpus_thesis(&s, "a", 64, 48), TIA_OK);
     CHECK(level_frames_open(&f, level, &s.scene, 64, 48));
     CHECK(strcmp(tia_view_level(f.level), level_name) == 0 && strcmp(tia_view_level(f.plain), "plain") == 0);
-    CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], tia_level_size(level, &s.scene, 1) - 1), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_view_set_level(f.level, level, f.memory[2], tia_level_size(level, &s.scene, 1, 1) - 1),
+             TIA_ERR_MEMORY);
     CHECK(strcmp(tia_view_level(f.level), "plain") == 0);
     level_frames_close(&f);
     s.scene.camera.eye = tia_thesis_scene.spheres[1].centre;
@@ -225,7 +226,7 @@ TEST(names_of_levels)
     CHECK(!found);
     CHECK_EQ(tia_level_called("mmx", &found), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_level_called("", &found), TIA_ERR_ARGUMENT);
-    CHECK(tia_level_size(NULL, &tia_thesis_scene, 1) == 0);
+    CHECK(tia_level_size(NULL, &tia_thesis_scene, 1, 1) == 0);
 }
 
 int main(int argc, char **argv)

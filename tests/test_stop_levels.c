@@ -112,7 +112,7 @@ static void open_picture(struct picture *p, struct tia_scene *scene)
     p->memory[1] = malloc(size);
     caller.until = UINT32_MAX;
     CHECK_EQ(tia_view_init_until(&p->view, p->memory[1], size, scene, scene->light_count, W, H, ask, NULL), TIA_OK);
-    size = tia_level_size(level, scene, scene->light_count);
+    size = tia_level_size(level, scene, scene->light_count, 1);
     p->memory[2] = malloc(size);
     CHECK_EQ(tia_view_set_level(p->view, level, p->memory[2], size), TIA_OK);
     CHECK(strcmp(tia_view_level(p->view), level->name) == 0);

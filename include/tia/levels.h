@@ -5,8 +5,8 @@
  * floating point and links without it. A program picks a level, asks how much memory it needs, and hands it to a view
  * that has been prepared:
  *
- *     const struct tia_level *level = tia_level_best();
- *     size_t size = tia_level_size(level, scene, light_capacity);
+ *     level = tia_level_best();
+ *     size_t size = tia_level_size(level, scene, light_capacity, threads);
  *     void *memory = malloc(size);
  *     if (size && !memory)
  *         return TIA_ERR_MEMORY;
@@ -20,6 +20,8 @@
  * call sets these in the processor's control register and puts the caller's register back, its exception flags as well.
  * Where that register is not known and the environment is another one, plain C draws. A view's `stop` is called in the
  * level's environment.
+ *
+ * A call takes at most 16 KiB of its thread's stack; what else it needs is in the memory above.
  */
 #ifndef TIA_LEVELS_H
 #define TIA_LEVELS_H
@@ -41,11 +43,15 @@ int tia_level_called(const char *name, const struct tia_level **level);
 /* The levels that both this library and this processor have, narrowest first; NULL from their number on. */
 const struct tia_level *tia_level_at(unsigned index);
 
-/* Bytes that the level needs for a view of `scene`; 0 for NULL. SIZE_MAX when there are too many. */
-size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity);
+/* Bytes that the level needs for a view of `scene`; 0 for NULL. SIZE_MAX when there are too many. `workers`: how many
+ * calls may draw the view at the same time, each with 100 to 200 KB; when there are more, plain C draws those. 0 means
+ * 1. */
+size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity,
+                      unsigned workers);
 
 /* From now on the level draws the view; NULL: plain C. `memory`, aligned for uint64_t, must outlive the view. Hits
- * traced before are of no use. TIA_ERR_MEMORY when `size` is too small. */
+ * traced before are of no use. As many calls may draw at once as there is memory for, see tia_level_size;
+ * TIA_ERR_MEMORY when `size` is too small for one. */
 int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size);
 
 /* What the level does for the rasteriser, see struct tia_raster_target; NULL: nothing. A view's own is set with its

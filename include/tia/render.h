@@ -164,7 +164,7 @@ struct tia_core {
                  const struct tia_options *);
     int (*view_init_until)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned,
                            bool (*)(void *), void *);
-    size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t);
+    size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t, unsigned);
     int (*set_level)(struct tia_view *, const struct tia_level *, void *, size_t);
     const char *(*level_name)(const struct tia_view *);
     int (*render)(const struct tia_view *, struct tia_hits *, struct tia_tile, const struct tia_surface *,

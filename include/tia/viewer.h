@@ -131,6 +131,7 @@ struct tia_viewer {
     const struct tia_clock *clock;
     const struct tia_workers *workers;
     void *display_ctx, *input_ctx, *clock_ctx, *workers_ctx;
+    unsigned worker_count; /* threads that run the workers' jobs at once: the level has memory for each; 0 means 1 */
 
     /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
      * discard what it returned before. Called again when the mode or the technique changes. When a whole frame's hits

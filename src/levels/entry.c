@@ -2,6 +2,32 @@
 #include "environment.h"
 #include "level.h"
 
+#define WORKERS_MAX 65536
+
+/* Room for each call that draws at the same time, one behind the other, each with a line of the caches before it that
+ * says whether it is in use. */
+struct level_pool {
+    char *first;
+    size_t stride;
+    uint32_t workers;
+};
+
+static size_t stride_of(const struct tia_level *level, const struct level_renderer *part)
+{
+    return 64 + LEVEL_ALIGN(part->room(level));
+}
+
+/* The caller's memory need not be aligned to 64. */
+static size_t size(const struct tia_level *level, const struct level_renderer *part, const struct tia_scene *scene,
+                   uint32_t light_capacity, unsigned workers)
+{
+    size_t own = part->size(scene, light_capacity);
+    uint64_t of_workers = (uint64_t)stride_of(level, part) * (workers < WORKERS_MAX ? workers + !workers : WORKERS_MAX);
+    uint64_t all = 64 + LEVEL_ALIGN(sizeof(struct level_pool)) + of_workers + own;
+
+    return own > SIZE_MAX / 2 || all > SIZE_MAX / 2 ? SIZE_MAX : (size_t)all;
+}
+
 static const struct level_renderer *part_of(const struct tia_view *view)
 {
     const struct level_renderer *part = level_renderer_for(view->level, view->renderer);
@@ -10,54 +36,112 @@ static const struct level_renderer *part_of(const struct tia_view *view)
     return part;
 }
 
-static void prepare_all(struct tia_view *view, bool anew)
+static uint32_t *room_in_use(const struct level_pool *pool, uint32_t i)
 {
-    const struct level_renderer *part = part_of(view);
-    struct environment caller;
-
-    view->level_prepared = (anew || view->level_prepared) && environment_take(&caller);
-    if (!view->level_prepared)
-        return;
-    if (anew && part->open)
-        part->open(view);
-    part->prepare(view);
-    environment_leave(&caller);
+    return (uint32_t *)(void *)(pool->first + i * pool->stride);
 }
 
-static void open(struct tia_view *view)
+static void open_pool(struct tia_view *view, void *memory, size_t bytes)
 {
-    prepare_all(view, true);
+    const struct level_renderer *part = level_renderer_for(view->level, view->renderer);
+    char *start = (char *)memory + (64 - (uintptr_t)memory % 64) % 64;
+    size_t least = size(view->level, part, view->scene, view->light_capacity, 1);
+    struct level_pool *pool = (void *)start;
+
+    pool->first = start + LEVEL_ALIGN(sizeof *pool);
+    pool->stride = stride_of(view->level, part);
+    size_t more = (bytes - least) / pool->stride;
+    pool->workers = more < WORKERS_MAX ? 1 + (uint32_t)more : WORKERS_MAX;
+    for (uint32_t i = 0; i < pool->workers; i++)
+        *room_in_use(pool, i) = false;
+    view->level_pool = pool;
+    view->level_memory = pool->first + pool->workers * pool->stride;
 }
 
 static void prepare(struct tia_view *view)
 {
-    prepare_all(view, false);
+    struct environment caller;
+
+    view->level_prepared = view->level_prepared && environment_take(&caller);
+    if (!view->level_prepared)
+        return;
+    part_of(view)->prepare(view);
+    environment_leave(&caller);
+}
+
+static void open(struct tia_view *view, void *memory, size_t bytes)
+{
+    const struct level_renderer *part = part_of(view);
+    struct environment caller;
+
+    open_pool(view, memory, bytes);
+    view->level_prepared = environment_take(&caller);
+    if (!view->level_prepared)
+        return;
+    if (part->open)
+        part->open(view);
+    environment_leave(&caller);
+    prepare(view);
+}
+
+/* One call: its room, the last of all that it takes, and its caller's environment. */
+struct entry {
+    uint32_t *in_use;
+    struct environment caller;
+};
+
+static bool enter(const struct tia_view *view, struct entry *e)
+{
+    const struct level_pool *pool = view->level_pool;
+
+    for (uint32_t i = 0; view->level_prepared && i < pool->workers; i++) {
+        uint32_t no = false;
+        e->in_use = room_in_use(pool, i);
+        if (!__atomic_compare_exchange_n(e->in_use, &no, true, false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED))
+            continue;
+        if (environment_take(&e->caller))
+            return true;
+        __atomic_store_n(e->in_use, false, __ATOMIC_RELEASE);
+        return false;
+    }
+    return false;
+}
+
+static void *room_of(const struct entry *e)
+{
+    return (char *)e->in_use + 64;
+}
+
+static void leave(const struct entry *e)
+{
+    environment_leave(&e->caller);
+    __atomic_store_n(e->in_use, false, __ATOMIC_RELEASE);
 }
 
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options)
 {
-    struct environment caller;
+    struct entry e;
 
-    if (!view->level_prepared || !environment_take(&caller)) {
+    if (!enter(view, &e)) {
         tia_level_light_plain(view, tile, surface, options);
         return;
     }
-    part_of(view)->light(view, tile, surface, options);
-    environment_leave(&caller);
+    part_of(view)->light(view, tile, surface, options, room_of(&e));
+    leave(&e);
 }
 
 static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered)
 {
-    struct environment caller;
+    struct entry e;
 
-    if (!view->level_prepared || !environment_take(&caller)) {
+    if (!enter(view, &e)) {
         view->renderer->sample(view, tile, first, end, gathered);
         return;
     }
-    part_of(view)->sample(view, tile, first, end, gathered);
-    environment_leave(&caller);
+    part_of(view)->sample(view, tile, first, end, gathered, room_of(&e));
+    leave(&e);
 }
 
-const struct level_entries tia_level_entries = {open, prepare, light, sample};
+const struct level_entries tia_level_entries = {size, open, prepare, light, sample};

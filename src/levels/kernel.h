@@ -237,23 +237,22 @@ INLINE int draw_listed(const struct level_run *r, const struct body *k, bool gre
 
 /* Pixels start..start + size - 1, at most LEVEL_BLOCK. */
 INLINE int draw_block(const struct level_run *r, const struct body *k, int start, int size, bool grey, int lights,
-                      int casts, uint16_t *out, uint16_t *list, int open)
+                      int casts, uint16_t *out, uint16_t *list, int open, struct cells *restrict cells)
 {
     const F half[2] = {f_load(r->threshold), f_load(r->threshold + (N & 7))};
     int count = (size - 1) / LEVEL_CELL, n = open;
-    struct cells cells;
 
-    cells.start = start;
-    cells.x0 = r->x0 + (float)start;
-    take_samples(r, k, count + 1, lights, &cells);
-    judge_cells(r, k, count, grey, lights, casts, &cells);
-    draw_flat(&cells, out + start);
-    for (uint64_t left = cells.good & ~cells.flat; left; left &= left - 1)
-        n = draw_cell(r, &cells, __builtin_ctzll(left), grey, lights, half, out + start, list, n);
+    cells->start = start;
+    cells->x0 = r->x0 + (float)start;
+    take_samples(r, k, count + 1, lights, cells);
+    judge_cells(r, k, count, grey, lights, casts, cells);
+    draw_flat(cells, out + start);
+    for (uint64_t left = cells->good & ~cells->flat; left; left &= left - 1)
+        n = draw_cell(r, cells, __builtin_ctzll(left), grey, lights, half, out + start, list, n);
     n = open + draw_listed(r, k, grey, lights, casts, out, list + open, n - open);
     for (int cell = 0; cell <= count;) { /* the last is for the rest, which has no cell */
-        int first = __builtin_ctzll(~cells.good >> cell << cell);
-        uint64_t next = cells.good >> first << first;
+        int first = __builtin_ctzll(~cells->good >> cell << cell);
+        uint64_t next = cells->good >> first << first;
         cell = next ? __builtin_ctzll(next) : count + 1;
         int end = next ? cell * LEVEL_CELL : size;
         n = draw_pixels(r, k, start + first * LEVEL_CELL, start + end, grey, lights, casts, out, list, n);
@@ -261,24 +260,26 @@ INLINE int draw_block(const struct level_run *r, const struct body *k, int start
     return n;
 }
 
-INLINE int draw_run(const struct level_run *r, uint16_t *out, uint16_t *list, bool grey, int lights, int casts)
+INLINE int draw_run(const struct level_run *r, uint16_t *out, uint16_t *list, struct cells *restrict cells, bool grey,
+                    int lights, int casts)
 {
     const struct body k = body_of(r);
     int n = 0;
 
     for (int start = 0; start < r->count; start += LEVEL_BLOCK) {
         int size = r->count - start < LEVEL_BLOCK ? r->count - start : LEVEL_BLOCK;
-        n = draw_block(r, &k, start, size, grey, lights, casts, out, list, n);
+        n = draw_block(r, &k, start, size, grey, lights, casts, out, list, n, cells);
     }
     return n;
 }
 
 /* The usual runs, grey with one light and at most one sphere in its way, have code of their own. */
-static int shade(const struct level_run *r, uint16_t *out, uint16_t *list)
+static int shade(const struct level_run *r, uint16_t *out, uint16_t *list, void *cells)
 {
     if (r->grey && r->lights == 1 && r->light[0].casts <= 1)
-        return r->light[0].casts ? draw_run(r, out, list, true, 1, 1) : draw_run(r, out, list, true, 1, 0);
-    return draw_run(r, out, list, r->grey, r->lights, 2);
+        return r->light[0].casts ? draw_run(r, out, list, cells, true, 1, 1)
+                                 : draw_run(r, out, list, cells, true, 1, 0);
+    return draw_run(r, out, list, cells, r->grey, r->lights, 2);
 }
 
 /* ---- which of two spheres is nearer ---- */
@@ -317,6 +318,6 @@ static void fill(uint16_t *out, int count, uint16_t pixel)
 #define STREAM NULL, NULL
 #endif
 
-static const struct level_kernels kernels = {shade, nearer, fill, STREAM};
+static const struct level_kernels kernels = {shade, sizeof(struct cells), nearer, fill, STREAM};
 
 #endif

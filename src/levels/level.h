@@ -9,11 +9,24 @@
 /* See struct level_renderer: scenes of spheres, and any others. */
 bool tia_level_draws(const struct tia_view *view);
 void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                     const struct tia_options *options);
+                     const struct tia_options *options, void *room);
 
 /* A tile by plain C, from hits of its own. */
 void tia_level_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                            const struct tia_options *options);
+
+#define LEVEL_ALIGN(n) (((n) + 63) / 64 * 64) /* a line of the caches */
+
+/* A call's room: first the level's own structure of `own` bytes, then what its kernels need. */
+static inline size_t level_room(size_t own, size_t of_kernels)
+{
+    return LEVEL_ALIGN(own) + of_kernels;
+}
+
+static inline void *level_kernels_room(void *room, size_t own)
+{
+    return (char *)room + LEVEL_ALIGN(own);
+}
 
 extern const struct level_renderer tia_level_spans, tia_level_rays, tia_level_samples;
 

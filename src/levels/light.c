@@ -29,9 +29,15 @@ struct flat {
  * ones would take longer. */
 #define STREAMED (4u << 20)
 
-/* What rows hand on to the next. */
+/* What rows hand on to the next, and what a row needs and a thread's stack may have no room for. */
 struct carried {
     bool streams;
+    struct span guess[LEVEL_GUESSES];
+    struct level_line line;
+    tia_rgb565 pixels[LEVEL_STRIP];
+    struct level_fine fine;
+    struct level_run run;
+    uint16_t list[LEVEL_RUN + LEVEL_MORE];
     struct flat flat;
     struct level_dither dither;
     struct level_shelf shelves[LEVEL_SHELVES];
@@ -73,23 +79,27 @@ static void light_flat(const struct tia_view *view, const struct level_span *spa
             out[i] = flat->pixels[i & 7];
 }
 
+static size_t room(const struct tia_level *level)
+{
+    return level_room(sizeof(struct carried), level->kernels->cells);
+}
+
 static void light_part(const struct tia_view *view, const struct level_row *row, uint32_t sphere, int first, int end,
                        struct carried *carried, tia_rgb565 *out)
 {
     const num_u *threshold = carried->dither.threshold;
-    struct level_fine fine;
-    struct level_run run;
-    uint16_t list[LEVEL_RUN + LEVEL_MORE];
+    struct level_fine *fine = &carried->fine;
 
-    bool good = tia_level_fine(view, row, sphere, first, end, &fine);
-    struct level_shelf *shelf = good ? level_shelf_of(carried->shelves, &fine) : NULL;
-    if (!good || !tia_level_fine_bounds(&fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, &shelf->single)) {
+    bool good = tia_level_fine(view, row, sphere, first, end, fine);
+    struct level_shelf *shelf = good ? level_shelf_of(carried->shelves, fine) : NULL;
+    if (!good || !tia_level_fine_bounds(fine, LEVEL_FLOAT, LEVEL_FLOAT_CUT, &shelf->single)) {
         tia_level_plain(view, sphere, first, row->y, end - first, threshold, out);
         return;
     }
-    tia_level_run(&fine, &carried->dither, &run);
-    int count = view->level->kernels->shade(&run, out, list);
-    tia_level_decide(&fine, &shelf->fine, list, count, threshold, out);
+    tia_level_run(fine, &carried->dither, &carried->run);
+    int count =
+        view->level->kernels->shade(&carried->run, out, carried->list, level_kernels_room(carried, sizeof *carried));
+    tia_level_decide(fine, &shelf->fine, carried->list, count, threshold, out);
 }
 
 static void light_span(const struct tia_view *view, const struct level_row *row, const struct level_span *span,
@@ -112,11 +122,12 @@ static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t 
 }
 
 static void light_row(const struct tia_view *view, const struct level_row *row, struct tia_tile tile,
-                      const struct level_line *line, const struct tia_surface *surface, struct carried *carried)
+                      const struct tia_surface *surface, struct carried *carried)
 {
+    const struct level_line *line = &carried->line;
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
     bool compact = surface->step == sizeof(tia_rgb565), direct = compact && !carried->streams;
-    tia_rgb565 pixels[LEVEL_STRIP], *place = direct ? (tia_rgb565 *)(void *)out : pixels;
+    tia_rgb565 *pixels = carried->pixels, *place = direct ? (tia_rgb565 *)(void *)out : pixels;
 
     for (int i = 0; i < line->count; i++) {
         const struct level_span *span = &line->spans[line->which][i];
@@ -131,29 +142,28 @@ static void light_row(const struct tia_view *view, const struct level_row *row, 
 #define ROWS 8 /* from one question whether to stop to the next: it takes a lock that threads share */
 
 static void light_strip(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                        bool dither, bool streams)
+                        bool dither, bool streams, struct carried *carried)
 {
     const struct span_view *spans = span_view_of(view);
-    struct span guess[LEVEL_GUESSES] = {{0, 0}};
-    struct level_line line;
-    struct carried carried;
 
-    carried.streams = streams;
-    carried.flat.known = false;
+    carried->streams = streams;
+    carried->flat.known = false;
+    for (int i = 0; i < LEVEL_GUESSES; i++)
+        carried->guess[i] = (struct span){0, 0};
     for (int i = 0; i < LEVEL_SHELVES; i++)
-        carried.shelves[i].single.known = carried.shelves[i].fine.known = false;
+        carried->shelves[i].single.known = carried->shelves[i].fine.known = false;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !(y % ROWS == 0 && view_stops(view)); y++) {
         struct level_row row;
         if (dither || y == (int)tile.y)
-            tia_level_dither(dither, y, &carried.dither);
+            tia_level_dither(dither, y, &carried->dither);
         tia_level_row(&spans->primary, y, &row);
-        tia_level_find(view, &row, tile, guess, &line);
-        light_row(view, &row, tile, &line, surface, &carried);
+        tia_level_find(view, &row, tile, carried->guess, &carried->line);
+        light_row(view, &row, tile, surface, carried);
     }
 }
 
 void tia_level_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                     const struct tia_options *options)
+                     const struct tia_options *options, void *carried)
 {
     const struct level_kernels *kernels = view->level->kernels;
     struct tia_surface part = *surface;
@@ -167,11 +177,11 @@ void tia_level_light(const struct tia_view *view, struct tia_tile tile, const st
         int width = right - x < LEVEL_STRIP ? right - x : LEVEL_STRIP;
         struct tia_tile strip = {(uint16_t)x, tile.y, (uint16_t)width, tile.height};
         part.pixels = (void *)((char *)surface->pixels + (ptrdiff_t)(x - (int)tile.x) * surface->step);
-        light_strip(view, strip, &part, options->dither, streams);
+        light_strip(view, strip, &part, options->dither, streams, carried);
     }
     if (streams)
         kernels->settle();
 }
 
-const struct level_renderer tia_level_spans = {tia_level_pairs_size, tia_level_draws, NULL,
-                                               tia_level_prepare,    tia_level_light, NULL};
+const struct level_renderer tia_level_spans = {
+    tia_level_pairs_size, tia_level_draws, NULL, tia_level_prepare, room, tia_level_light, NULL};

@@ -1,7 +1,8 @@
-/* plain.c - what a level leaves to plain C: tiles whose paths are hashed, or whose light is told. */
+/* plain.c - what a level leaves to plain C: tiles whose paths are hashed, or whose light is told, and all where it has
+ * no room or no floating-point environment of its own. */
 #include "level.h"
 
-#define PIECE 512 /* pixels of a row that are traced at once */
+#define PIECE 128 /* pixels of a row that are traced at once */
 
 static void light_piece(const struct tia_view *view, struct tia_tile piece, const struct tia_surface *surface,
                         const struct tia_options *options)

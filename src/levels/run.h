@@ -89,8 +89,9 @@ struct level_pair {
 
 struct level_kernels {
     /* Draws the pixels that can be decided and writes what it likes to the others, whose places it lists: how many. The
-     * list has room for LEVEL_MORE besides all pixels. */
-    int (*shade)(const struct level_run *run, uint16_t *out, uint16_t *list);
+     * list has room for LEVEL_MORE besides all pixels. `cells`: so many bytes. */
+    int (*shade)(const struct level_run *run, uint16_t *out, uint16_t *list, void *cells);
+    size_t cells;
 
     /* Bit i: the first body is nearer in pixel i; nobody can say. */
     void (*nearer)(const struct level_pair *pair, uint64_t *nearer, uint64_t *open);

@@ -62,19 +62,27 @@ struct level_renderer {
     void (*open)(struct tia_view *view);
     void (*prepare)(struct tia_view *view);
 
+    /* Bytes that each of the following two needs as long as it is called: a thread's stack may be small. `room` is
+     * aligned to 64. */
+    size_t (*room)(const struct tia_level *level);
+
     /* As in struct renderer, but without hits: their buffer stays unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                  const struct tia_options *options);
+                  const struct tia_options *options, void *room);
 
     /* As in struct renderer, of one that has it. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                   const struct tia_gathered *gathered);
+                   const struct tia_gathered *gathered, void *room);
 };
 
-/* How a view's level is called: as the functions above, which it calls in a floating-point environment of their own.
- * The caller's is put back. Where there can be no such environment plain C draws. */
+/* How a view's level is called: as the functions above, which it calls in a floating-point environment of their own,
+ * with room that no other thread uses. The caller's environment is put back. Where either cannot be had plain C draws.
+ */
 struct level_entries {
-    void (*open)(struct tia_view *view); /* and prepares */
+    /* Bytes for the part's own memory and for as many workers; then these for a view whose level is set. */
+    size_t (*size)(const struct tia_level *level, const struct level_renderer *part, const struct tia_scene *scene,
+                   uint32_t light_capacity, unsigned workers);
+    void (*open)(struct tia_view *view, void *memory, size_t size);
     void (*prepare)(struct tia_view *view);
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options);
@@ -99,6 +107,7 @@ struct tia_view {
     const struct renderer *renderer;
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
+    struct level_pool *level_pool;
     bool level_prepared;                       /* false: plain C draws all the same */
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;                            /* the renderer's */

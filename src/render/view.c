@@ -43,6 +43,8 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
     v->renderer = renderer_for(scene);
     v->level = NULL;
     v->level_memory = NULL;
+    v->level_pool = NULL;
+    v->level_prepared = false;
     v->raster_runs = NULL;
     v->lights = (struct tia_light *)(void *)((char *)memory + ALIGN(sizeof *v));
     v->light_count = 0;
@@ -98,13 +100,14 @@ static const struct level_renderer *drawn_by(const struct tia_level *level, cons
     return level && level->plain == &span_kernels_plain ? level_renderer_for(level, renderer) : NULL;
 }
 
-size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity)
+size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity,
+                      unsigned workers)
 {
     if (!scene)
         return SIZE_MAX;
     const struct level_renderer *drawn = drawn_by(level, renderer_for(scene));
 
-    return drawn ? drawn->size(scene, light_capacity) : 0;
+    return drawn ? level->enter->size(level, drawn, scene, light_capacity, workers) : 0;
 }
 
 int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size)
@@ -119,11 +122,10 @@ int tia_view_set_level(struct tia_view *view, const struct tia_level *level, voi
         return TIA_OK;
     if (!memory_is_usable(memory))
         return TIA_ERR_ARGUMENT;
-    if (size < tia_level_size(level, view->scene, view->light_capacity))
+    if (size < tia_level_size(level, view->scene, view->light_capacity, 1))
         return TIA_ERR_MEMORY;
     view->level = level;
-    view->level_memory = memory;
-    level->enter->open(view);
+    level->enter->open(view, memory, size);
     return TIA_OK;
 }
 

@@ -86,8 +86,10 @@ int tia_viewer_prepare(struct loop *loop)
     for (unsigned i = 0; i < VIEWER_PASSES; i++)
         loop->pass_pixels[i] = 0;
     loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
-    loop->level_size =
-        loop->viewer->level ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity) : 0;
+    loop->level_size = loop->viewer->level
+                           ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity,
+                                                    loop->viewer->worker_count)
+                           : 0;
     loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_move_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }

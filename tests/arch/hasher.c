@@ -34,7 +34,7 @@ static unsigned level_count;
 static int view_init_with_level(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                                 uint32_t light_capacity, unsigned width, unsigned height)
 {
-    size_t more = tia_level_size(level, scene, light_capacity);
+    size_t more = tia_level_size(level, scene, light_capacity, 1);
     int status = tia_view_init(view, memory, size, scene, light_capacity, width, height);
 
     if (!status)

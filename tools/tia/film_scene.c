@@ -64,7 +64,7 @@ static int move_bvh(struct film_scene *film)
 static int set_level(struct film_scene *film)
 {
     const struct options *options = film->options;
-    size_t size = options->core->level_size(options->level, film->scene, film->lights.capacity);
+    size_t size = options->core->level_size(options->level, film->scene, film->lights.capacity, options->threads);
     if (!get_memory(&film->level_memory, &film->level_bytes, size))
         return TIA_ERR_MEMORY;
     return options->core->set_level(film->view, options->level, film->level_memory, size);

@@ -206,6 +206,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .input = session->is_moved ? &pointed_input : session->input->ops,
                                .clock = &clock_monotonic,
                                .workers = &threads_workers,
+                               .worker_count = threads_count(session->pool),
                                .display_ctx = &session->letterbox,
                                .input_ctx = session->is_moved ? (void *)&session->pointed : session->input_ctx,
                                .workers_ctx = session->pool,

@@ -165,7 +165,9 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     push(w, lanes, &next, false, false);
 }
 
-static void bounce(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r)
+/* Its large frame is beside those that walks and shadows have, not below. */
+static __attribute__((noinline)) void bounce(struct work *w, const struct shade *h, unsigned lanes,
+                                             const struct rays *r)
 {
     unsigned glass = mbits(h->refracts) & lanes;
     vd reflects[3] = {h->mirror[0], h->mirror[1], h->mirror[2]}, e = vset(0), q, part;

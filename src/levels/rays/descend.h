@@ -116,12 +116,12 @@ LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waitin
     return -1;
 }
 
-/* Two walks of one shape: a mesh's is called from within the scene's. */
-#define WALK(name, leaf)                                                                                               \
+/* Two walks of one shape: a mesh's is called from within the scene's. Nothing else points to where children wait. */
+#define WALK(name, leaf, waits)                                                                                        \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \
     {                                                                                                                  \
-        struct waiting stack[TIA_BVH_DEPTH_MAX + 1];                                                                   \
+        struct waiting *restrict stack = q->room->waits;                                                               \
         struct visit v = {.child = {.count = SURE_INNER}};                                                             \
         struct outlook w;                                                                                              \
         int depth = 0, more = 0;                                                                                       \

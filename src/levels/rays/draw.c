@@ -11,7 +11,13 @@ struct drawing {
     const struct sure_kernels *kernels;
     bool dither;
     struct sure_block block;
+    tia_rgb565 pixels[STRIP];
 };
+
+static size_t room(const struct tia_level *level)
+{
+    return level_room(sizeof(struct drawing), level->sure->block_memory);
+}
 
 /* Samples that are not sure by the integers, each of which may take long: then they are off by no more than their
  * conversion. */
@@ -31,7 +37,7 @@ static void replace_samples(struct sure_block *b)
 }
 
 /* A pixel whose samples are all the integers'. */
-static tia_rgb565 exact_pixel(const struct sure_block *b, int x, int y, num_u threshold)
+static tia_rgb565 exact_pixel(struct sure_block *b, int x, int y, num_u threshold)
 {
     num_length mean[3] = {0, 0, 0}, colour[3];
 
@@ -54,7 +60,7 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
         for (int x = 0; x < 16; x++)
             b->threshold[y][x] = (double)threshold[y][x & 7] * SURE_2(30);
     }
-    d->kernels->trace(b);
+    d->kernels->trace(b, level_kernels_room(d, sizeof *d));
     replace_samples(b);
     d->kernels->set_pixels(b);
     for (int y = 0, i = 0; y < b->height; y++, out += pitch)
@@ -84,26 +90,27 @@ static void write_strip(struct tia_tile strip, const tia_rgb565 *pixels, char *o
 }
 
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                  const struct tia_options *options)
+                  const struct tia_options *options, void *memory)
 {
     const struct sure_scene *s = tia_sure_scene(view);
-    struct drawing d = {.kernels = view->level->sure, .dither = options->dither};
+    struct drawing *d = memory;
     int side = s->camera.side, most = SURE_SIDE / side;
     int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
-    tia_rgb565 pixels[STRIP];
 
     if (options->path_hash || options->lit || s->occluded) {
         tia_level_light_plain(view, tile, surface, options);
         return;
     }
-    d.block.scene = s;
-    d.block.asker = view_asker(view);
-    d.block.samples = side * side;
-    for (int y = 0; y < (int)tile.height && !d.block.asker.stopped; y += rows) {
+    d->kernels = view->level->sure;
+    d->dither = options->dither;
+    d->block.scene = s;
+    d->block.asker = view_asker(view);
+    d->block.samples = side * side;
+    for (int y = 0; y < (int)tile.height && !d->block.asker.stopped; y += rows) {
         int left = tile.height - y;
         struct tia_tile strip = {tile.x, (uint16_t)(tile.y + y), tile.width, (uint16_t)(left < rows ? left : rows)};
-        draw_strip(&d, strip, pixels);
-        write_strip(strip, pixels, (char *)surface->pixels + y * surface->pitch, surface);
+        draw_strip(d, strip, d->pixels);
+        write_strip(strip, d->pixels, (char *)surface->pixels + y * surface->pitch, surface);
     }
 }
 
@@ -113,4 +120,5 @@ static bool draws(const struct tia_view *view)
     return view->scene->bvh && !view->scene->field;
 }
 
-const struct level_renderer tia_level_rays = {tia_sure_size, draws, tia_sure_prepare, tia_sure_set_lights, light, NULL};
+const struct level_renderer tia_level_rays = {tia_sure_size, draws, tia_sure_prepare, tia_sure_set_lights, room,
+                                              light,         NULL};

@@ -20,20 +20,28 @@ struct waiter {
  * planes. */
 #define OCTANTS 8
 
+/* Paths of a packet, each with the density with which it was scattered along its ray. rays.depth are bounces. */
+struct paths {
+    struct rays r;
+    struct ve density;
+    unsigned specular;
+};
+
 struct flight {
+    struct room room; /* this and what follows are one packet's, too large for a stack */
+    struct query query;
+    struct shade shade;
+    struct lobes lobes;
+    struct sight sight, other;
+    struct shadow shadow;
+    struct response response;
+    struct paths paths;
     struct sure_gather *gather;
     uint32_t blocker;
     uint32_t seed[SURE_GATHERED]; /* of each sample's pixel */
     struct waiter ray[SURE_GATHERED];
     uint16_t waits[OCTANTS][SURE_GATHERED];
     int count[OCTANTS];
-};
-
-/* Paths of a packet, each with the density with which it was scattered along its ray. rays.depth are bounces. */
-struct paths {
-    struct rays r;
-    struct ve density;
-    unsigned specular;
 };
 
 LANE_OP vd *flight_column(struct paths *p, int i)
@@ -217,10 +225,10 @@ static void flight_open(struct flight *f, struct sure_gather *g)
 
 /* What a ray meets first: objects, and where `lights` is set those of the kinds that paths meet; points only in the
  * lanes of rays that see them. */
-static void find_first(const struct sure_scene *s, struct query *q, struct pack *p, unsigned lanes, bool lights,
-                       unsigned specular)
+static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, unsigned lanes,
+                       bool lights, unsigned specular)
 {
-    vm wild = begin_nearest(s, q, p, mof(lanes));
+    vm wild = begin_nearest(s, room, q, p, mof(lanes));
 
     for (uint32_t n = 0; lights && n < s->light_count; n++) {
         const struct sure_light *l = &s->lights[n];
@@ -255,40 +263,40 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
  * NULL: no lights, or the one that each ray ends at, 2^-26 before it along its normal. That one is not in the way: the
  * integers' ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43 of its radius, wherever it
  * starts; while our bound on the place is as large as that on the start. */
-static void find_hidden(const struct sure_scene *s, struct shadow *shadow, unsigned lanes, const uint32_t *ends,
-                        uint32_t *blocker)
+static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
+                        const uint32_t *ends, uint32_t *blocker)
 {
     vm active = mof(lanes), fine = pack_start(s->centre, s->extent, &shadow->p, active);
-    struct query q = {.p = &shadow->p,
-                      .work = SURE_PACKET + s->unbounded_count + (ends ? s->light_count : 0),
-                      .active = mand(active, fine),
-                      .any = true,
-                      .solid = true,
-                      .opaque = true,
-                      .blocker = *blocker,
-                      .index = *blocker,
-                      .groups = NULL};
+    struct query *q = &room->any;
 
-    q.distance = shadow->distance;
-    q.edistance = shadow->edistance;
-    q.limit = q.distance + q.edistance;
-    q.blocked = q.maybe = q.met = q.may_meet = mnone();
-    q.t = q.e = q.ep = q.low = q.id = q.element = q.ethrough = vset(0);
+    q->p = &shadow->p;
+    q->room = room;
+    q->work = SURE_PACKET + s->unbounded_count + (ends ? s->light_count : 0);
+    q->active = mand(active, fine);
+    q->any = q->solid = q->opaque = true;
+    q->blocker = q->index = *blocker;
+    q->groups = NULL;
+    q->group = 0;
+    q->distance = shadow->distance;
+    q->edistance = shadow->edistance;
+    q->limit = q->distance + q->edistance;
+    q->blocked = q->maybe = q->met = q->may_meet = mnone();
+    q->t = q->e = q->ep = q->low = q->id = q->element = q->ethrough = vset(0);
     for (int c = 0; c < 3; c++)
-        q.through[c] = vset(1);
+        q->through[c] = vset(1);
     for (uint32_t n = 0; ends && n < s->light_count; n++)
         if (s->lights[n].seen && (PATH_SURFACES >> s->lights[n].from->kind & 1))
-            meet_other_light(s, n, ends, &q);
-    if (*blocker != TIA_NO_OBJECT && many(q.active))
-        meet_one(s, *blocker, &q);
-    if (many(q.active))
-        meet_unbounded(s, &q);
-    if (many(q.active))
-        walk_objects(s, &s->objects, &q);
-    *blocker = q.blocker;
-    shadow->work = q.work;
-    shadow->blocked = q.blocked;
-    shadow->unsure = mor(mand(q.maybe, mnot(q.blocked)), mand(active, mnot(fine)));
+            meet_other_light(s, n, ends, q);
+    if (*blocker != TIA_NO_OBJECT && many(q->active))
+        meet_one(s, *blocker, q);
+    if (many(q->active))
+        meet_unbounded(s, q);
+    if (many(q->active))
+        walk_objects(s, &s->objects, q);
+    *blocker = q->blocker;
+    shadow->work = q->work;
+    shadow->blocked = q->blocked;
+    shadow->unsure = mor(mand(q->maybe, mnot(q->blocked)), mand(active, mnot(fine)));
 }
 
 #endif

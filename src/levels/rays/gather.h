@@ -38,7 +38,7 @@ struct sure_paths {
     double one_of, reach; /* of occlusion: up to where objects count */
 };
 
-#define SURE_GATHERED 192 /* on the stack: 40 KB with their rays */
+#define SURE_GATHERED 192 /* 40 KB with their rays */
 
 /* Some samples of some pixels. */
 struct sure_gather {

@@ -105,8 +105,8 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
 }
 
 /* See go_through of path.c. */
-static void enter_glass(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
-                        const struct lobes *l, vu number)
+static __attribute__((noinline)) void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
+                                                  const struct shade *h, const struct lobes *l, vu number)
 {
     const struct sure_scene *s = f->gather->scene;
     struct refraction r;

@@ -279,33 +279,33 @@ static void walk_alone(struct grid_walk *g, const struct query *q, int k)
     g->element = vload(found[2]);
 }
 
-static __attribute__((noinline)) void meet_grid(struct query *q, const struct sure_grid *grid)
+static __attribute__((noinline)) void meet_grid(struct query *q, const struct sure_grid *grid, struct grid_walk *g)
 {
     const struct pack *p = q->p;
     const struct tia_grid *from = grid->from;
     const double stride[3] = {1, from->size[0], (double)from->size[0] * from->size[1]};
     struct grid_entry entry;
-    struct grid_walk g;
     vm moves = q->active;
 
-    g.grid = grid;
-    g.sure = g.may = g.started = mnone();
-    g.t = g.e = g.element = vset(0);
+    g->grid = grid;
+    g->sure = g->may = g->started = mnone();
+    g->t = g->e = g->element = vset(0);
     for (int i = 0; i < 3; i++)
-        moves = mand(moves, set_grid_axis(&g.axis[i], p, grid, i, stride[i]));
-    g.alone = mand(q->active, mnot(moves));
-    vm enter = enter_grids(&g, moves, q->limit, &entry);
+        moves = mand(moves, set_grid_axis(&g->axis[i], p, grid, i, stride[i]));
+    g->alone = mand(q->active, mnot(moves));
+    vm enter = enter_grids(g, moves, q->limit, &entry);
     if (many(enter)) {
-        start_grids(&g, p, enter, &entry);
-        while (many(g.walking))
-            step_grids(&g, q->limit);
+        start_grids(g, p, enter, &entry);
+        while (many(g->walking))
+            step_grids(g, q->limit);
     }
-    for (int k = 0; mbits(g.alone) >> k; k++)
-        if (mbits(g.alone) >> k & 1)
-            walk_alone(&g, q, k);
-    vd bound = g.e + p->eo + g.t * p->ed + UNIT;
-    report(q, (struct report){
-                  .sure = g.sure, .may = g.may, .t = g.t, .e = g.e, .ep = bound, .low = g.t, .element = g.element});
+    for (int k = 0; mbits(g->alone) >> k; k++)
+        if (mbits(g->alone) >> k & 1)
+            walk_alone(g, q, k);
+    vd bound = g->e + p->eo + g->t * p->ed + UNIT;
+    report(q,
+           (struct report){
+               .sure = g->sure, .may = g->may, .t = g->t, .e = g->e, .ep = bound, .low = g->t, .element = g->element});
 }
 
 #endif

@@ -28,6 +28,7 @@ LANE_OP double two_floats(const float *p)
 
 #define SURE(level)                                                                                                    \
     extern const struct sure_kernels tia_sure_##level;                                                                 \
-    const struct sure_kernels tia_sure_##level = {trace, set_pixels, occlude, walk_paths}
+    const struct sure_kernels tia_sure_##level = {trace,      set_pixels,          occlude,                            \
+                                                  walk_paths, sizeof(struct work), sizeof(struct flight)}
 
 #endif

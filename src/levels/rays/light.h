@@ -185,11 +185,24 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
     *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + vset(SURE_POWER)), vset(0));
 }
 
+struct light_room;
+
 /* What has been added up at the points; `asker` counts what that takes. */
 struct lit {
     struct asker *asker;
+    struct light_room *room;
     vd own[3], eown;
     vm unsure;
+};
+
+/* What lights need of the call's memory, beside the walks of their shadow rays; `one` and `there` are of one point. */
+struct light_room {
+    struct room room;
+    struct aim aim, there;
+    struct sample sample;
+    struct shadow shadow;
+    struct shade point;
+    struct lit one;
 };
 
 /* 2^-42 is for the integers' roundings: six of them here, each half of 2^-45, and as many behind. */
@@ -201,7 +214,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     vd el = h->en + s->eto + SURE_2(49), ea = h->eg + s->eto + SURE_2(49), rgb[3], e;
     vm dark = mor(vlt(lambert, -el), vlt(above, -ea)), lit = mand(vlt(el, lambert), vlt(ea, above));
     double part = 1.0 / l->from->samples;
-    struct shadow shadow;
+    struct shadow *shadow = &sum->room->shadow;
 
     dark = mor(dark, vlt(s->falloff.factor + s->falloff.e, vset(SURE_2(46))));
     sum->unsure = mor(sum->unsure, mand(lanes, mor(mnot(mor(dark, lit)), mand(lit, s->falloff.unsure))));
@@ -209,18 +222,18 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     lit = mand(mand(lit, lanes), mnot(sum->unsure));
     if (!many(lit))
         return;
-    aim_shadow(scene, l, h, s, &shadow);
-    find_shadow(scene, &shadow, lit, blocker);
-    (void)asker_stops(sum->asker, shadow.work);
-    sum->unsure = mor(sum->unsure, shadow.unsure);
-    lit = mand(lit, mnot(mor(shadow.blocked, shadow.unsure)));
+    aim_shadow(scene, l, h, s, shadow);
+    find_shadow(scene, &sum->room->room, shadow, lit, blocker);
+    (void)asker_stops(sum->asker, shadow->work);
+    sum->unsure = mor(sum->unsure, shadow->unsure);
+    lit = mand(lit, mnot(mor(shadow->blocked, shadow->unsure)));
     if (!many(lit))
         return;
     reflect_light(h, s, lambert, el, lit, rgb, &e);
     vd factor = s->falloff.factor;
-    e = (e + 2 * shadow.ethrough) * factor + 2 * s->falloff.e + 2 * s->falloff.e * e;
+    e = (e + 2 * shadow->ethrough) * factor + 2 * s->falloff.e + 2 * s->falloff.e * e;
     for (int c = 0; c < 3; c++)
-        sum->own[c] = sum->own[c] + vsel(lit, rgb[c] * shadow.through[c] * factor * (l->emission[c] * part), vset(0));
+        sum->own[c] = sum->own[c] + vsel(lit, rgb[c] * shadow->through[c] * factor * (l->emission[c] * part), vset(0));
     sum->eown = sum->eown + vsel(lit, (e + SURE_2(42)) * (l->brightest * part) + SURE_2(42), vset(0));
 }
 
@@ -229,14 +242,14 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
                         const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
     struct picked pick = {.run = false};
-    struct sample sample;
+    struct sample *sample = &sum->room->sample;
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class[k];
     for (pick.sample = 0; pick.sample < l->from->samples && !asker_stops(sum->asker, 1); pick.sample++) {
-        sample_of(l, aim, h, &pick, &sample);
-        find_falloff(l, &sample);
-        add_sample(s, l, h, &sample, lanes, blocker, sum);
+        sample_of(l, aim, h, &pick, sample);
+        find_falloff(l, sample);
+        add_sample(s, l, h, sample, lanes, blocker, sum);
     }
 }
 
@@ -247,15 +260,15 @@ static void add_point(const struct sure_scene *s, const struct sure_light *l, co
 {
     unsigned n = l->from->samples;
     struct picked pick = {.run = true};
-    struct sample sample;
+    struct sample *sample = &sum->room->sample;
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class;
     for (pick.sample = 0; pick.sample < n && !many(sum->unsure) && !asker_stops(sum->asker, 1); pick.sample += LANES) {
         unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
-        sample_of(l, aim, h, &pick, &sample);
-        find_falloff(l, &sample);
-        add_sample(s, l, h, &sample, mof(lanes), blocker, sum);
+        sample_of(l, aim, h, &pick, sample);
+        find_falloff(l, sample);
+        add_sample(s, l, h, sample, mof(lanes), blocker, sum);
     }
 }
 
@@ -263,25 +276,23 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
                        const struct shade *h, unsigned lanes, const uint8_t class[LANES], uint32_t *blocker,
                        struct lit *sum)
 {
-    struct lit one;
-    struct shade point;
-    struct aim there;
+    struct light_room *room = sum->room;
+    struct lit *one = &room->one;
+    struct aim *there = &room->there;
 
     for (int k = 0; lanes >> k; k++) {
         if (!(lanes >> k & 1))
             continue;
-        spread_shade(h, k, &point);
-        there.axes[0] = v3_spread(&aim->axes[0], k);
-        there.axes[1] = v3_spread(&aim->axes[1], k);
-        there.e = vspread(&aim->e, k);
-        one.asker = sum->asker;
-        one.own[0] = one.own[1] = one.own[2] = one.eown = vset(0);
-        one.unsure = mnone();
-        add_point(s, l, &there, &point, class[k], blocker, &one);
+        spread_shade(h, k, &room->point);
+        there->axes[0] = v3_spread(&aim->axes[0], k);
+        there->axes[1] = v3_spread(&aim->axes[1], k);
+        there->e = vspread(&aim->e, k);
+        *one = (struct lit){.asker = sum->asker, .room = room, .unsure = mnone()};
+        add_point(s, l, there, &room->point, class[k], blocker, one);
         for (int c = 0; c < 3; c++)
-            sum->own[c] = gain_lane(sum->own[c], k, one.own[c]);
-        sum->eown = gain_lane(sum->eown, k, one.eown);
-        sum->unsure = mor(sum->unsure, mof((unsigned)many(one.unsure) << k));
+            sum->own[c] = gain_lane(sum->own[c], k, one->own[c]);
+        sum->eown = gain_lane(sum->eown, k, one->eown);
+        sum->unsure = mor(sum->unsure, mof((unsigned)many(one->unsure) << k));
     }
 }
 
@@ -298,7 +309,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
                       const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
     const struct sure_light *l = &s->lights[n];
-    struct aim aim;
+    struct aim *aim = &sum->room->aim;
 
     if (l->from->kind == TIA_AMBIENT_LIGHT) {
         if (l->radius > 0) /* how much of it gets there is for the integers, see `occluded` of the scene */
@@ -308,13 +319,13 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
         sum->eown = sum->eown + h->ecolour * l->brightest + SURE_2(42);
         return;
     }
-    aim_at(l, h, &aim);
-    sum->unsure = mor(sum->unsure, mand(aim.unsure, lanes));
+    aim_at(l, h, aim);
+    sum->unsure = mor(sum->unsure, mand(aim->unsure, lanes));
     unsigned left = mbits(mand(lanes, mnot(sum->unsure)));
     if (each_by_itself(l, left, apart))
-        add_points(s, l, &aim, h, left, class, blocker, sum);
+        add_points(s, l, aim, h, left, class, blocker, sum);
     else
-        add_samples(s, l, &aim, h, lanes, class, blocker, sum);
+        add_samples(s, l, aim, h, lanes, class, blocker, sum);
 }
 
 #endif

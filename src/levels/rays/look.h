@@ -18,10 +18,11 @@ LANE_OP void merge_sights(vm m, const struct sight *one, struct sight *a)
 }
 
 /* Each emitter that a lane has chosen is looked at once. *surface: lanes of those that have one. */
-static void find_sights(const struct sure_scene *s, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
-                        const vu u[2], struct sight *a, vd radiance[3], unsigned *surface)
+static void find_sights(struct flight *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
+                        const vu u[2], vd radiance[3], unsigned *surface)
 {
-    struct sight one;
+    const struct sure_scene *s = f->gather->scene;
+    struct sight *a = &f->sight, *one = &f->other;
     unsigned same;
 
     *surface = 0;
@@ -31,9 +32,9 @@ static void find_sights(const struct sure_scene *s, unsigned lanes, const uint32
         same = 0;
         for (int k = 0; k < LANES; k++)
             same |= (unsigned)(which[k] == number) << k & left;
-        see_emitter(s, e, h->outside, h->eoutside, u, left == lanes ? a : &one);
+        see_emitter(s, e, h->outside, h->eoutside, u, left == lanes ? a : one);
         if (left != lanes)
-            merge_sights(mof(same), &one, a);
+            merge_sights(mof(same), one, a);
         for (int c = 0; c < 3; c++)
             radiance[c] =
                 left == lanes ? vset(e->shine->radiance[c]) : vsel(mof(same), vset(e->shine->radiance[c]), radiance[c]);
@@ -84,9 +85,9 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     const struct sure_scene *s = f->gather->scene;
     uint32_t which[LANES], ends[LANES];
     unsigned rough = 0, surface;
-    struct sight a;
-    struct response r;
-    struct shadow shadow;
+    const struct sight *a = &f->sight;
+    struct response *r = &f->response;
+    struct shadow *shadow = &f->shadow;
     vd radiance[3];
     vu u[2];
 
@@ -95,37 +96,37 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     if (!rough || !s->paths->emitter_count)
         return lanes;
     choose_emitters(f, p, which, u);
-    find_sights(s, rough, which, h, u, &a, radiance, &surface);
-    vd cosine = v3_dot(a.to, h->normal), above = v3_dot(a.to, h->geometric);
-    vd ec = a.eto + h->en + SURE_2(49), ea = a.eto + h->eg + SURE_2(49);
+    find_sights(f, rough, which, h, u, radiance, &surface);
+    vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
+    vd ec = a->eto + h->en + SURE_2(49), ea = a->eto + h->eg + SURE_2(49);
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
     /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
-    vm none = mand(mnot(a.unsure), mor(dark, mnot(a.some))), open = mor(a.unsure, mnot(mor(none, lit)));
+    vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
     unsigned unsure = rough & mbits(open);
     doubt(f, unsure, p->r.slot);
     lanes &= ~unsure;
     rough &= ~unsure & ~mbits(none);
     if (!rough)
         return lanes;
-    shadow.p.o = h->outside;
-    shadow.p.eo = h->eoutside;
-    shadow.p.d = a.to;
-    shadow.p.ed = a.eto;
-    shadow.p.from = leaving(h, a.to, a.eto, 1, 0);
-    shadow.distance = a.distance;
-    shadow.edistance = a.edistance;
+    shadow->p.o = h->outside;
+    shadow->p.eo = h->eoutside;
+    shadow->p.d = a->to;
+    shadow->p.ed = a->eto;
+    shadow->p.from = leaving(h, a->to, a->eto, 1, 0);
+    shadow->distance = a->distance;
+    shadow->edistance = a->edistance;
     for (int k = 0; k < LANES; k++)
         ends[k] = s->paths->emitters[which[k]].light;
-    find_hidden(s, &shadow, rough, ends, &f->blocker);
-    (void)asker_stops(&f->gather->asker, shadow.work);
-    unsure = rough & mbits(shadow.unsure);
+    find_hidden(s, &f->room, shadow, rough, ends, &f->blocker);
+    (void)asker_stops(&f->gather->asker, shadow->work);
+    unsure = rough & mbits(shadow->unsure);
     doubt(f, unsure, p->r.slot);
     lanes &= ~unsure;
-    rough &= ~unsure & ~mbits(shadow.blocked);
+    rough &= ~unsure & ~mbits(shadow->blocked);
     if (!rough)
         return lanes;
-    respond(h, l, a.to, a.eto, cosine, ec, &r);
-    add_sights(f, rough, p, &r, &a, radiance, surface);
+    respond(h, l, a->to, a->eto, cosine, ec, r);
+    add_sights(f, rough, p, r, a, radiance, surface);
     return lanes;
 }
 

@@ -20,6 +20,14 @@ struct item {
 #define MANY 24 /* more than these go on before further camera rays begin */
 #define BLOCKERS 16
 
+/* Rays of a packet: their throughput is within ew. */
+struct rays {
+    struct pack p;
+    vd weight[3], ew;
+    uint32_t slot[LANES], depth[LANES], layers[LANES];
+    struct media media[LANES];
+};
+
 /* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and
  * shadows would leave their lanes empty. */
 struct work {
@@ -31,14 +39,10 @@ struct work {
     double rays[SURE_SLOTS];     /* how many there are at most so far, once paths may have layers */
     struct item items[ITEMS], hits[2 * LANES];
     int count, hit_count;
-};
-
-/* Rays of a packet: their throughput is within ew. */
-struct rays {
-    struct pack p;
-    vd weight[3], ew;
-    uint32_t slot[LANES], depth[LANES], layers[LANES];
-    struct media media[LANES];
+    struct rays packet; /* this and what follows are one packet's, too large for a stack */
+    struct query query;
+    struct shade shade;
+    struct light_room lights;
 };
 
 LANE_OP vd *ray_column(struct rays *r, int i)

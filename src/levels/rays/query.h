@@ -63,9 +63,11 @@ struct group_list {
 };
 
 struct lines;
+struct room;
 
 struct query {
     const struct pack *p;
+    struct room *room;         /* of the call, see walk.h */
     const struct lines *lines; /* about the centre of a mesh */
     vm active;
     vd limit; /* what is farther does not count, for sure */

@@ -15,6 +15,11 @@ struct drawing {
     struct sure_gather block;
 };
 
+static size_t room(const struct tia_level *level)
+{
+    return level_room(sizeof(struct drawing), level->sure->gather_memory);
+}
+
 /* A colour in units of 2^-24, see num_q24; false where the bound leaves several. */
 static bool rounded(double c, double e, int64_t *q24)
 {
@@ -74,9 +79,9 @@ static void finish_block(struct drawing *d)
     if (!b->count)
         return;
     if (d->view->scene->integration.integrator == TIA_PATHS)
-        kernels->walk(b);
+        kernels->walk(b, level_kernels_room(d, sizeof *d));
     else
-        kernels->occlude(b);
+        kernels->occlude(b, level_kernels_room(d, sizeof *d));
     for (int i = 0; i < b->count && !d->block.asker.stopped; i++)
         finish_sample(d, i);
     b->count = 0;
@@ -107,31 +112,31 @@ static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t 
 
 /* What samples see first is for the integers. */
 static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
-                   const struct tia_gathered *gathered)
+                   const struct tia_gathered *gathered, void *memory)
 {
-    struct drawing d; /* not set to zero as a whole: it is large */
+    struct drawing *d = memory;
 
     if (gathered->guides) {
         view->renderer->sample(view, tile, first, end, gathered);
         return;
     }
-    d.view = view;
-    d.gathered = gathered;
-    d.tile = tile;
-    d.all = d.unsure = 0;
-    d.block.asker = view_asker(view);
-    d.block.scene = tia_sure_scene(view);
-    d.block.count = 0;
+    d->view = view;
+    d->gathered = gathered;
+    d->tile = tile;
+    d->all = d->unsure = 0;
+    d->block.asker = view_asker(view);
+    d->block.scene = tia_sure_scene(view);
+    d->block.count = 0;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
-        for (int x = (int)tile.x; x < tile_right(tile) && !d.block.asker.stopped; x++)
-            add_pixel(&d, x, y, first, end);
-    finish_block(&d);
+        for (int x = (int)tile.x; x < tile_right(tile) && !d->block.asker.stopped; x++)
+            add_pixel(d, x, y, first, end);
+    finish_block(d);
 }
 
 #define PIECE 64 /* pixels of a row that are drawn at once */
 
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
-                  const struct tia_options *options)
+                  const struct tia_options *options, void *memory)
 {
     uint32_t spp = view->scene->integration.spp;
 
@@ -146,7 +151,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
             struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y),
                                      (uint16_t)(left < PIECE ? left : PIECE), 1};
             struct tia_sum sums[PIECE] = {{{0, 0, 0}}};
-            sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE});
+            sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE}, memory);
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
             struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
             estimate_show(view, piece, sums, spp, &part, options->dither);
@@ -159,5 +164,5 @@ static bool draws(const struct tia_view *view)
     return view->scene->bvh && !view->scene->integration.without && !view->scene->field;
 }
 
-const struct level_renderer tia_level_samples = {tia_gather_size,       draws, tia_gather_prepare,
-                                                 tia_gather_set_lights, light, sample};
+const struct level_renderer tia_level_samples = {
+    tia_gather_size, draws, tia_gather_prepare, tia_gather_set_lights, room, light, sample};

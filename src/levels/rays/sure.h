@@ -192,10 +192,11 @@ struct sure_block {
 struct sure_gather;
 
 struct sure_kernels {
-    void (*trace)(struct sure_block *block);
+    void (*trace)(struct sure_block *block, void *memory);
     void (*set_pixels)(struct sure_block *block);
-    void (*occlude)(struct sure_gather *gather);
-    void (*walk)(struct sure_gather *gather);
+    void (*occlude)(struct sure_gather *gather, void *memory);
+    void (*walk)(struct sure_gather *gather, void *memory);
+    size_t block_memory, gather_memory; /* bytes for the first, and for the last two; aligned to 64 */
 };
 
 #define SURE_2(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */

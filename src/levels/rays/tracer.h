@@ -38,7 +38,10 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
 static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
-    struct lit lit = {.asker = &w->block->asker, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
+    struct lit lit = {.asker = &w->block->asker,
+                      .room = &w->lights,
+                      .unsure = mnone(),
+                      .eown = most3(h->flat) * h->efacing + SURE_2(42)};
     uint8_t class[LANES];
     bool bounced = false;
 
@@ -63,43 +66,42 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
 /* What is sent from where rays end, and the rays that go on from there. */
 static void shade(struct work *w, struct rays *r, const struct query *q, unsigned lanes)
 {
-    struct shade h;
+    struct shade *h = &w->shade;
 
-    find_surfaces(w->block->scene, &r->p, q, lanes, &h);
-    drop(&lanes, w, h.unsure, r);
+    find_surfaces(w->block->scene, &r->p, q, lanes, h);
+    drop(&lanes, w, h->unsure, r);
     if (!lanes)
         return;
-    check_surface(&h);
-    add_own(w, &lanes, &h, r);
+    check_surface(h);
+    add_own(w, &lanes, h, r);
     if (lanes)
-        bounce(w, &h, lanes, r);
+        bounce(w, h, lanes, r);
 }
 
 static void shade_hits(struct work *w, struct rays *r)
 {
-    struct query q; /* what a surface needs of it */
-    unsigned lanes = pop_hits(w, r, &q);
+    unsigned lanes = pop_hits(w, r, &w->query); /* what a surface needs of it */
 
     if (lanes)
-        shade(w, r, &q, lanes);
+        shade(w, r, &w->query, lanes);
 }
 
 static void follow(struct work *w, struct rays *r, unsigned lanes)
 {
-    struct query q;
+    struct query *q = &w->query;
 
-    find_nearest(w->block->scene, &q, &r->p, mof(lanes));
-    (void)asker_stops(&w->block->asker, q.work);
-    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
-    drop(&lanes, w, mnot(mor(sky, vlt(q.t + q.e, q.low))), r);
+    find_nearest(w->block->scene, &w->lights.room, q, &r->p, mof(lanes));
+    (void)asker_stops(&w->block->asker, q->work);
+    vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
+    drop(&lanes, w, mnot(mor(sky, vlt(q->t + q->e, q->low))), r);
     if (lanes)
-        check_met(r, &q);
-    add_far(w, &lanes, &q, r);
+        check_met(r, q);
+    add_far(w, &lanes, q, r);
     if (lanes == (1u << LANES) - 1) {
-        shade(w, r, &q, lanes);
+        shade(w, r, q, lanes);
         return;
     }
-    push_hits(w, lanes, r, &q);
+    push_hits(w, lanes, r, q);
     if (w->hit_count >= LANES)
         shade_hits(w, r);
 }
@@ -215,22 +217,22 @@ static void go_on_with(struct work *w, struct rays *r)
         follow(w, r, lanes);
 }
 
-static void trace(struct sure_block *b)
+static void trace(struct sure_block *b, void *memory)
 {
     const struct asker *asker = &b->asker;
     int count = b->width * b->height * b->samples;
-    struct work w;
-    struct rays r;
+    struct work *w = memory;
+    struct rays *r = &w->packet;
 
-    work_open(&w, b);
+    work_open(w, b);
     for (int from = 0; from < count && !asker->stopped; from += LANES) {
-        unsigned lanes = first_rays(&w, from, count, &r);
-        follow(&w, &r, lanes);
-        while (w.count > MANY && !asker->stopped)
-            go_on_with(&w, &r);
+        unsigned lanes = first_rays(w, from, count, r);
+        follow(w, r, lanes);
+        while (w->count > MANY && !asker->stopped)
+            go_on_with(w, r);
     }
-    while ((w.count || w.hit_count) && !asker->stopped)
-        go_on_with(&w, &r);
+    while ((w->count || w->hit_count) && !asker->stopped)
+        go_on_with(w, r);
 }
 
 #endif

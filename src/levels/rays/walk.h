@@ -15,6 +15,26 @@
 #include "sphere.h"
 #include "triangle.h"
 
+/* Shadow rays, and what is known of them. */
+struct shadow {
+    struct pack p;
+    vd distance, edistance;
+    vm blocked, unsure;
+    vd through[3], ethrough;
+    uint32_t work;
+};
+
+/* What walks need and a thread's stack may have no room for: it lies in the level's memory, one for each call. */
+struct room {
+    struct waiting objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
+    struct placed placed;
+    struct query inner; /* of an instance */
+    struct query any;   /* of shadow rays */
+    struct lines lines;
+    struct grid_walk grid;
+    struct group_list groups;
+};
+
 /* One of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those that are inside for
  * sure. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
@@ -60,7 +80,7 @@ LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree
     }
 }
 
-WALK(walk_faces, meet_faces)
+WALK(walk_faces, meet_faces, faces)
 
 /* What is not known may be hit from its box on. */
 LANE_OP void meet_unknown(struct query *q, vd near)
@@ -76,10 +96,8 @@ LANE_OP void meet_unknown(struct query *q, vd near)
 
 LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
 {
-    struct lines lines;
-
-    lines_of(&lines, q->p, o->mesh);
-    q->lines = &lines;
+    lines_of(&q->room->lines, q->p, o->mesh);
+    q->lines = &q->room->lines;
     walk_faces(s, o->mesh, q);
 }
 
@@ -113,7 +131,7 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
         meet_box(q, o->at, o->normal);
         break;
     case SURE_GRID:
-        meet_grid(q, o->grid);
+        meet_grid(q, o->grid, &q->room->grid);
         break;
     case SURE_UNKNOWN:
         meet_unknown(q, lanes_of(*at->near, at->child.place) * scale);
@@ -124,15 +142,15 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
 static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, const struct sure_object *o,
                                                   struct query *q, const struct visit *at)
 {
-    struct placed placed;
-    struct query inner;
+    struct placed *placed = &q->room->placed;
+    struct query *inner = &q->room->inner;
 
-    place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, &placed);
-    placed_query(q, &placed, &inner);
-    if (many(inner.active))
-        meet_shape(s, o, &inner, at, placed.k);
-    q->work = inner.work;
-    report_placed(q, &placed, &inner, o->placed->most);
+    place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, placed);
+    placed_query(q, placed, inner);
+    if (many(inner->active))
+        meet_shape(s, o, inner, at, placed->k);
+    q->work = inner->work;
+    report_placed(q, placed, inner, o->placed->most);
 }
 
 /* An object that filters light does so once, wherever it is met; either side rounds each product. */
@@ -152,15 +170,15 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
 {
-    struct group_list groups; /* not set to zero as a whole: it is large */
+    struct group_list *groups = &q->room->groups; /* not set to zero as a whole: it is large */
 
-    groups.full = 0;
+    groups->full = 0;
     for (int k = 0; k < LANES; k++)
-        groups.count[k] = 0;
-    q->groups = &groups;
+        groups->count[k] = 0;
+    q->groups = groups;
     meet_mesh(s, o, q);
     q->groups = NULL;
-    filter_groups(q, &groups, o->transmission);
+    filter_groups(q, groups, o->transmission);
 }
 
 LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, const struct visit *at)
@@ -190,7 +208,7 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
         meet_object(s, tree->items[i], q, v);
 }
 
-WALK(walk_objects, meet_objects)
+WALK(walk_objects, meet_objects, objects)
 
 /* Objects that no box is around, or that are tried before their boxes. */
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
@@ -234,11 +252,12 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
 }
 
 /* The nearest object, before lights are tried. Returns the lanes that are too far off, for end_nearest(). */
-LANE_OP vm begin_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
+LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, vm active)
 {
     vm fine = pack_start(s->centre, s->extent, p, active);
 
     q->p = p;
+    q->room = room;
     q->work = SURE_PACKET + s->unbounded_count + s->light_count;
     q->active = mand(active, fine);
     q->any = q->solid = false;
@@ -259,58 +278,51 @@ LANE_OP void end_nearest(struct query *q, vm wild)
 }
 
 /* The nearest, lights included. */
-static void find_nearest(const struct sure_scene *s, struct query *q, struct pack *p, vm active)
+static void find_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, vm active)
 {
-    vm wild = begin_nearest(s, q, p, active);
+    vm wild = begin_nearest(s, room, q, p, active);
 
     meet_lights(s, q);
     end_nearest(q, wild);
 }
 
-/* Shadow rays, and what is known of them. */
-struct shadow {
-    struct pack p;
-    vd distance, edistance;
-    vm blocked, unsure;
-    vd through[3], ethrough;
-    uint32_t work;
-};
-
 /* *blocker is tried first, and becomes what blocked a ray. */
-static void find_shadow(const struct sure_scene *s, struct shadow *shadow, vm active, uint32_t *blocker)
+static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
+                        uint32_t *blocker)
 {
     vm fine = pack_start(s->centre, s->extent, &shadow->p, active);
-    struct query q; /* field by field: what only the nearest hit has is not used, and it is large */
+    struct query *q = &room->any; /* field by field: what only the nearest hit has is not used, and it is large */
 
     check_shadow(mbits(active));
-    q.p = &shadow->p;
-    q.work = SURE_PACKET + s->unbounded_count;
-    q.active = mand(active, fine);
-    q.any = true;
-    q.solid = false;
-    q.blocker = *blocker;
-    q.groups = NULL;
-    q.group = 0;
-    q.distance = shadow->distance;
-    q.edistance = shadow->edistance;
-    q.limit = q.distance + q.edistance;
-    q.blocked = q.maybe = q.met = q.may_meet = mnone();
-    q.ethrough = vset(0);
+    q->p = &shadow->p;
+    q->room = room;
+    q->work = SURE_PACKET + s->unbounded_count;
+    q->active = mand(active, fine);
+    q->any = true;
+    q->solid = false;
+    q->blocker = *blocker;
+    q->groups = NULL;
+    q->group = 0;
+    q->distance = shadow->distance;
+    q->edistance = shadow->edistance;
+    q->limit = q->distance + q->edistance;
+    q->blocked = q->maybe = q->met = q->may_meet = mnone();
+    q->ethrough = vset(0);
     for (int c = 0; c < 3; c++)
-        q.through[c] = vset(1);
+        q->through[c] = vset(1);
     if (*blocker != TIA_NO_OBJECT)
-        meet_one(s, *blocker, &q);
-    if (many(q.active))
-        meet_unbounded(s, &q);
-    if (many(q.active))
-        walk_objects(s, &s->objects, &q);
-    *blocker = q.blocker;
-    shadow->work = q.work;
-    shadow->ethrough = q.ethrough;
-    shadow->blocked = q.blocked;
-    shadow->unsure = mor(mand(q.maybe, mnot(q.blocked)), mand(active, mnot(fine)));
+        meet_one(s, *blocker, q);
+    if (many(q->active))
+        meet_unbounded(s, q);
+    if (many(q->active))
+        walk_objects(s, &s->objects, q);
+    *blocker = q->blocker;
+    shadow->work = q->work;
+    shadow->ethrough = q->ethrough;
+    shadow->blocked = q->blocked;
+    shadow->unsure = mor(mand(q->maybe, mnot(q->blocked)), mand(active, mnot(fine)));
     for (int c = 0; c < 3; c++)
-        shadow->through[c] = q.through[c];
+        shadow->through[c] = q->through[c];
 }
 
 #endif

@@ -42,8 +42,8 @@ LANE_OP void direction_numbers(const struct flight *f, const struct paths *p, vu
 }
 
 /* Paths that go on by Lambert's law or Phong's lobe. */
-static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, const struct paths *p,
-                          const struct shade *h, const struct lobes *l)
+static __attribute__((noinline)) void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny,
+                                                    const struct paths *p, const struct shade *h, const struct lobes *l)
 {
     vu u[2];
 
@@ -88,8 +88,8 @@ static void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny, cons
     go_on(f, lanes, p, &next, NULL);
 }
 
-static void reflect_paths(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
-                          const struct lobes *l)
+static __attribute__((noinline)) void reflect_paths(struct flight *f, unsigned lanes, const struct paths *p,
+                                                    const struct shade *h, const struct lobes *l)
 {
     struct paths next = *p;
 
@@ -155,53 +155,53 @@ static unsigned going_on(struct flight *f, unsigned lanes, const struct paths *p
 static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 {
     const struct sure_scene *s = f->gather->scene;
-    struct query q;
-    struct shade h;
-    struct lobes l;
+    struct query *q = &f->query;
+    struct shade *h = &f->shade;
+    struct lobes *l = &f->lobes;
 
-    find_first(s, &q, &p->r.p, lanes, true, p->specular);
-    (void)asker_stops(&f->gather->asker, q.work);
-    vm sky = mand(vle(vset(NEVER), q.t), vle(vset(NEVER), q.low));
-    lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q.t + q.e, q.low))), p->r.slot);
-    lanes = add_far_ends(f, lanes, p, &q);
+    find_first(s, &f->room, q, &p->r.p, lanes, true, p->specular);
+    (void)asker_stops(&f->gather->asker, q->work);
+    vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
+    lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot);
+    lanes = add_far_ends(f, lanes, p, q);
     if (!lanes)
         return;
-    find_surfaces(s, &p->r.p, &q, lanes, &h);
-    lanes = sure_of(f, lanes, h.unsure, p->r.slot);
+    find_surfaces(s, &p->r.p, q, lanes, h);
+    lanes = sure_of(f, lanes, h->unsure, p->r.slot);
     if (!lanes)
         return;
-    lobes_of(s->paths, &h, lanes, &l);
-    add_glow(f, lanes, p, &h, &l);
-    lanes = going_on(f, lanes, p, &l);
+    lobes_of(s->paths, h, lanes, l);
+    add_glow(f, lanes, p, h, l);
+    lanes = going_on(f, lanes, p, l);
     if (!lanes)
         return;
     lanes = survivors(f, lanes, p);
     if (!lanes)
         return;
-    lobes_mirror(&h, &l);
-    lanes = look_for_lights(f, lanes, p, &h, &l);
-    bounce_paths(f, lanes, p, &h, &l);
+    lobes_mirror(h, l);
+    lanes = look_for_lights(f, lanes, p, h, l);
+    bounce_paths(f, lanes, p, h, l);
 }
 
-static void walk_paths(struct sure_gather *g)
+static void walk_paths(struct sure_gather *g, void *memory)
 {
-    struct flight f;
-    struct paths p;
+    struct flight *f = memory;
+    struct paths *p = &f->paths;
     struct quads first;
     int from = 0;
 
-    flight_open(&f, g);
+    flight_open(f, g);
     while (!g->asker.stopped) {
-        if (from < g->count && f.count[fullest(&f)] < LANES) {
-            unsigned lanes = flight_start(&f, from, &p, &first);
-            step_paths(&f, &p, lanes);
+        if (from < g->count && f->count[fullest(f)] < LANES) {
+            unsigned lanes = flight_start(f, from, p, &first);
+            step_paths(f, p, lanes);
             from += LANES;
             continue;
         }
-        unsigned lanes = flight_pop(&f, &p);
+        unsigned lanes = flight_pop(f, p);
         if (!lanes)
             return;
-        step_paths(&f, &p, lanes);
+        step_paths(f, p, lanes);
     }
 }
 
