@@ -42,10 +42,9 @@ struct rotation film_rotation(const struct options *options)
     return (struct rotation){options->rotate, 32, 24};
 }
 
-void fail_view_reason(char *why, size_t size, int status, const struct tia_scene *scene, unsigned width,
-                      unsigned height)
+void fail_view_reason(char *why, size_t size, int status, const struct fail_view *view)
 {
-    (void)snprintf(why, size, "%d: %u spheres, %ux%u", status, (unsigned)scene->sphere_count, width, height);
+    (void)snprintf(why, size, "%d: %u spheres", status, (unsigned)view->scene->sphere_count);
 }
 
 /* ---- scenes ---- */

@@ -39,7 +39,7 @@ TEST(misuse_of_lattices)
     REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 3, 0, 5));
     REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 0, 0, 5));
     REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 4, 4, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 21));
+    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 25));
     misuse_end();
 }
 

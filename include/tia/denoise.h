@@ -60,7 +60,8 @@ enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SH
 const char *tia_shown_guide_name(unsigned shown);
 
 /* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`, the
- * albedo for other guides. 0 where something of `gathered` is NULL or the count is not in 1..TIA_SPP_MAX. */
+ * albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is not in
+ * 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 

@@ -115,6 +115,8 @@ int tia_level_called(const char *name, const struct tia_level **level)
 {
     const struct tia_level *found = NULL;
 
+    if (!name || !level)
+        return TIA_ERR_ARGUMENT;
     *level = NULL;
     if (strcmp(name, "plain") == 0)
         return TIA_OK;

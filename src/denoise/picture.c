@@ -157,7 +157,7 @@ const char *tia_shown_guide_name(unsigned shown)
 
 static bool has_guide(const struct tia_gathered *g, enum tia_shown_guide shown)
 {
-    return g && g->guides && (shown != TIA_SHOW_ERROR || (g->sums && g->squares));
+    return g && g->sums && g->guides && (shown != TIA_SHOW_ERROR || g->squares);
 }
 
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *g, size_t at, uint32_t count)
