@@ -6,10 +6,10 @@
  *     pixels --tia_denoise_get--> sums of the picture without the noise
  *
  * All three take tiles, which may have any size and come in any order, from several threads at once: the bits are the
- * same. Each step must finish the whole picture before the next begins.
+ * same. Each step must finish the whole picture before the next begins, and take each pixel once.
  *
- * Light is divided by albedo, so that textures stay sharp, and multiplied by it again at the end. Pass n replaces each
- * pixel p by the mean of 5x5 pixels q, 2^n apart, with the weights
+ * Light is divided by albedo, so that textures stay sharp, and multiplied by it again at the end. Pass n (0, 1, 2)
+ * replaces each pixel p by the mean of 5x5 pixels q, 2^n apart, with the weights
  *
  *     h(p, q) max(0, N(p).N(q))^8 2^-x,
  *     x = |z(q) - z(p) - z'(p).(q - p)|/(max |z'(p)| |p - q|_1/8 + z(p)/512) + 4 |a(p) - a(q)|_1
@@ -18,6 +18,10 @@
  * where h is the outer product of (1 4 6 4 1), N the normal, z the depth and z' its slopes from pixel to pixel, a the
  * albedo, l the luminance of the divided light and s its standard error, over 3x3 pixels; each pass updates it as the
  * standard error of a weighted mean.
+ *
+ * Weights that depend on the light favour what noise has made alike: of many dark samples and a few bright ones the
+ * bright are left out, and the mean falls. So what three such passes have taken from each pixel is averaged by three
+ * more, whose weights are without the last term of x, and added: the mean of a surface stays.
  */
 #ifndef TIA_DENOISE_H
 #define TIA_DENOISE_H
@@ -28,11 +32,11 @@
 extern "C" {
 #endif
 
-#define TIA_DENOISE_PASSES 3
+#define TIA_DENOISE_PASSES 6
 
 struct tia_denoiser; /* in the caller's memory */
 
-/* Bytes for a picture: 56 a pixel and a few; SIZE_MAX when there are too many. */
+/* Bytes for a picture: 68 a pixel and a few; SIZE_MAX when there are too many. */
 size_t tia_denoise_size(unsigned width, unsigned height);
 
 /* In `memory`, aligned for uint64_t; every pixel is black until it is put in. TIA_ERR_ARGUMENT for sizes that are not

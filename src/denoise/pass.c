@@ -15,6 +15,7 @@ struct middle {
     const struct tia_denoiser *d;
     const struct light *light; /* all of the picture */
     int x, y, step;
+    bool stops; /* at edges of the light */
     struct feature feature;
     uint32_t luminance;
     uint64_t spread;      /* of the luminance, as far as it is noise, Q.16 */
@@ -81,7 +82,9 @@ static uint32_t weight(const struct middle *m, size_t at, int dx, int dy)
 
     if (!same)
         return 0;
-    uint64_t x = off_plane(m, f->depth, dx, dy) + ratio(apart(m->luminance, luminance(m->light[at].rgb)), m->spread);
+    uint64_t x = off_plane(m, f->depth, dx, dy);
+    if (m->stops)
+        x += ratio(apart(m->luminance, luminance(m->light[at].rgb)), m->spread);
     for (int c = 0; c < 3; c++)
         x += ALBEDO_WEIGHT * (uint64_t)apart(m->feature.albedo[c], f->albedo[c]);
     return (uint32_t)((uint64_t)same * fade(x) >> 16);
@@ -128,13 +131,15 @@ static uint32_t size_of(int64_t x)
     return (uint32_t)(x < 0 ? -x : x);
 }
 
-static void begin(struct middle *m, const struct tia_denoiser *d, const struct light *light, int x, int y, int step)
+static void begin(struct middle *m, const struct tia_denoiser *d, unsigned pass, int x, int y)
 {
     size_t at = (size_t)y * d->width + (size_t)x;
 
-    *m = (struct middle){.d = d, .light = light, .x = x, .y = y, .step = step, .feature = d->features[at]};
-    m->luminance = luminance(light[at].rgb);
-    m->spread = SPREAD(error_around(m));
+    *m = (struct middle){.d = d, .light = d->light[pass & 1], .x = x, .y = y, .feature = d->features[at]};
+    m->stops = pass < EDGES;
+    m->step = 1 << (m->stops ? pass : pass - EDGES);
+    m->luminance = luminance(m->light[at].rgb);
+    m->spread = m->stops ? SPREAD(error_around(m)) : 0;
     m->across = (depth_at(d, x + 1, y) - depth_at(d, x - 1, y)) / 2;
     m->down = (depth_at(d, x, y + 1) - depth_at(d, x, y - 1)) / 2;
     m->slope = size_of(m->across) > size_of(m->down) ? size_of(m->across) : size_of(m->down);
@@ -162,6 +167,16 @@ static struct light filtered(const struct middle *m)
     return result;
 }
 
+/* Sets the filtered light aside; leaves what was taken from it. */
+static void take(struct tia_denoiser *d, size_t at, struct light *light)
+{
+    for (int c = 0; c < 3; c++) {
+        int64_t taken = (int64_t)d->filtered[at].rgb[c] - light->rgb[c] + NOTHING;
+        d->filtered[at].rgb[c] = light->rgb[c];
+        light->rgb[c] = taken < 0 ? 0 : taken > UINT32_MAX ? UINT32_MAX : (uint32_t)taken;
+    }
+}
+
 int tia_denoise_pass(struct tia_denoiser *d, unsigned pass, struct tia_tile tile)
 {
     struct middle m;
@@ -170,8 +185,12 @@ int tia_denoise_pass(struct tia_denoiser *d, unsigned pass, struct tia_tile tile
         return TIA_ERR_ARGUMENT;
     for (int y = (int)tile.y; y < (int)tile.y + (int)tile.height; y++)
         for (int x = (int)tile.x; x < (int)tile.x + (int)tile.width; x++) {
-            begin(&m, d, d->light[pass & 1], x, y, 1 << pass);
-            d->light[(pass + 1) & 1][(size_t)y * d->width + (size_t)x] = filtered(&m);
+            size_t at = (size_t)y * d->width + (size_t)x;
+            begin(&m, d, pass, x, y);
+            struct light light = filtered(&m);
+            if (pass == EDGES - 1)
+                take(d, at, &light);
+            d->light[(pass + 1) & 1][at] = light;
         }
     return TIA_OK;
 }

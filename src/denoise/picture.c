@@ -12,7 +12,7 @@ size_t tia_denoise_size(unsigned width, unsigned height)
 {
     uint64_t pixels = (uint64_t)width * height;
     uint64_t size = ALIGN(sizeof(struct tia_denoiser)) + 2 * ALIGN(pixels * sizeof(struct light)) +
-                    ALIGN(pixels * sizeof(struct feature));
+                    ALIGN(pixels * sizeof(struct feature)) + ALIGN(pixels * sizeof(struct colour));
 
     return width <= TIA_SIZE_MAX && height <= TIA_SIZE_MAX && size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
@@ -31,9 +31,11 @@ int tia_denoise_init(struct tia_denoiser **denoiser, void *memory, size_t size, 
     for (int i = 0; i < 2; i++, at += ALIGN(pixels * sizeof(struct light)))
         d->light[i] = (struct light *)(void *)at;
     d->features = (struct feature *)(void *)at;
+    d->filtered = (struct colour *)(void *)(at + ALIGN(pixels * sizeof(struct feature)));
     for (size_t i = 0; i < pixels; i++) {
         d->light[0][i] = d->light[1][i] = (struct light){{0, 0, 0}, 0};
         d->features[i] = (struct feature){.depth = 0};
+        d->filtered[i] = (struct colour){{0, 0, 0}};
     }
     *denoiser = d;
     return TIA_OK;
@@ -125,8 +127,18 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
         for (size_t x = 0; x < tile.width; x++) {
             size_t at = (tile.y + y) * d->width + tile.x + x;
             put_pixel(&d->light[0][at], &d->features[at], gathered, y * gathered->pitch + x, count);
+            for (int c = 0; c < 3; c++)
+                d->filtered[at].rgb[c] = d->light[0][at].rgb[c];
         }
     return TIA_OK;
+}
+
+/* The light that is left, and the mean around it of what was taken. */
+static uint32_t light_of(const struct tia_denoiser *d, size_t at, int c)
+{
+    int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NOTHING;
+
+    return light < 0 ? 0 : light > UINT32_MAX ? UINT32_MAX : (uint32_t)light;
 }
 
 int tia_denoise_get(const struct tia_denoiser *d, struct tia_tile tile, uint32_t count, struct tia_sum *sums,
@@ -138,7 +150,7 @@ int tia_denoise_get(const struct tia_denoiser *d, struct tia_tile tile, uint32_t
         for (size_t x = 0; x < tile.width; x++) {
             size_t at = (tile.y + y) * d->width + tile.x + x;
             for (int c = 0; c < 3; c++) {
-                uint64_t product = (uint64_t)d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] * d->features[at].albedo[c];
+                uint64_t product = (uint64_t)light_of(d, at, c) * d->features[at].albedo[c];
                 int64_t radiance = (int64_t)((product + 128) >> 8);
                 sums[y * pitch + x].rgb[c] = (radiance < MEAN_MAX ? radiance : MEAN_MAX) * count;
             }

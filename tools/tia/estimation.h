@@ -64,7 +64,7 @@ struct denoising {
     unsigned pass;
 };
 
-/* Takes 56 bytes a pixel. */
+/* Takes 68 bytes a pixel. */
 int denoising_begin(struct denoising *denoising, struct estimation *e);
 void denoising_end(struct denoising *denoising);
 
