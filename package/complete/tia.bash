@@ -36,7 +36,7 @@ _tia() {
         --frame-range) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         --tile-rows) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
         -j|--threads) mapfile -t COMPREPLY < <(compgen -W '' -- "$cur"); return ;;
-        --arithmetic) mapfile -t COMPREPLY < <(compgen -W 'q16 f64' -- "$cur"); return ;;
+        --arithmetic) mapfile -t COMPREPLY < <(compgen -W 'q16 f32 f64' -- "$cur"); return ;;
         --rotate) mapfile -t COMPREPLY < <(compgen -W '0 90 180 270' -- "$cur"); return ;;
         --connector) mapfile -t COMPREPLY < <(compgen -W 'help' -- "$cur"); return ;;
         --mode) mapfile -t COMPREPLY < <(compgen -W 'help preferred' -- "$cur"); return ;;

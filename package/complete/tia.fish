@@ -31,7 +31,7 @@ complete -c tia -l fps -x -d 'a film\'s frames a second, 25 (default) or 30000/1
 complete -c tia -l frame-range -x -d 'only these frames of a film, counted from 0'
 complete -c tia -l tile-rows -x -d 'only these rows of each picture, into a part'
 complete -c tia -s j -l threads -x -d 'default: all processors'
-complete -c tia -l arithmetic -x -a 'q16 f64' -d 'q16 (integers, the default) or f64 (double precision)'
+complete -c tia -l arithmetic -x -a 'q16 f32 f64' -d 'q16 (integers, the default), f32 or f64 (floating point)'
 complete -c tia -l dither -d 'ordered dithering against RGB565\'s bands'
 complete -c tia -l rotate -x -a '0 90 180 270' -d '0, 90, 180 or 270, clockwise'
 complete -c tia -l connector -x -a 'help' -d 'DRM: which socket'

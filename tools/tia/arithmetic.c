@@ -7,6 +7,7 @@ static const struct tia_core *const cores[] = {
     &tia_core_q16,
 #ifdef TIA_LINKED_F64
     &tia_core_f64,
+    &tia_core_f32,
 #endif
 };
 
@@ -15,6 +16,8 @@ const struct tia_estimator *arithmetic_estimator(const struct tia_core *core)
 #ifdef TIA_LINKED_F64
     if (core == &tia_core_f64)
         return &tia_estimator_f64;
+    if (core == &tia_core_f32)
+        return &tia_estimator_f32;
 #endif
     return core == &tia_core_q16 ? &tia_estimator_q16 : NULL;
 }
@@ -29,8 +32,8 @@ const struct tia_core *arithmetic_called(const char *name)
 
 const char *arithmetic_missing(const char *name)
 {
-    if (strcmp(name, "f64") != 0)
-        return "not q16 or f64";
+    if (strcmp(name, "f64") != 0 && strcmp(name, "f32") != 0)
+        return "not q16, f32 or f64";
 #ifdef TIA_HAVE_F64
     return "not built in (make builds it)";
 #else

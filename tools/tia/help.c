@@ -43,7 +43,7 @@ const char *const options_help[] = {
     "      --frame-range A-B        only these frames of a film, counted from 0\n"
     "      --tile-rows A-B          only these rows of each picture, into a part\n"
     "  -j, --threads N              default: all processors\n"
-    "      --arithmetic NAME        q16 (integers, the default) or f64 (double precision)\n"
+    "      --arithmetic NAME        q16 (integers, the default), f32 or f64 (floating point)\n"
     "      --dither                 ordered dithering against RGB565's bands\n"
     "      --rotate DEGREES         0, 90, 180 or 270, clockwise\n"
     "      --connector NAME|help    DRM: which socket\n"
