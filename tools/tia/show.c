@@ -1,6 +1,7 @@
 /* show.c - chooses a display and an input, and runs the viewer on them. */
 #include "show.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "fail.h"
 #include "ports.h"
 #include "session.h"
+#include "unused.h"
 
 static const struct port_display *find_display(const char *name)
 {
@@ -89,12 +91,16 @@ static bool is_automatic(const struct port_display *port)
 static int draw_instead(struct options *options)
 {
     struct options file = *options;
+    struct unused unused;
     file.frames = 0; /* one picture, whatever --frames says */
     file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
-    file.output = file.format == IMAGE_PNG ? "tia.png" : "tia.ppm";
+    file.output = unused.path;
+    if (!unused_create(&unused, image_format_name(file.format)))
+        return fail(EXIT_RUNNING, "%s: %s", unused.path, strerror(errno));
     int status = draw(&file);
+    unused_end(&unused);
     if (status == EXIT_FINE)
-        note("no display and no terminal: wrote %s (tia --list-displays says why)", file.output);
+        note("no display and no terminal: wrote %s (tia --list-displays says why)", unused.path);
     return status;
 }
 

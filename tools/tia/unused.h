@@ -1,0 +1,19 @@
+/* unused.h - a name for a picture that no file has yet. */
+#ifndef TOOLS_TIA_UNUSED_H
+#define TOOLS_TIA_UNUSED_H
+
+#include "common/signals.h"
+
+struct unused {
+    char path[32];
+    struct signals_cleanup cleanup;
+};
+
+/* Creates the first of tia.png, tia-1.png, ... (or another extension) that is not there, as an empty file, so that no
+ * other run takes its name. False, with errno: there is none. */
+bool unused_create(struct unused *unused, const char *extension);
+
+/* Removes the file if it is still empty. */
+void unused_end(struct unused *unused);
+
+#endif
