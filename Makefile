@@ -127,7 +127,7 @@ endif
 
 # `make run` alone makes what its picture needs: the parts of build/tia below are then linked where they are there.
 LEAN := $(if $(GOALS),$(if $(filter-out run,$(GOALS)),,yes))
-unless_lean = $(if $(LEAN),$(wildcard $(1)),$(1))
+unless_lean = $(if $(LEAN),$(if $(filter-out $(wildcard $(1)),$(1)),,$(1)),$(1))
 
 # ---- sources: one object per file and arithmetic ----
 # All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
@@ -156,7 +156,7 @@ LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
 LIBLEVELS := $(BUILD)/libtia-levels.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
-TIA_F64 := $(call unless_lean,$(filter %-f64.a,$(LIBF64)))
+TIA_F64 := $(call unless_lean,$(LIBF64))
 TIA_WATCHED := $(call unless_lean,$(LIBWATCHED))
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
