@@ -11,7 +11,8 @@ void display_init(struct display *display, const struct tia_scene *scene, unsign
     double unit = ldexp(1, -16 - (int)scene->scale_bits);
     double middle = ((double)w->left + w->right) / 2 * unit, half = scene->camera.line * unit;
 
-    *display = (struct display){.width = ((double)w->right - w->left) * unit,
+    *display = (struct display){.unit = unit,
+                                .width = ((double)w->right - w->left) * unit,
                                 .height = ((double)w->top - w->bottom) * unit,
                                 .distance = w->near * unit,
                                 .from = -half - middle,
@@ -22,31 +23,63 @@ void display_init(struct display *display, const struct tia_scene *scene, unsign
                                 .behind = modules ? modules->distance * unit : 0};
 }
 
-static int nearest(double number, unsigned count)
+static double rounded(double number)
 {
-    double rounded = floor(number + 0.5 + SLACK);
+    return floor(number + 0.5 + SLACK);
+}
 
-    return rounded >= 0 && rounded < count ? (int)rounded : -1;
+/* Where that ray crosses the observer line's plane, from the screen's middle. */
+static double crossing(const struct display *d, const struct eye *eye, double q)
+{
+    return q + (eye->x - q) / eye->z * d->distance;
+}
+
+/* The scene's lengths are rounded to units: an end by half of one, the screen's middle by another half where its width
+ * is odd, the line's distance by a half that the ray's slope multiplies. So an eye at an end as it is written may cross
+ * the line's plane that far beyond it. */
+static bool on_line(const struct display *d, const struct eye *eye, double q)
+{
+    double at = crossing(d, eye, q), slack = d->unit * (1 + fabs((eye->x - q) / eye->z) / 2 + SLACK);
+
+    return at >= d->from - slack && at <= d->to + slack;
 }
 
 double display_part(const struct display *display, const struct eye *eye, double point)
 {
     const struct display *d = display;
-    double q = (point - 0.5) * d->width;
 
-    return (q + (eye->x - q) / eye->z * d->distance - d->from) / (d->to - d->from);
+    return (crossing(d, eye, (point - 0.5) * d->width) - d->from) / (d->to - d->from);
+}
+
+/* -1 or 1 where the light of a module through the screen at q misses the line to its left or right, else 0. The
+ * renderer rounds where it meets the line to units, so that what is a quarter beyond an end is lit. */
+static int misses(const struct display *d, double module, double q)
+{
+    double p = floor(((2 * module - (d->count - 1)) * d->spacing / d->unit + 1) / 2) * d->unit; /* as modules_place */
+    double s = q + (q - p) * d->distance / d->behind;
+
+    return s > d->to + d->unit / 4 ? 1 : s < d->from - d->unit / 4 ? -1 : 0;
+}
+
+static double module_of(const struct display *d, const struct eye *eye, double q)
+{
+    double p = q - (eye->x - q) / eye->z * d->behind, module = rounded(p / d->spacing + (d->count - 1) / 2.0);
+
+    return on_line(d, eye, q) ? module + misses(d, module, q) : module;
+}
+
+static double view_of(const struct display *d, const struct eye *eye, double q)
+{
+    double part = (crossing(d, eye, q) - d->from) / (d->to - d->from);
+
+    return on_line(d, eye, q) ? fmin(fmax(rounded(part * (d->count - 1)), 0), d->count - 1.0) : -1;
 }
 
 int display_picture(const struct display *display, const struct eye *eye, unsigned column, unsigned columns)
 {
     const struct display *d = display;
-    double point = (2.0 * column + 1) / (2.0 * columns);
+    double q = ((2.0 * column + 1) / (2.0 * columns) - 0.5) * d->width;
+    double picture = d->projects ? module_of(d, eye, q) : view_of(d, eye, q);
 
-    if (d->projects) {
-        double q = (point - 0.5) * d->width;
-        double p = q - (eye->x - q) / eye->z * d->behind;
-        return nearest(p / d->spacing + (d->count - 1) / 2.0, d->count);
-    }
-    double part = display_part(d, eye, point);
-    return part < -SLACK || part > 1 + SLACK ? -1 : nearest(part * (d->count - 1), d->count);
+    return picture >= 0 && picture < d->count ? (int)picture : -1;
 }

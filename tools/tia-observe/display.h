@@ -13,6 +13,7 @@ struct eye {
 };
 
 struct display {
+    double unit;                    /* that lengths are rounded to */
     double width, height, distance; /* of the screen; of the observer line from it */
     double from, to;                /* the line's ends */
     unsigned count;                 /* of pictures */
@@ -30,8 +31,9 @@ double display_part(const struct display *display, const struct eye *eye, double
 
 /* The picture that an eye sees of column `column` of `columns`; -1: none, it is black. Of views that is the one whose
  * eye is nearest to where the ray from the eye through the column's middle crosses the observer line's plane, of
- * modules the one nearest to where it comes from behind the screen; halfway between two the right one. The eye's height
- * makes no difference: there is horizontal parallax only. */
+ * modules the one nearest to where it comes from behind the screen; halfway between two the right one. Where that
+ * module's light misses the line, but the eye's ray does not, it is the next one, whose light does not either. The
+ * eye's height makes no difference: there is horizontal parallax only. */
 int display_picture(const struct display *display, const struct eye *eye, unsigned column, unsigned columns);
 
 #endif
