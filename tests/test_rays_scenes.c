@@ -300,10 +300,11 @@ TEST(units)
 /* Digits below those of Q16.16, which mirrors magnify: large ones, so that each would be missed. */
 TEST(fine_digits)
 {
-    static const struct tia_fine_sphere spheres[1] = {{{100, -128, 127}, -90}};
-    static const struct tia_fine_ends ends[3] = {
-        {{0}}, {{127, -100, 90}, {-128, 80, -70}, 120, -110}, {{99, 99, 99}, {99, 99, 99}, 99, 99}};
-    static const struct tia_fine fine = {{-120, 110, 127}, {90, -80, 100}, spheres, ends};
+    static const struct tia_fine_sphere spheres[1] = {{{25612, -32768, 32767}, -23041}};
+    static const struct tia_fine_ends ends[3] = {{{0}},
+                                                 {{32767, -25601, 23040}, {-32768, 20481, -17921}, 30720, -28159},
+                                                 {{25344, 25345, 25346}, {25347, 25348, 25349}, 25350, 25351}};
+    static const struct tia_fine fine = {{-30721, 28160, 32767}, {23041, -20480, 25601}, spheres, ends};
 
     for (int i = 0; i < 4; i++) {
         thing(i < 2 ? TIA_CYLINDER : TIA_CONE, i % 2);

@@ -46,9 +46,9 @@ static struct tia_fine fine;
 static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long double out[3])
 {
     copy(v, out);
-    out[0] += ldexpl(digits.x, -24);
-    out[1] += ldexpl(digits.y, -24);
-    out[2] += ldexpl(digits.z, -24);
+    out[0] += ldexpl(digits.x, -32);
+    out[1] += ldexpl(digits.y, -32);
+    out[2] += ldexpl(digits.z, -32);
 }
 
 /* u, v, n */
@@ -203,7 +203,7 @@ static void check_direction(const struct tia_eye *eye, const int64_t direction[3
 
 static struct tia_fine_place any_digits(void)
 {
-    return (struct tia_fine_place){(int8_t)(random_bits() & 127), (int8_t)(random_bits() & 127), (int8_t)-128};
+    return (struct tia_fine_place){(int16_t)(random_bits() & 32767), (int16_t)(random_bits() & 32767), INT16_MIN};
 }
 
 static void check_camera(enum tia_projection projection)

@@ -246,15 +246,15 @@ TEST(cones)
 TEST(own_spheres)
 {
     static const struct tia_sphere sphere = {{Q(1), Q(2), Q(3)}, Q(2), 0};
-    static const struct tia_fine_sphere digits = {{100, -100, 50}, 80};
+    static const struct tia_fine_sphere digits = {{25600, -25700, 12801}, 20481};
     static const struct tia_fine fine = {.spheres = &digits};
     struct tia_scene scene = {.spheres = &sphere, .sphere_count = 1, .tessellated = Q(0.01), .fine = &fine};
     struct truth t = {.kind = TIA_SPHERE, .scale = {1, 1, 1}};
 
-    t.base[0] = 1 + 100 / 16777216.0;
-    t.base[1] = 2 - 100 / 16777216.0;
-    t.base[2] = 3 + 50 / 16777216.0;
-    t.radius[0] = 2 + 80 / 16777216.0;
+    t.base[0] = 1 + ldexp(25600, -32);
+    t.base[1] = 2 - ldexp(25700, -32);
+    t.base[2] = 3 + ldexp(12801, -32);
+    t.radius[0] = 2 + ldexp(20481, -32);
     check_shape(&scene, &t, 0.01);
     scene.tessellated = 0;
     CHECK(!tia_facets_of(&scene, 0, &(struct tia_facets){0}) && !tia_flat_takes(&scene, 0));

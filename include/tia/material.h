@@ -17,7 +17,7 @@
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where
  * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G,
  * refracted rays at P - b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have
- * `fine` 2^-20. A shadow ray ends
+ * `fine` 2^-26. A shadow ray ends
  * exactly at the light's sample. A light gives nothing where G.L <= 0 or N.L <= 0. Where an interpolated
  * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray

@@ -46,17 +46,17 @@ struct tia_binding {
     struct tia_light state;
 };
 
-/* More digits of lengths, in units of 2^-24: each is the number of that name in the scene plus these. Round mirrors
+/* More digits of lengths, in units of 2^-32: each is the number of that name in the scene plus these. Round mirrors
  * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
  * cones and the eye can be placed more finely than Q16.16. The span renderer ignores it. */
 struct tia_fine_sphere {
     struct tia_fine_place centre;
-    int8_t radius;
+    int16_t radius;
 };
 
 struct tia_fine_ends {
     struct tia_fine_place base, top;
-    int8_t base_radius, top_radius;
+    int16_t base_radius, top_radius;
 };
 
 struct tia_fine {
@@ -90,7 +90,7 @@ struct tia_scene {
                             into flat faces, none farther than this from the true surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
     uint32_t scale_bits; /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
-    const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-20 off a surface, see material.h */
+    const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
                                             another technique for shadows than traced rays */
     const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: a faster way to the same picture */

@@ -13,9 +13,9 @@ struct tia_vec3 {
     tia_q16 x, y, z;
 };
 
-/* More digits of a position, in units of 2^-24; see struct tia_fine. */
+/* More digits of a position, in units of 2^-32; see struct tia_fine. */
 struct tia_fine_place {
-    int8_t x, y, z;
+    int16_t x, y, z;
 };
 
 /* A direction of length 1, Q2.30. */

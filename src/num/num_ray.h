@@ -7,7 +7,7 @@
  * compare and multiply by small integers with the operators of C. For all else, call:
  *
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
- *   num_fine(n)                  n 2^-24, see struct tia_fine
+ *   num_fine(n)                  n 2^-32, see struct tia_fine
  *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits; `fine`: that has it
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest

@@ -26,15 +26,15 @@ static inline num_length num_length_of_q45(int64_t n)
     return n;
 }
 
-static inline num_length num_fine(int8_t digits)
+static inline num_length num_fine(int16_t digits)
 {
-    return (num_length)digits * ((num_length)1 << 21);
+    return (num_length)digits * ((num_length)1 << 13);
 }
 
 static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
 {
     (void)scale_bits;
-    return fine ? NUM_LENGTH_BIAS >> 7 : NUM_LENGTH_BIAS;
+    return fine ? NUM_LENGTH_BIAS >> 13 : NUM_LENGTH_BIAS;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)

@@ -23,9 +23,9 @@ static inline num_length num_length_of_q45(int64_t n)
     return (num_real)n / (num_real)((int64_t)1 << 45);
 }
 
-static inline num_length num_fine(int8_t digits)
+static inline num_length num_fine(int16_t digits)
 {
-    return (num_real)digits / (1 << 24);
+    return (num_real)digits / (num_real)4294967296;
 }
 
 /* A float has no digits for anything finer than this, whatever the unit. */
@@ -36,7 +36,7 @@ static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
     return NUM_LENGTH_BIAS * (num_real)((int32_t)1 << scale_bits);
 #else
     (void)scale_bits;
-    return fine ? NUM_LENGTH_BIAS / 128 : NUM_LENGTH_BIAS;
+    return fine ? NUM_LENGTH_BIAS / 8192 : NUM_LENGTH_BIAS;
 #endif
 }
 

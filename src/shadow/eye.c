@@ -91,14 +91,14 @@ void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64
         direction[k] = wide_round(wide_sum(wide_product(a[k], cosine), wide_product(b[k], sine)), 62);
 }
 
-/* Q39.24, with the fine digits if there are any. */
+/* Q31.32, with the fine digits if there are any. */
 static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {
     const tia_q16 at[3] = {place.x, place.y, place.z};
     const int digits[3] = {fine ? fine->x : 0, fine ? fine->y : 0, fine ? fine->z : 0};
 
     for (int i = 0; i < 3; i++)
-        out[i] = at[i] * INT64_C(256) + digits[i];
+        out[i] = at[i] * INT64_C(65536) + digits[i];
 }
 
 /* a over the window's width */
@@ -176,7 +176,7 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
     tia_camera_axes(axes, camera, back);
     eye->projection = camera->projection;
     for (int i = 0; i < 3; i++)
-        eye->origin[i] = at[i] * 256;
+        eye->origin[i] = at[i];
     eye->row[2] = scaled(axes[2], one);
     if (camera->projection == TIA_ORTHOGRAPHIC)
         open_window(eye, &camera->window, axes, width, height);

@@ -9,10 +9,10 @@
 
 /* ---- in the shape's own axes ---- */
 
-/* Q31.32, with 2^-24 more. */
-static int64_t finely(tia_q16 a, int8_t digits)
+/* Q31.32 */
+static int64_t finely(tia_q16 a, int16_t digits)
 {
-    return a * INT64_C(65536) + digits * INT64_C(256);
+    return a * INT64_C(65536) + digits;
 }
 
 static void place(struct tia_vec3 p, const struct tia_fine_place *fine, int64_t out[3])
@@ -30,7 +30,7 @@ static void set_ends(struct tia_facet_shape *f, struct tia_vec3 base, struct tia
     place(base, fine ? &fine->base : NULL, f->centre[0]);
     place(top, fine ? &fine->top : NULL, f->centre[1]);
     for (int i = 0; i < 2; i++) {
-        int8_t digits = !fine ? 0 : i && f->kind == TIA_CONE ? fine->top_radius : fine->base_radius;
+        int16_t digits = !fine ? 0 : i && f->kind == TIA_CONE ? fine->top_radius : fine->base_radius;
         f->radius[i] = radius[i] ? finely(radius[i], digits) : 0;
     }
     for (int k = 0; k < 3; k++)

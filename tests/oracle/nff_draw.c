@@ -2,7 +2,7 @@
 #include "nff.h"
 #include "oracle.h"
 
-#define OFF 1e-12 /* how far rays start off a surface, in sizes of the scene */
+#define OFF 1e-12
 #define FAINT (1.0 / 65536.0)
 
 /* A ray's way from the eye. */

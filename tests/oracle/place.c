@@ -48,7 +48,7 @@ struct oracle_vec transform_point(const struct tia_transform *transform, struct 
 static bool tapered_hit(struct ray ray, const struct tia_vec3 *base, const struct tia_vec3 *top, tia_q16 base_radius,
                         tia_q16 top_radius, const struct tia_fine_ends *fine, bool capped, struct hit *hit)
 {
-    double more = fine ? ldexp(fine->base_radius, -24) : 0, other = fine ? ldexp(fine->top_radius, -24) : 0;
+    double more = fine ? ldexp(fine->base_radius, -32) : 0, other = fine ? ldexp(fine->top_radius, -32) : 0;
 
     return shape_cone(ray, finely(*base, fine ? &fine->base : NULL), finely(*top, fine ? &fine->top : NULL),
                       q16(base_radius) + more, q16(top_radius) + (base_radius == top_radius ? more : other), capped,
@@ -116,7 +116,7 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
         const struct tia_sphere *s = &scene->spheres[index];
         const struct tia_fine_sphere *fine = scene->fine ? &scene->fine->spheres[index] : NULL;
         if (!shape_sphere(ray, finely(s->centre, fine ? &fine->centre : NULL),
-                          q16(s->radius) + (fine ? ldexp(fine->radius, -24) : 0), hit))
+                          q16(s->radius) + (fine ? ldexp(fine->radius, -32) : 0), hit))
             return false;
         hit->material = s->material;
     } else {

@@ -9,7 +9,7 @@
 /* Between a surface and the rays that start there. */
 static inline double oracle_bias(const struct tia_scene *scene)
 {
-    return scene->fine ? 1.0 / 1048576 : 1.0 / 8192;
+    return scene->fine ? 1.0 / 67108864 : 1.0 / 8192;
 }
 
 /* Whether a scene asks for general rays, see tia/scene.h. */

@@ -41,7 +41,7 @@ static inline struct oracle_vec finely(struct tia_vec3 v, const struct tia_fine_
 {
     struct oracle_vec p = position(v);
 
-    return fine ? (struct oracle_vec){p.x + ldexp(fine->x, -24), p.y + ldexp(fine->y, -24), p.z + ldexp(fine->z, -24)}
+    return fine ? (struct oracle_vec){p.x + ldexp(fine->x, -32), p.y + ldexp(fine->y, -32), p.z + ldexp(fine->z, -32)}
                 : p;
 }
 

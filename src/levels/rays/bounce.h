@@ -140,7 +140,8 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.eo = h->ep + h->ev * vset(s->bias) + 2 * UNIT + v3_sum(next.p.o) * SURE_2(51);
         next.p.d = r->p.d;
         next.p.ed = r->p.ed;
-        next.p.from = leaving(h, next.p.d, next.p.ed, -1, SURE_2(6));
+        next.p.from =
+            leaving(h, next.p.d, next.p.ed, -1, s->bias < SURE_2(20) ? SURE_2(2) : SURE_2(6)); /* see struct origin */
         push(w, straight, &next, true, true);
     }
 }

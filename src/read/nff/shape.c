@@ -13,13 +13,13 @@ static uint32_t material(struct nff *n)
 }
 
 /* Reads a radius; drops the sign, which marks an inside. */
-static int read_radius(struct tia_text *t, tia_q16 *out, int8_t *digits)
+static int read_radius(struct tia_text *t, tia_q16 *out, int16_t *digits)
 {
     int status = tia_text_fine_length(t, out, digits);
 
     if (!status && *out < 0) {
         *out = *out == INT32_MIN ? INT32_MAX : -*out;
-        *digits = *digits == INT8_MIN ? INT8_MAX : (int8_t) - *digits;
+        *digits = *digits == INT16_MIN ? INT16_MAX : (int16_t) - *digits;
     }
     return status;
 }

@@ -118,7 +118,7 @@ int tia_text_vector(struct tia_text *t, struct tia_vec3 *out)
     return TIA_OK;
 }
 
-int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int8_t *digits)
+int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits)
 {
     int64_t fine = 0;
 
@@ -126,8 +126,8 @@ int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int8_t *digits)
     if (!t->lengths->filling)
         return tia_text_length(t, out);
     int status = tia_text_fine(t, &fine, t->lengths->scale_bits);
-    *out = (tia_q16)((fine + 128) >> 8);
-    *digits = (int8_t)(fine - *out * INT64_C(256));
+    *out = (tia_q16)((fine + 0x8000) >> 16);
+    *digits = (int16_t)(fine - *out * INT64_C(65536));
     return status;
 }
 

@@ -41,7 +41,7 @@ int tia_text_length(struct tia_text *t, tia_q16 *out);
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
 
 /* The same with more digits, see struct tia_fine, in the last pass; 0 before it. */
-int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int8_t *digits);
+int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits);
 int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits);
 
 /* Reads a vector whose length does not matter: as it is if Q16.16 has it exactly, else as long as fits. */

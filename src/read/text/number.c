@@ -8,7 +8,7 @@
 #include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
-#define LIMBS 5 /* 45 digits; 40 bits and the rounding bit need 41 */
+#define LIMBS 6 /* 54 digits; 48 bits and the rounding bit need 49 */
 #define STEP 32 /* bits at a time */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
@@ -88,7 +88,7 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* The fraction times 2^bits, rounded down; bits in 1..41. Multiplies limbs of nine digits from the last to the first,
+/* The fraction times 2^bits, rounded down; bits in 1..49. Multiplies limbs of nine digits from the last to the first,
  * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. What is left in the
  * limbs is the fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
@@ -179,7 +179,7 @@ int tia_text_q16(struct tia_text *t, tia_q16 *out)
 
 int tia_text_fine(struct tia_text *t, int64_t *out, unsigned bits)
 {
-    return read_number(t, out, 24 + bits, -(INT64_C(1) << 39), (INT64_C(1) << 39) - 1,
+    return read_number(t, out, 32 + bits, -(INT64_C(1) << 47), (INT64_C(1) << 47) - 1,
                        "a number from -32768 to below 32768");
 }
 
