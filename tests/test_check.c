@@ -86,8 +86,12 @@ TEST(scale_bits)
     set_up();
     scene.scale_bits = 16;
     check_accepted();
+    scene.scale_bits = -16;
+    check_accepted();
     scene.scale_bits = 17;
-    check_refused("scene", 0, "scale_bits", "must be in 0..16");
+    check_refused("scene", 0, "scale_bits", "must be in -16..16");
+    scene.scale_bits = -17;
+    check_refused("scene", 0, "scale_bits", "must be in -16..16");
 }
 
 /* Of another scene. */

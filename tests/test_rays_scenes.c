@@ -282,7 +282,7 @@ TEST(units)
 {
     for (uint32_t bits = 0; bits <= TIA_SCALE_BITS_MAX; bits += 4) {
         begin();
-        scene.scale_bits = bits;
+        scene.scale_bits = (int32_t)bits;
         lights[0].constant = TIA_Q16(0.25);
         lights[0].linear = TIA_Q16(0.05);
         lights[0].quadratic = TIA_Q16(0.125);

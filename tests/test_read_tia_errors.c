@@ -45,7 +45,7 @@ TEST(statements)
     check_refused("camera frustum window -1 1 -1 1", "1:32: the line ends here, expected near");
     check_refused("camera orthographic near 1",
                   "1:21: 'near' is nothing that an orthographic camera has, expected eye, look, up or window");
-    check_refused("camera eye 0 zero 0", "1:14: 'zero' is no number, expected a number from -32768 to below 32768");
+    check_refused("camera eye 0 zero 0", "1:14: 'zero' is no number, expected a number below 2147483648");
 }
 
 TEST(names)
@@ -95,7 +95,7 @@ TEST(shapes)
     check_refused(M "box min 0 0 0 max 1 1 1 1 material m", "2:25: '1' is nothing that a box has, expected material, "
                                                             "appears, vanishes, name, at, rotate, scale, min or max");
     check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 material m",
-                  "2:35: 'material' is no number, expected a number from -32768 to below 32768");
+                  "2:35: 'material' is no number, expected a number below 2147483648");
 }
 
 TEST(solids)
@@ -104,7 +104,7 @@ TEST(solids)
                   "3:1: the text ends within a block, expected vertex, normal, uv, face or end");
     check_refused("mesh a\nvertex 0 0 0\nsphere radius 1\nend",
                   "3:1: 'sphere' is no line of a mesh, expected vertex, normal, uv, face or end");
-    check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number from -32768 to below 32768");
+    check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number below 2147483648");
     check_refused("mesh a\nvertex 0 0 0\nface 1 2 1\nend",
                   "3:8: '2' is not there, expected the number of a vertex of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nface 1 0 1\nend",
@@ -168,8 +168,7 @@ TEST(motion)
                   "1:20: '32768:' is out of range, expected 0 to below 32768 seconds");
     check_refused("animate camera eye 1: 0 0 0 1: 0 0 0",
                   "1:29: '1:' is not after the time before it, expected rising times");
-    check_refused("animate camera eye 1: 0 0",
-                  "1:26: the line ends here, expected a number from -32768 to below 32768");
+    check_refused("animate camera eye 1: 0 0", "1:26: the line ends here, expected a number below 2147483648");
 }
 
 /* What only the scene as a whole shows: at the word that says it, in the file's own words. */
@@ -183,19 +182,19 @@ TEST(faults_of_the_scene)
     check_refused("material index index 9 refraction 1", "1:16: material: index: must be in 0.25..4");
     check_refused("samples 4\ncamera fov 200", "2:8: camera: fov: must be in 1..170 degrees");
     check_refused("key a light 1 at 0 0 0 radius 1e-8", "1:24: key: radius: must be 0 or at least 2^-26");
-    check_refused(M "light ambient\nlight at 30000 30000 0",
-                  "3:7: light: at: every point must be nearer to the eye than 32768");
+    check_refused(M "light ambient\nlight at 2e9 2e9 0",
+                  "3:7: light: at: every point must be nearer to the eye than 2147483648");
     check_refused("light rectangle at 0 5 0 sides 1 0 0 2 0 0",
                   "1:26: light: sides: the sides must not be on one line, unless both are 0");
     check_refused(M "sphere radius 1 material m scale 1\n  sphere radius 1 scale 0 material m",
                   "3:19: sphere: scale: must be in 2^-10..1024");
-    check_refused(M "box min 0 0 0 max 1 1 1 at 32000 32000 0 material m",
-                  "2:25: box: at: every point must be nearer to the eye than 32768");
-    check_refused(M "box min 0 0 0 max 32000 32000 1 material m",
-                  "2:1: box: every point must be nearer to the eye than 32768");
+    check_refused(M "box min 0 0 0 max 1e6 1e6 1e6 at 2e9 2e9 0 material m",
+                  "2:31: box: at: every point must be nearer to the eye than 2147483648");
+    check_refused(M "box min 0 0 0 max 2e9 2e9 1e6 material m",
+                  "2:1: box: every point must be nearer to the eye than 2147483648");
     check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 1 material m", "2:27: cone: radii: must not be the base's");
-    check_refused(M "sphere radius 9000 scale 0.01 1 1 material m",
-                  "2:20: sphere: scale: too flat for its size: the radius around it, over the least scale, must be "
+    check_refused(M "sphere radius 9e8 scale 0.01 1 1 material m",
+                  "2:19: sphere: scale: too flat for its size: the radius around it, over the least scale, must be "
                   "below 32768");
     check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
                   "4:1: triangle: must not be on one line");
@@ -204,8 +203,8 @@ TEST(faults_of_the_scene)
                   "2:22: material: opacity: must be 0 or the number of an opacity texture");
     check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",
                   "4:19: grid: cell: must be at least 2^-10");
-    check_refused("light name l at 0 0 0\nanimate l at 0: 0 0 0\nanimate l at 0: 32000 32000 0",
-                  "3:1: animate: every point must be nearer to the eye than 32768");
+    check_refused("light name l at 0 0 0\nanimate l at 0: 0 0 0\nanimate l at 0: 2e9 2e9 0",
+                  "3:1: animate: every point must be nearer to the eye than 2147483648");
     check_refused("camera look 0 0 0", "1:8: camera: look: must not be the eye");
 }
 

@@ -70,13 +70,12 @@ TEST(names_for_numbers_refused)
     check_refused("define R 1 x", "1:12: 'x' is no number, expected numbers");
     check_refused("define R 1\ndefine S R", "2:10: 'R' is no number, expected numbers");
     check_refused("define R 1\ndefine R 2", "2:8: 'R' is defined for a second time, expected another name");
-    check_refused(M "sphere radius R material m",
-                  "2:15: 'R' is no number, expected a number from -32768 to below 32768");
+    check_refused(M "sphere radius R material m", "2:15: 'R' is no number, expected a number below 2147483648");
     check_refused(M "define R 1 2\nsphere radius R material m",
                   "3:15: '2' is nothing that a sphere has, expected material, appears, vanishes, name, at, rotate, "
                   "scale, centre or radius");
-    check_refused(M "define R 40000\nsphere radius R material m",
-                  "3:15: '40000' is out of range, expected a number from -32768 to below 32768");
+    check_refused(M "define R 4e9\nsphere radius R material m",
+                  "3:15: '4e9' is out of range, expected a number below 2147483648");
     check_refused("define N 1.5\ndepth N", "2:7: '1.5' is no whole number, expected a whole number from 1 to 16");
     check_refused("define N 9 9\ndepth N", "2:7: '9' is too much, expected the end of the line");
     check_refused("depth N\ndefine N 5", "1:7: 'N' is no whole number, expected a whole number from 1 to 16");
@@ -298,12 +297,12 @@ TEST(groups_refused)
     check_refused("group scale 0", "1:1: 'group' is scaled out of range, expected 1/1024 to 1024");
     check_refused("group scale 100\ngroup scale 100",
                   "2:1: 'group' is scaled out of range with its groups, expected 1/1024 to 1024 in all");
-    check_refused("group scale 100\ngroup at 30000 0 0",
-                  "2:1: 'group' is moved out of range by its groups, expected less than 262144");
-    check_refused("group scale 100\ngroup at 0 0 -30000",
-                  "2:1: 'group' is moved out of range by its groups, expected less than 262144");
-    check_refused(M "group scale 100\nsphere radius 1 at 0 0 400 material m\nend",
-                  "3:1: 'sphere' is moved out of range by its groups, expected a place of -32768 to below 32768");
+    check_refused("group scale 1000\ngroup at 2e9 0 0\nend\nend",
+                  "2:1: 'group' is moved out of range by its groups, expected a place nearer to 0");
+    check_refused("group scale 1000\ngroup at 0 0 -2e9\nend\nend",
+                  "2:1: 'group' is moved out of range by its groups, expected a place nearer to 0");
+    check_refused(M "group scale 100\nsphere radius 1 at 0 0 4e7 material m\nend",
+                  "3:1: 'sphere' is moved out of range by its groups, expected a place nearer to 0");
     check_refused("group\nlight at 0 1 0\nend", "2:1: 'light' is not moved by groups, expected it outside of them");
     check_refused(M "group\nplane normal 0 1 0 material m\nend",
                   "3:1: 'plane' is not moved by groups, expected it outside of them");

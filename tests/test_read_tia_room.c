@@ -158,7 +158,7 @@ TEST(no_scene_is_refused_for_its_unit)
         make_text();
         read_string(&r, TIA_FORMAT_TIA, whole);
         bool fine = !r.status;
-        CHECK(r.status || !r.scene.scale_bits);
+        CHECK(r.status || r.scene.scale_bits <= 0);
         read_end(&r);
         if (!fine)
             continue;

@@ -1,12 +1,8 @@
 /* The unit of length of .tia scenes: every length is finer by scale_bits, nothing else is, and the picture is the
  * same. */
-#include "check.h"
-#include "reading.h"
+#include "scaled.h"
 
-#include <tia/bvh.h>
-#include <tia/render.h>
-
-/* Texts in which @ marks lengths. */
+/* Texts for read_scaled. */
 #define SHAPES                                                                                                         \
     "material m colour 0.5 0.75 1\nmaterial shiny colour 0.25 mirror 0.5 specular 0.5 exponent 20\n"                   \
     "texture tiles checker even 1 odd 0.25 repeat 0.5\nmaterial floor colour 1 texture tiles\n"                        \
@@ -36,37 +32,17 @@
     "animate camera eye 0: @0.5 @1 @2 1: @1 @1 @3\nanimate camera look 0: @0 @0 @-9 1: @1 @0 @-9\n"
 #define KEYS "key a light 1 at @1 @2 @3 radius @0.5\n"
 
-/* The text with its lengths times `scale`; `more` behind it. */
-static void read_scaled(struct reading *r, const char *text, double scale, const char *more)
-{
-    char *out = calloc(1, 8 * strlen(text) + strlen(more) + 1), *to = out;
-
-    while (*text) {
-        char *end = NULL;
-        double length = *text == '@' ? strtod(text + 1, &end) : 0;
-        if (end)
-            to += sprintf(to, "%.12g", length * scale);
-        else
-            *to++ = *text;
-        text = end ? end : text + 1;
-    }
-    strcpy(to, more);
-    read_string(r, TIA_FORMAT_TIA, out);
-    CHECK_MSG(!r->status, "%u:%u: %s", (unsigned)r->reader.error.line, (unsigned)r->reader.error.column,
-              r->reader.error.text);
-    free(out);
-}
-
 /* ---- every length ---- */
 
-static unsigned bits; /* of the second scene; the first has 0 */
+static int finer_bits; /* of the second scene; the first has 0 */
 
 static void same_lengths(const char *what, const void *a, const void *b, unsigned count)
 {
     const tia_q16 *x = a, *y = b;
 
     for (unsigned i = 0; i < count; i++)
-        CHECK_MSG(x[i] * (INT64_C(1) << bits) == y[i], "%s: %d << %u is not %d", what, (int)x[i], bits, (int)y[i]);
+        CHECK_MSG(x[i] * (INT64_C(1) << finer_bits) == y[i], "%s: %d << %d is not %d", what, (int)x[i], finer_bits,
+                  (int)y[i]);
 }
 
 static void same_numbers(const char *what, const void *a, const void *b, unsigned count)
@@ -155,9 +131,9 @@ static void check_lengths(const char *text)
 
     read_scaled(&exact, text, 1, "");
     read_scaled(&finer, text, 1, "sphere centre 0 0 -9 radius 0.1 material m\n");
-    bits = finer.scene.scale_bits;
+    finer_bits = finer.scene.scale_bits;
     CHECK_EQ(exact.scene.scale_bits, 0);
-    CHECK(bits > 0);
+    CHECK(finer_bits > 0);
     CHECK_EQ(finer.scene.sphere_count, exact.scene.sphere_count + 1);
     if (!check_failed)
         same_scene(&exact.scene, &finer.scene);
@@ -177,13 +153,13 @@ TEST(every_length_is_finer)
 
 /* ---- how much finer ---- */
 
-static unsigned bits_of(const char *text)
+static int bits_of(const char *text)
 {
     struct reading r;
 
     read_string(&r, TIA_FORMAT_TIA, text);
     CHECK_MSG(!r.status, "%s: %s", text, r.reader.error.text);
-    unsigned scale_bits = r.scene.scale_bits;
+    int scale_bits = r.scene.scale_bits;
     read_end(&r);
     return r.status ? 99 : scale_bits;
 }
@@ -210,37 +186,26 @@ TEST(as_fine_as_there_is_room)
     CHECK_EQ(bits_of(M TENTH "animate camera eye 0: 0 0 0 1: 0 200 0\n"), 7);
     CHECK_EQ(bits_of(M TENTH "animate camera look smooth 0: 0 0 -120 1: 0 0 -9\n"), 7);
     CHECK_EQ(bits_of(M TENTH "plane point 0 -2 0 normal 0 1 0 material m\n"), 2);
-    CHECK_EQ(bits_of(M TENTH "plane point 0 -200 0 normal 0 1 0 material m\n"), 0);
+    CHECK_EQ(bits_of(M TENTH "plane point 0 -200 0 normal 0 1 0 material m\n"), -5);
     CHECK_EQ(bits_of(M TENTH "plane point 7 -1 9 normal 0 3 0 material m\nanimate camera eye 0: 0 0 0 1: 0 3 0\n"), 1);
     CHECK_EQ(bits_of(M TENTH "sphere radius 30000 material m\n"), 0);
     CHECK_EQ(bits_of(M "sphere centre 0 0 -0.001 radius 0.0001 material m\n"), 16);
     CHECK_EQ(bits_of(M TENTH "camera orthographic window 0 0 -4 4\n"), 6);
 }
 
-/* ---- the same picture ---- */
-
-#define WIDTH 80
-#define HEIGHT 60
-
-static void draw(struct reading *r, tia_rgb565 *pixels)
+/* Where an eye is so high that the least lengths would be too small, the horizon gives way. */
+TEST(small_things_are_not_refused)
 {
-    struct tia_scene *scene = &r->scene;
-    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
-    const struct tia_surface surface = {pixels, sizeof *pixels, WIDTH * sizeof *pixels};
-    size_t bvh_size = tia_bvh_size(scene), view_size = tia_view_size(scene, scene->light_count);
-    size_t hits_size = tia_hits_size(scene, all);
-    void *bvh = malloc(bvh_size), *memory = malloc(view_size), *hits_memory = malloc(hits_size);
-    struct tia_view *view;
-    struct tia_hits *hits;
-
-    CHECK_EQ(tia_bvh_build(&scene->bvh, bvh, bvh_size, NULL, scene), TIA_OK);
-    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
-    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
-    free(bvh);
-    free(memory);
-    free(hits_memory);
+    CHECK_EQ(bits_of(M "camera eye 0 1000 0\nplane point 0 0 0 normal 0 1 0 material m\n"), -7);
+    CHECK_EQ(bits_of(M "camera eye 0 1000 0\nplane point 0 0 0 normal 0 1 0 material m\n"
+                       "sphere centre 0 1 0 radius 0.015625 material m\n"),
+             -4);
+    CHECK_EQ(bits_of(M "camera eye 0 1000 0\nplane point 0 0 0 normal 0 1 0 material m\n"
+                       "sphere centre 0 1 0 radius 0.0009765625 material m\n"),
+             0);
 }
+
+/* ---- the same picture ---- */
 
 /* How many pixels change when all is a thousandth as large. */
 static unsigned changed(const char *text, const char *small_text)
@@ -322,6 +287,7 @@ int main(void)
     RUN(every_length_is_finer);
     RUN(as_fine_as_there_is_room);
     RUN(a_thousandth_is_the_same_picture);
+    RUN(small_things_are_not_refused);
     RUN(units_of_the_file_and_names);
     return check_status();
 }

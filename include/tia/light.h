@@ -48,6 +48,7 @@ struct tia_light {
     uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
                                             TIA_LIGHT_SAMPLES */
     uint8_t emission_bits; /* of TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
+    int8_t unit_bits;      /* attenuation is in 2^unit_bits units of the file; with the scene's scale_bits 0..30 */
 };
 
 /* The sample points of an area light with n samples are fixed, so that every machine draws the same picture.

@@ -81,8 +81,10 @@ struct tia_reader {
     void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or called for each named material */
     void *ctx;
 
-    bool unscaled;                     /* lengths keep the file's unit: scale_bits is 0 */
-    bool strict;                       /* warnings are errors */
+    bool unscaled; /* lengths keep the file's unit: scale_bits is 0 */
+    tia_q16 reach; /* above 0: lengths are as fine as there is room for, though none is rounded and the
+                      horizon comes nearer; places as far from 0 along an axis fit, too */
+    bool strict;   /* warnings are errors */
     struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
     struct tia_read_error error;       /* after TIA_ERR_RANGE */
 };

@@ -12,8 +12,9 @@
  * The ray renderer draws all other scenes.
  *
  * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
- * digits: a length of 1 in the file is 2^scale_bits here. Three things stay in the file's units, and the renderer
- * converts them: the attenuation of lights, the surface coordinates of planes and the bias of shadow maps.
+ * digits, or larger, so that large ones fit: a length of 1 in the file is 2^scale_bits here. Three things stay in the
+ * file's units, and the renderer converts them: the attenuation of lights, the surface coordinates of planes and the
+ * bias of shadow maps.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -89,7 +90,7 @@ struct tia_scene {
     tia_q16 tessellated; /* for all techniques but traced rays. 0: rays find curved shapes; otherwise these are divided
                             into flat faces, none farther than this from the true surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
-    uint32_t scale_bits; /* a unit of the file is 2^scale_bits units here: 0..TIA_SCALE_BITS_MAX */
+    int32_t scale_bits;  /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
                                             another technique for shadows than traced rays */

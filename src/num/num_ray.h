@@ -9,6 +9,7 @@
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
  *   num_fine(n)                  n 2^-32, see struct tia_fine
  *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits; `fine`: that has it
+ *   num_coarser(x, bits)         2^bits x, less a multiple of 2^17, at most 2^17 in size; bits in 0..16
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
  *   num_product(x, y)            x y, must be below 2^17; num_product_within(x, y): clamped to 2^17, x, y >= 0
@@ -75,8 +76,8 @@ static inline struct num_point num_point_sub(struct num_point a, struct num_poin
     return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* 2^-bits: a unit of a scene with these scale_bits, in units of its file. */
-static inline num_unit num_scene_unit(uint32_t bits)
+/* 2^-bits, bits in 0..30: a unit of a scene with these scale_bits, in units of its file. */
+static inline num_unit num_scene_unit(int bits)
 {
     return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
 }

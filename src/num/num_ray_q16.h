@@ -31,10 +31,15 @@ static inline num_length num_fine(int16_t digits)
     return (num_length)digits * ((num_length)1 << 13);
 }
 
-static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
+static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
     (void)scale_bits;
     return fine ? NUM_LENGTH_BIAS >> 13 : NUM_LENGTH_BIAS;
+}
+
+static inline num_length num_coarser(num_length x, int bits)
+{
+    return (num_length)((uint64_t)x << (bits + 1)) >> 1;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)

@@ -29,15 +29,22 @@ static inline num_length num_fine(int16_t digits)
 }
 
 /* A float has no digits for anything finer than this, whatever the unit. */
-static inline num_length num_scene_bias(bool fine, uint32_t scale_bits)
+static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
 #ifdef TIA_NUM_F32
     (void)fine;
-    return NUM_LENGTH_BIAS * (num_real)((int32_t)1 << scale_bits);
+    return NUM_LENGTH_BIAS * (num_real)((int32_t)1 << (scale_bits > 0 ? scale_bits : 0));
 #else
     (void)scale_bits;
     return fine ? NUM_LENGTH_BIAS / 8192 : NUM_LENGTH_BIAS;
 #endif
+}
+
+static inline num_length num_coarser(num_length x, int bits)
+{
+    num_real scaled = x * (num_real)((int32_t)1 << bits), periods = scaled / 131072;
+
+    return scaled - (num_real)(int64_t)(periods < 0 ? periods - (num_real)0.5 : periods + (num_real)0.5) * 131072;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)

@@ -31,21 +31,27 @@ static const char *after(const char *string, const char *start)
     return *start ? NULL : string;
 }
 
-/* The rule, its least length, which is 2^-10 in the scene, in the file's unit. */
-static void say_rule(struct tia_read_error *error, const char *rule, unsigned scale_bits)
+/* The rule, its least length, which is 2^-10 in the scene, and its distance in the file's unit. */
+static void say_rule(struct tia_read_error *error, const char *rule, int scale_bits)
 {
-    static const char *const starts[] = {"must be at least 2^-", "must be 0 or at least 2^-"};
+    static const char *const starts[] = {"must be at least 2^", "must be 0 or at least 2^"};
+    const char *far = after(rule, "every point must be nearer to the eye than 32768");
 
     for (unsigned i = 0; i < 2; i++) {
-        const char *number = after(rule, starts[i]), *rest = number ? after(number, "10") : NULL;
+        const char *number = after(rule, starts[i]), *rest = number ? after(number, "-10") : NULL;
         if (!rest)
             continue;
         tia_say(error, starts[i]);
-        tia_say_number(error, 10 + (int64_t)scale_bits);
+        tia_say_number(error, -10 - (int64_t)scale_bits);
         tia_say(error, rest);
         return;
     }
-    tia_say(error, rule);
+    if (!far || scale_bits >= 0) {
+        tia_say(error, rule);
+        return;
+    }
+    tia_say(error, "every point must be nearer to the eye than ");
+    tia_say_number(error, INT64_C(32768) << -scale_bits);
 }
 
 /* Runs tia_scene_check and turns its fault into the reader's error. */
@@ -68,7 +74,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         tia_say(error, fault.field);
     }
     tia_say(error, ": ");
-    say_rule(error, fault.rule, (unsigned)scene->scale_bits);
+    say_rule(error, fault.rule, scene->scale_bits);
     return TIA_ERR_RANGE;
 }
 

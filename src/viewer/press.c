@@ -41,11 +41,11 @@ static bool add(tia_q16 *coordinate, int step, int32_t unit)
 }
 
 /* By a unit of the scene's file, which is too long where Q16.16 does not have it. */
-static bool move_centre(struct tia_vec3 *centre, const struct move *move, uint32_t scale_bits)
+static bool move_centre(struct tia_vec3 *centre, const struct move *move, int scale_bits)
 {
     if (scale_bits > 14)
         return false;
-    int32_t unit = TIA_Q16_ONE << scale_bits;
+    int32_t unit = scale_bits < 0 ? TIA_Q16_ONE >> -scale_bits : TIA_Q16_ONE << scale_bits;
     return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
@@ -64,7 +64,8 @@ static bool rotate(struct tia_dir3 *direction, const struct move *move)
 static int move_light(const struct tia_scene *scene, struct tia_light *light, const struct move *move)
 {
     struct tia_light moved = *light;
-    struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
+    struct tia_scene alone = {
+        .camera = scene->camera, .lights = &moved, .light_count = 1, .scale_bits = scene->scale_bits};
 
     if (tia_scene_check(&alone, NULL))
         return 0;

@@ -6,7 +6,7 @@
 #include "parse.h"
 
 /* "distance=0.5" */
-static bool set_length(const char *field, const char *name, unsigned scale_bits, tia_q16 *length)
+static bool set_length(const char *field, const char *name, int scale_bits, tia_q16 *length)
 {
     size_t size = strlen(name);
 
@@ -26,7 +26,7 @@ static int64_t default_spacing(const struct tia_camera *camera, const struct mod
     return (screen + (int64_t)reach) / modules->count + 1;
 }
 
-static bool set_fields(struct modules *modules, const char *text, unsigned bits)
+static bool set_fields(struct modules *modules, const char *text, int bits)
 {
     char *copy = strdup(text), *left = copy, *field;
     bool good = copy != NULL;

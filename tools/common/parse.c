@@ -64,23 +64,28 @@ static uint64_t fraction(const char *text, size_t count, unsigned places)
     return (bits + 1) / 2;
 }
 
-bool parse_scaled(const char *text, unsigned bits, tia_q16 *value)
+bool parse_scaled(const char *text, int bits, tia_q16 *value)
 {
     uint32_t whole;
     uint64_t part = 0;
     const char *rest;
-    if (!parse_number(text, &rest, 0, 32767, &whole))
+    if (!parse_number(text, &rest, 0, bits < 0 ? INT32_MAX : 32767, &whole))
         return false;
     if (*rest == '.') {
         size_t count = strspn(rest + 1, "0123456789");
         if (count == 0 || count > FRACTION_DIGITS)
             return false;
-        part = fraction(rest + 1, count, 16 + bits);
+        part = fraction(rest + 1, count, (unsigned)(16 + bits));
         rest += 1 + count;
     }
     uint64_t sum = ((uint64_t)whole << (16 + bits)) + part;
     *value = (tia_q16)(sum & INT32_MAX);
     return *rest == '\0' && sum <= INT32_MAX;
+}
+
+unsigned parse_longest(int bits)
+{
+    return bits < 0 ? (32768u << -bits) - 1 : 32767u >> bits;
 }
 
 bool parse_seconds(const char *text, tia_q16 *seconds)

@@ -16,8 +16,9 @@ bool parse_mode(const char *text);
 
 /* "1.25": seconds below 32768, with at most 40 fractional digits, rounded to the nearest 2^-16. */
 bool parse_seconds(const char *text, tia_q16 *seconds);
-/* The same times 2^bits, 0..16, which must be below 32768. */
-bool parse_scaled(const char *text, unsigned bits, tia_q16 *value);
+/* The same times 2^bits, -16..16, which must be below 32768; and the longest whole number that is. */
+bool parse_scaled(const char *text, int bits, tia_q16 *value);
+unsigned parse_longest(int bits);
 
 /* "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);

@@ -41,6 +41,7 @@ void unit_light(struct unit *unit, const struct tia_light *l)
     field_number(unit, "quadratic", l->quadratic);
     field_number(unit, "samples", l->samples);
     field_number(unit, "emission_bits", l->emission_bits);
+    field_number(unit, "unit_bits", l->unit_bits);
     text_print(&unit->text, "}");
 }
 

@@ -135,7 +135,7 @@ static void write_scene(struct unit *unit)
     field_unsigned(unit, "depth", s->depth);
     write_integration(unit);
     write_shadows(unit);
-    field_unsigned(unit, "scale_bits", s->scale_bits);
+    field_number(unit, "scale_bits", s->scale_bits);
     if (s->fine)
         text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);
     if (s->bvh)

@@ -19,6 +19,7 @@ static double fade(const struct tia_light *l, double *distance, int *power)
     double constant = pov_q16(l->constant), term = pov_q16(l->quadratic != 0 ? l->quadratic : l->linear);
 
     *power = l->quadratic != 0 ? 2 : 1;
+    term = ldexp(term, -*power * l->unit_bits);
     *distance = 0;
     if (term == 0)
         return constant != 0 ? 1 / constant : 1;

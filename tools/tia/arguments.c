@@ -172,7 +172,7 @@ static int load_tessellated(const char *error, struct tia_scene *scene)
     if (error && (!parse_scaled(error, scene->scale_bits, &scene->tessellated) ||
                   (!scene->tessellated && strpbrk(error, "123456789"))))
         return fail(EXIT_USAGE, "--tessellated %.200s: not a length (0 to %u, like 0.01)", error,
-                    32767u >> scene->scale_bits);
+                    parse_longest(scene->scale_bits));
     return EXIT_FINE;
 }
 

@@ -49,11 +49,12 @@ void denoising_get(const struct denoising *d, unsigned y, struct tia_sum *row)
 void show_guide(const struct estimation *e, const struct tia_gathered *row)
 {
     const enum tia_shown_guide guide = (enum tia_shown_guide)e->options->guide;
-    const int64_t unit = guide == TIA_SHOW_DEPTH ? INT64_C(1) << e->options->scene.scale_bits : 1;
+    const int bits = guide == TIA_SHOW_DEPTH ? (int)e->options->scene.scale_bits : 0;
+    const int64_t over = INT64_C(1) << (bits > 0 ? bits : 0), times = INT64_C(1) << (bits < 0 ? -bits : 0);
 
     for (size_t x = 0; x < e->film.width; x++) {
         struct tia_sum sum = tia_guide_shown(guide, row, x, e->sums.count);
         for (int c = 0; c < 3; c++)
-            row->sums[x].rgb[c] = sum.rgb[c] / unit;
+            row->sums[x].rgb[c] = sum.rgb[c] / over * times;
     }
 }

@@ -111,7 +111,7 @@ static int load_distance(const char *text, struct tia_scene *scene)
 {
     if (text && (!parse_scaled(text, scene->scale_bits, &scene->integration.distance) || !scene->integration.distance))
         return fail(EXIT_USAGE, "--integrator ao=%.200s: not a distance (above 0, to %u, like 2.5)", text,
-                    32767u >> scene->scale_bits);
+                    parse_longest(scene->scale_bits));
     return EXIT_FINE;
 }
 

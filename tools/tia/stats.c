@@ -99,7 +99,7 @@ int stats_print(struct stats *stats)
     print_paced(&stats->paced);
     (void)fprintf(stderr,
                   "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"level\": \"%s\", \"threads\": %u, "
-                  "\"scale_bits\": %u}\n",
+                  "\"scale_bits\": %d}\n",
                   stats->display, stats->format, stats->width, stats->height, stats->level ? stats->level : "plain",
                   stats->threads, stats->scale_bits);
     return fflush(stderr) != 0 || ferror(stderr) != 0 ? -1 : 0;

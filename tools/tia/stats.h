@@ -27,9 +27,10 @@ struct stats {
     struct samples coarse;     /* and to the first picture of it, coarse or complete */
     bool answered;             /* a coarse picture of a key's frame was shown, and the complete one is to come */
     const char *display, *format, *level;
-    unsigned width, height, threads, scale_bits; /* the last: of the scene */
-    uint64_t pixels, all_pixels;                 /* drawn, and those of all frames */
-    bool gazes;                                  /* where these differ */
+    unsigned width, height, threads;
+    int scale_bits;              /* of the scene */
+    uint64_t pixels, all_pixels; /* drawn, and those of all frames */
+    bool gazes;                  /* where these differ */
     struct paced paced;
 };
 

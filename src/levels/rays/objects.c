@@ -17,7 +17,7 @@ static void set_flat(struct sure_object *o, enum sure_kind kind, const struct pr
     sure_dir(o->axes[0], plane->tangents[0]);
     sure_dir(o->axes[1], plane->tangents[1]);
     o->radius = sure_length(plane->radius);
-    o->unit = kind == SURE_PLANE ? sure_cosine(plane->unit) : 1;
+    o->unit = kind == SURE_PLANE ? sure_cosine(plane->unit) * (double)(INT32_C(1) << plane->coarser) : 1;
 }
 
 static void set_round(struct sure_object *o, struct sure_round *to, const struct prepared_cone *from)

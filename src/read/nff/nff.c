@@ -234,7 +234,7 @@ static struct nff begin(struct tia_scene *scene)
                     .fine_spheres = {.item = sizeof(struct tia_fine_sphere)},
                     .fine_shapes = {.item = sizeof(struct tia_fine_ends)}};
 
-    tia_lengths_begin(&n.lengths);
+    tia_lengths_begin(&n.lengths, 0, 0);
     return n;
 }
 
@@ -279,11 +279,32 @@ static int check_view(struct nff *n)
     return TIA_OK;
 }
 
+/* The last pass. */
+static int fill(struct nff *n, struct tia_reader *reader, int bits)
+{
+    struct tia_array *const arrays[] = {&n->materials, &n->lights,       &n->spheres,    &n->shapes,
+                                        &n->meshes,    &n->vertices,     &n->normals,    &n->faces,
+                                        &n->groups,    &n->fine_spheres, &n->fine_shapes};
+
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        tia_array_restart(arrays[i]);
+    n->transmits = false;
+    n->lengths.filling = true;
+    n->lengths.scale_bits = n->scene->scale_bits = bits;
+    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    return read_all(n, reader, &reader->error);
+}
+
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
     struct nff n = begin(scene);
-    int status = read_all(&n, reader, &reader->error);
+    int bits = 0, status;
 
+    do {
+        n = begin(scene);
+        tia_lengths_begin(&n.lengths, bits, reader->reach);
+        status = read_all(&n, reader, &reader->error);
+    } while (!status && !reader->unscaled && tia_lengths_widen(&n.lengths, &bits));
     status = status ? status : check_view(&n);
     if (status)
         return status;
@@ -291,12 +312,14 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     struct tia_fine *fine = tia_arena_take(arena, 1, sizeof *fine);
     if (!tia_arena_fits(arena))
         return TIA_OK;
-    n.lengths.filling = true;
-    n.lengths.scale_bits = reader->unscaled ? 0 : tia_lengths_room(&n.lengths);
-    scene->scale_bits = n.lengths.scale_bits;
-    status = read_all(&n, reader, &reader->error);
+    int room = reader->unscaled ? 0 : tia_lengths_room(&n.lengths);
+    status = fill(&n, reader, bits == 0 && room < 0 ? 0 : room);
     *fine = n.fine;
     scene->fine = fine;
+    if (room < scene->scale_bits && (status || tia_scene_check(scene, NULL))) {
+        status = fill(&n, reader, room);
+        *fine = n.fine;
+    }
     return status;
 }
 

@@ -2,6 +2,7 @@
 #include "fields.h"
 
 #include "length.h"
+#include "math/integer.h"
 
 int tia_colour(struct tia_text *t, struct tia_rgb *out)
 {
@@ -35,6 +36,65 @@ int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
     out->rgb = (struct tia_rgb){(tia_q30)((rgb[0] + half) >> out->bits), (tia_q30)((rgb[1] + half) >> out->bits),
                                 (tia_q30)((rgb[2] + half) >> out->bits)};
     return TIA_OK;
+}
+
+#define FADING_MORE 5                                   /* bits to see by whether Q16.16 has a number */
+#define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: within 2^-11 of itself */
+#define FADING_MOST (INT64_C(32767) << (16 + FADING_MORE))
+
+/* The linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE bits more. */
+static int read_fading(struct tia_text *t, int unit, int64_t out[2])
+{
+    int status = tia_text_long(t, &out[0], (unsigned)(16 + FADING_MORE + unit));
+
+    return status ? status : tia_text_long(t, &out[1], (unsigned)(16 + FADING_MORE + 2 * unit));
+}
+
+/* Whether Q16.16 has the numbers, exactly or with digits enough. */
+static bool keeps_digits(const int64_t numbers[2])
+{
+    bool keeps = true;
+
+    for (int i = 0; i < 2; i++)
+        keeps = keeps &&
+                (numbers[i] >= FADING_LEAST || numbers[i] <= -FADING_LEAST || !(numbers[i] & ((1 << FADING_MORE) - 1)));
+    return keeps;
+}
+
+static bool fits(const int64_t numbers[2])
+{
+    return numbers[0] <= FADING_MOST && numbers[1] <= FADING_MOST && numbers[0] >= -FADING_MOST &&
+           numbers[1] >= -FADING_MOST;
+}
+
+/* Units are 2^-8 to 2^16 times the file's: tia_decimal has no more bits. */
+#define FADING_UNIT 8
+#define FADING_UNITS 16
+
+int tia_fading(struct tia_text *t, struct tia_fading *out)
+{
+    int status = tia_text_q16(t, &out->constant), scale_bits = t->lengths->filling ? t->lengths->scale_bits : 0;
+    int unit = scale_bits < 0 ? -scale_bits : 0, least = scale_bits > 0 ? -scale_bits : unit;
+    const struct tia_text start = *t;
+    int64_t numbers[2] = {0, 0}, more[2];
+
+    unit = unit < FADING_UNITS ? unit : FADING_UNITS;
+    status = status ? status : read_fading(t, unit, numbers);
+    for (struct tia_text again = start; !status && !fits(numbers) && unit > least && unit > -FADING_UNIT; again = start)
+        status = read_fading(&again, --unit, numbers);
+    for (struct tia_text again = start; !status && !keeps_digits(numbers) && unit < FADING_UNITS; again = start) {
+        if (read_fading(&again, unit + 1, more) || !fits(more))
+            break;
+        numbers[0] = more[0];
+        numbers[1] = more[1];
+        unit++;
+    }
+    for (int i = 0; i < 2; i++)
+        numbers[i] = numbers[i] < -FADING_MOST ? -FADING_MOST : numbers[i] > FADING_MOST ? FADING_MOST : numbers[i];
+    out->linear = (tia_q16)tia_round_shift(numbers[0], FADING_MORE);
+    out->quadratic = (tia_q16)tia_round_shift(numbers[1], FADING_MORE);
+    out->unit_bits = (int8_t)unit;
+    return status;
 }
 
 static int read_all(struct tia_text *t, int (*read)(struct tia_text *, tia_q16 *), tia_q16 *out, unsigned count)
@@ -84,6 +144,8 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
         return tia_colour(t, out);
     case TIA_EMISSION:
         return tia_emission(t, out, field->max ? TIA_Q30_ONE : INT32_MAX);
+    case TIA_FADING:
+        return tia_fading(t, out);
     case TIA_DIRECTION:
         return tia_text_dir3(t, out);
     case TIA_WHOLE:

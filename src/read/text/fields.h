@@ -14,6 +14,7 @@ enum tia_field_kind {
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
     TIA_EMISSION,   /* a struct tia_emission: below 16384 */
+    TIA_FADING,     /* a struct tia_fading: three numbers */
     TIA_DIRECTION,  /* a tia_dir3; any vector but 0, which is normalised */
     TIA_WHOLE,      /* `count` uint16_t in 1..max */
     TIA_FLAG,       /* no value; sets a bool to true */
@@ -40,6 +41,12 @@ struct tia_emission {
     uint8_t bits;
 };
 
+/* A light's attenuation, see there: in a unit of length in which the numbers keep their digits. */
+struct tia_fading {
+    tia_q16 constant, linear, quadratic;
+    int8_t unit_bits;
+};
+
 /* A statement that has several forms, named by the word after it: "camera frustum ...". */
 struct tia_form {
     const char *word, *what; /* of errors, as above */
@@ -53,6 +60,7 @@ const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms
 
 /* Read the values of one field or keyframe. */
 int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);
+int tia_fading(struct tia_text *t, struct tia_fading *out);
 int tia_colour(struct tia_text *t, struct tia_rgb *out);
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);
 

@@ -26,11 +26,29 @@ void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radiu
     tia_span_join(span, &ball);
 }
 
-void tia_lengths_begin(struct tia_lengths *l)
+void tia_lengths_begin(struct tia_lengths *l, int scale_bits, tia_q16 reach)
 {
-    *l = (struct tia_lengths){.scale_bits = 0};
+    *l = (struct tia_lengths){
+        .scale_bits = scale_bits, .finest = reach > 0, .longest = reach > 0 ? tia_length_times(reach, scale_bits) : 0};
     tia_span_begin(&l->all);
     tia_span_begin(&l->eyes);
+}
+
+bool tia_lengths_widen(const struct tia_lengths *l, int *scale_bits)
+{
+    int bits = l->scale_bits;
+
+    while (bits > -TIA_SCALE_BITS_MAX && tia_length_times(l->longest, bits - l->scale_bits) > INT32_MAX)
+        bits--;
+    *scale_bits = bits;
+    return bits < l->scale_bits;
+}
+
+int64_t tia_length_times(int64_t x, int bits)
+{
+    if (bits >= 0)
+        return x > INT64_MAX >> bits ? INT64_MAX : x * (INT64_C(1) << bits);
+    return (x >> -bits) + ((x & ((INT64_C(1) << -bits) - 1)) != 0);
 }
 
 void tia_lengths_cover(struct tia_lengths *l, struct tia_vec3 centre, int64_t radius)
@@ -44,49 +62,60 @@ void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
     tia_span_cover(&l->eyes, eye, 0);
 }
 
-/* The distance from an eye to the farthest corner, at least 2^32 - 1 where it does not fit; with what rounding to
- * Q16.16 may take from it, half a unit from each number, once in the file's unit and once in the finer one. */
-static uint64_t farthest(const struct tia_lengths *l)
+/* The distance from an eye to the farthest corner, rounded up. */
+static int64_t farthest(const struct tia_lengths *l)
 {
-    uint64_t square = 0;
+    uint64_t far[3], most = 0, square = 0;
+    unsigned coarse = 0;
 
     for (int i = 0; i < 3; i++) {
         int64_t over = l->all.max[i] - l->eyes.min[i], under = l->eyes.max[i] - l->all.min[i];
-        uint64_t far = (uint64_t)(over > under ? over : under);
-        if (far >> 31)
-            return UINT32_MAX;
-        square += far * far;
+        far[i] = (uint64_t)(over > under ? over : under);
+        most = far[i] > most ? far[i] : most;
     }
-    return tia_sqrt64(square) + UINT64_C(6);
+    while (((most >> coarse) + 1) >> 31)
+        coarse++;
+    for (int i = 0; i < 3; i++) {
+        uint64_t part = (far[i] >> coarse) + (coarse > 0);
+        square += part * part;
+    }
+    return (int64_t)(tia_sqrt64(square) + 1) << coarse;
 }
 
-unsigned tia_lengths_room(const struct tia_lengths *l)
-{
-    uint64_t far = farthest(l), longest = (uint64_t)l->longest + 1, most = far > longest ? far : longest;
-    unsigned bits = 0;
+/* What rounding to Q16.16 may take from the distance: half a unit from each number, once in the unit of the first pass
+ * and once in the scene's. */
+#define ROUNDED 5
 
-    while (bits < TIA_SCALE_BITS_MAX && most << (bits + 1) < UINT64_C(1) << 31)
-        bits++;
+int tia_lengths_room(const struct tia_lengths *l)
+{
+    int64_t far = farthest(l) + ROUNDED, longest = l->longest + 1, most = far > longest ? far : longest;
+    int bits = TIA_SCALE_BITS_MAX;
+
+    while (bits > -TIA_SCALE_BITS_MAX &&
+           tia_length_times(most, bits - l->scale_bits) + (bits < l->scale_bits ? ROUNDED : 0) > INT32_MAX)
+        bits--;
     return bits;
 }
 
-static void note(struct tia_lengths *l, struct tia_text before, tia_q16 length)
+/* In the first passes what does not fit is clamped: a later pass reads it in a larger unit. */
+static int measure(struct tia_text *t, tia_q16 *out)
 {
-    int64_t size = length < 0 ? -(int64_t)length : length, exact;
+    struct tia_lengths *l = t->lengths;
+    struct tia_text before = *t;
+    int64_t length = 0, exact;
+    int status = tia_text_long(t, &length, (unsigned)(16 + l->scale_bits));
+    int64_t size = length < 0 ? -(length + 1) : length; /* that is INT32_MAX at both ends of the range */
 
     l->longest = size > l->longest ? size : l->longest;
-    if (!l->rounded && !tia_text_q32(&before, &exact))
-        l->rounded = exact != (int64_t)length * 65536;
+    *out = (tia_q16)(length < INT32_MIN ? INT32_MIN : length > INT32_MAX ? INT32_MAX : length);
+    if (!status && !l->rounded && !tia_text_q32(&before, &exact))
+        l->rounded = exact != length * 65536;
+    return status;
 }
 
 int tia_text_length(struct tia_text *t, tia_q16 *out)
 {
-    struct tia_text before = *t;
-    int status = tia_text_scaled(t, out, t->lengths->scale_bits);
-
-    if (!status && !t->lengths->filling)
-        note(t->lengths, before, *out);
-    return status;
+    return t->lengths->filling ? tia_text_scaled(t, out, t->lengths->scale_bits) : measure(t, out);
 }
 
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out)

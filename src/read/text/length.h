@@ -1,7 +1,9 @@
-/* length.h - lengths and places in a unit of their own, so that a scene of small numbers uses the range of Q16.16.
+/* length.h - lengths and places in a unit of their own, so that a scene of small numbers uses the range of Q16.16, and
+ * one of large numbers fits.
  *
  * A reader's first pass reads them in the file's unit, covers all that the scene is made of, and asks for scale_bits;
- * the last pass reads them again, finer, with scale_bits set. No number is rounded more than once.
+ * the last pass reads them again with scale_bits set. No number is rounded more than once. Where the file's unit is too
+ * small for Q16.16, the first pass is repeated in a larger one.
  */
 #ifndef TIA_READ_TEXT_LENGTH_H
 #define TIA_READ_TEXT_LENGTH_H
@@ -13,10 +15,11 @@ struct tia_span {
 };
 
 struct tia_lengths {
-    unsigned scale_bits;  /* lengths are read times 2^scale_bits */
+    int scale_bits;       /* lengths are read times 2^scale_bits */
     bool filling;         /* the last pass: nothing is measured any more */
     bool rounded;         /* some length was none of Q16.16 */
-    int64_t longest;      /* of those read, in size */
+    bool finest;          /* all of the range is to be used, also if no length is rounded */
+    int64_t longest;      /* of those read, in size, though what was read is clamped to Q16.16 */
     struct tia_span all;  /* around the scene, lights and eyes too */
     struct tia_span eyes; /* around the places that the eye may take */
 };
@@ -26,15 +29,23 @@ void tia_span_begin(struct tia_span *span);
 void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius);
 void tia_span_join(struct tia_span *span, const struct tia_span *more);
 
-/* Nothing measured yet, read as it is. */
-void tia_lengths_begin(struct tia_lengths *lengths);
+/* Nothing measured yet; read times 2^scale_bits. Places as far as `reach` from 0, Q16.16 of the file's unit, must fit
+ * as well, unless that is 0, and the finest unit is wanted. */
+void tia_lengths_begin(struct tia_lengths *lengths, int scale_bits, tia_q16 reach);
+
+/* After a first pass: whether some length did not fit. Then it is to be repeated with the scale_bits that this sets. */
+bool tia_lengths_widen(const struct tia_lengths *lengths, int *scale_bits);
+
+/* x times 2^bits, bits at most 16, saturated; rounded up. */
+int64_t tia_length_times(int64_t x, int bits);
 
 /* Adds a ball to the scene; a place of the eye. */
 void tia_lengths_cover(struct tia_lengths *lengths, struct tia_vec3 centre, int64_t radius);
 void tia_lengths_cover_eye(struct tia_lengths *lengths, struct tia_vec3 eye);
 
-/* The most scale_bits with which all lengths fit, and nothing is farther from the eye than tia_scene_check allows. */
-unsigned tia_lengths_room(const struct tia_lengths *lengths);
+/* The most scale_bits, up to TIA_SCALE_BITS_MAX in size, with which all lengths fit, and nothing is farther from the
+ * eye than tia_scene_check allows. */
+int tia_lengths_room(const struct tia_lengths *lengths);
 
 /* Read with t->lengths. */
 int tia_text_length(struct tia_text *t, tia_q16 *out);

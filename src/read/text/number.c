@@ -8,7 +8,7 @@
 #include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
-#define LIMBS 6 /* 54 digits; 48 bits and the rounding bit need 49 */
+#define LIMBS 6 /* 54 digits; 53 bits and the rounding bit need 54 */
 #define STEP 32 /* bits at a time */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
@@ -88,7 +88,7 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* The fraction times 2^bits, rounded down; bits in 1..49. Multiplies limbs of nine digits from the last to the first,
+/* The fraction times 2^bits, rounded down; bits in 1..54. Multiplies limbs of nine digits from the last to the first,
  * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. What is left in the
  * limbs is the fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
@@ -177,15 +177,22 @@ int tia_text_q16(struct tia_text *t, tia_q16 *out)
     return tia_text_scaled(t, out, 0);
 }
 
-int tia_text_fine(struct tia_text *t, int64_t *out, unsigned bits)
+int tia_text_long(struct tia_text *t, int64_t *out, unsigned bits)
 {
-    return read_number(t, out, 32 + bits, -(INT64_C(1) << 47), (INT64_C(1) << 47) - 1,
+    int64_t most = bits < 32 ? (INT64_C(1) << (31 + bits)) - 1 : INT64_MAX;
+
+    return read_number(t, out, bits, -most, most, "a number below 2147483648");
+}
+
+int tia_text_fine(struct tia_text *t, int64_t *out, int bits)
+{
+    return read_number(t, out, (unsigned)(32 + bits), -(INT64_C(1) << 47), (INT64_C(1) << 47) - 1,
                        "a number from -32768 to below 32768");
 }
 
-int tia_text_scaled(struct tia_text *t, tia_q16 *out, unsigned bits)
+int tia_text_scaled(struct tia_text *t, tia_q16 *out, int bits)
 {
-    return read_number32(t, out, 16 + bits, INT32_MIN, INT32_MAX, "a number from -32768 to below 32768");
+    return read_number32(t, out, (unsigned)(16 + bits), INT32_MIN, INT32_MAX, "a number from -32768 to below 32768");
 }
 
 int tia_text_q30(struct tia_text *t, tia_q30 *out)

@@ -79,17 +79,18 @@ void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 
 enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
 
-/* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..48, the result below 2^63. */
+/* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..53, the result below 2^63. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
 /* Whether the next word of the line is a number, or a name for some. */
 bool tia_text_has_number(const struct tia_text *t);
 
-/* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. The scaled ones times 2^bits, 0..16, as
- * Q16.16 and as Q31.32. */
+/* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. The scaled ones times 2^bits, -16..16, as
+ * Q16.16 and as Q31.32; the long one, below 2^31, with that many bits behind the point, 0..53, below 2^63 then. */
 int tia_text_q16(struct tia_text *t, tia_q16 *out);
-int tia_text_scaled(struct tia_text *t, tia_q16 *out, unsigned bits);
-int tia_text_fine(struct tia_text *t, int64_t *out, unsigned bits);
+int tia_text_scaled(struct tia_text *t, tia_q16 *out, int bits);
+int tia_text_fine(struct tia_text *t, int64_t *out, int bits);
+int tia_text_long(struct tia_text *t, int64_t *out, unsigned bits);
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
 int tia_text_q32(struct tia_text *t, int64_t *out);
 

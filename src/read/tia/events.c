@@ -1,5 +1,6 @@
 /* events.c - what happens while a scene plays:  sphere ... appears 2 vanishes 5    fall ball velocity 1 0 0 */
 #include "job.h"
+#include "math/integer.h"
 
 #define END_DEFAULT TIA_Q16(10)
 
@@ -38,9 +39,22 @@ static const struct tia_field gravity_fields[] = {
     {.word = "until", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_falling, end)},
 };
 
+/* Where things fall the unit may only be larger than the file's, and speeds are then in the scene's. */
+static void rescale(const struct tia_job *job, struct tia_vec3 *v)
+{
+    int bits = job->reach.lengths.scale_bits;
+    unsigned down = (unsigned)(bits < 0 ? -bits : 0);
+
+    if (job->pass == TIA_FILLING)
+        *v = (struct tia_vec3){(tia_q16)tia_round_shift(v->x, down), (tia_q16)tia_round_shift(v->y, down),
+                               (tia_q16)tia_round_shift(v->z, down)};
+}
+
 int tia_line_gravity(struct tia_job *job)
 {
     int status = tia_text_vec3(&job->text, &job->falling.gravity);
+
+    rescale(job, &job->falling.gravity);
 
     return status
                ? status
@@ -70,6 +84,7 @@ int tia_line_fall(struct tia_job *job)
         fall.shape = (uint32_t)(name - (const struct tia_name *)tia_job_at(job, TIA_OF_NAMES, 0));
     status = tia_fields(&job->text, "a ball that falls", fall_fields, TIA_COUNT_OF(fall_fields), &fall, NULL);
     job->reach.falls = job->hides = true;
+    rescale(job, &fall.velocity);
     if (!status)
         (void)tia_job_add(job, TIA_OF_FALLS, &fall);
     return status;

@@ -109,24 +109,27 @@ static int compose(struct tia_job *job, struct tia_place *place)
         place->scale[i] = wide_round(wide_product(scale[i], inner.scale[i]), 32);
         if (place->scale[i] < LEAST_SCALE || place->scale[i] > MOST_SCALE)
             return refuse(job, "is scaled out of range with its groups", "1/1024 to 1024 in all");
-        if (place->position[i] > FARTHEST || place->position[i] < -FARTHEST)
-            return refuse(job, "is moved out of range by its groups", "less than 262144");
+        if (place->position[i] > FARTHEST || place->position[i] < -FARTHEST) {
+            if (job->pass == TIA_FILLING)
+                return refuse(job, "is moved out of range by its groups", "a place nearer to 0");
+            place->position[i] = place->position[i] < 0 ? -FARTHEST : FARTHEST;
+        }
     }
     return TIA_OK;
 }
 
-/* Rounds Q31.32 to nearest; false if the result is out of range. */
+/* Rounds Q31.32 to nearest, saturated; false if it does not fit. */
 static bool rounded(const int64_t from[3], struct tia_vec3 *to)
 {
     tia_q16 *const out[3] = {&to->x, &to->y, &to->z};
+    bool fits = true;
 
     for (int i = 0; i < 3; i++) {
         int64_t q = tia_round_shift(from[i], 16);
-        if (q > INT32_MAX || q < INT32_MIN)
-            return false;
-        *out[i] = (tia_q16)q;
+        fits = fits && q <= INT32_MAX && q >= INT32_MIN;
+        *out[i] = (tia_q16)(q < INT32_MIN ? INT32_MIN : q > INT32_MAX ? INT32_MAX : q);
     }
-    return true;
+    return fits;
 }
 
 int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name)
@@ -138,8 +141,10 @@ int tia_group_place(struct tia_job *job, struct tia_transform *transform, const 
     int status = compose(job, &place);
     if (status)
         return status;
-    if (!rounded(place.position, &transform->position))
-        return refuse(job, "is moved out of range by its groups", "a place of -32768 to below 32768");
+    if (job->pass == TIA_COUNTING)
+        tia_reach_group(&job->reach, place.position);
+    if (!rounded(place.position, &transform->position) && job->pass == TIA_FILLING)
+        return refuse(job, "is moved out of range by its groups", "a place nearer to 0");
     (void)rounded(place.scale, &transform->scale);
     transform->rotation = place.rotation;
     if (!place.as_written)

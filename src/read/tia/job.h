@@ -83,6 +83,8 @@ struct tia_job {
     struct tia_array arrays[TIA_ARRAYS];
     struct tia_falling falling; /* gravity, and when it ends */
     bool hides;                 /* a shape may not be there: the scene needs a mesh without faces */
+    int bits, most, room;       /* the scale_bits, and what they may be, see next_unit; known before the last pass */
+    uint32_t images;            /* of so many textures the images have been loaded */
     uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
 
     const char *statement; /* the one that was read last */

@@ -6,6 +6,7 @@ struct light_line {
     struct tia_word name;
     tia_q16 appears, vanishes;
     struct tia_emission emission;
+    struct tia_fading fading;
     struct tia_light light;
 };
 
@@ -30,9 +31,11 @@ struct light_line {
     {                                                                                                                  \
         .word = "emission", .kind = TIA_EMISSION, .offset = offsetof(struct light_line, emission)                      \
     }
-#define PLACED NAME, EMISSION, LENGTHS("at", 3, centre, true), NUMBERS("attenuation", 3, constant, false)
-_Static_assert(offsetof(struct tia_light, quadratic) == offsetof(struct tia_light, constant) + 2 * sizeof(tia_q16),
-               "an attenuation is three numbers");
+#define PLACED                                                                                                         \
+    NAME, EMISSION, LENGTHS("at", 3, centre, true),                                                                    \
+    {                                                                                                                  \
+        .word = "attenuation", .kind = TIA_FADING, .offset = offsetof(struct light_line, fading)                       \
+    }
 #define DIRECTION                                                                                                      \
     {                                                                                                                  \
         .word = "direction", .kind = TIA_DIRECTION, .offset = offsetof(struct light_line, light.direction),            \
@@ -69,10 +72,15 @@ static int read_light(struct tia_job *job, struct light_line *line, bool nameabl
     unsigned skip = nameable ? 0 : OWN;
 
     line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind};
+    line->fading = (struct tia_fading){.constant = 0};
     line->emission = (struct tia_emission){{TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}, 0};
     int status = tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
     line->light.emission = line->emission.rgb;
     line->light.emission_bits = line->emission.bits;
+    line->light.constant = line->fading.constant;
+    line->light.linear = line->fading.linear;
+    line->light.quadratic = line->fading.quadratic;
+    line->light.unit_bits = line->fading.unit_bits;
     bool has_place = kind->kind != TIA_DIRECTIONAL_LIGHT && kind->kind != TIA_AMBIENT_LIGHT;
     if (!status && has_place && job->pass == TIA_COUNTING)
         tia_reach_light(&job->reach, &line->light);

@@ -146,9 +146,17 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     int status = tia_include_path(job, file, path);
     if (status || job->pass != TIA_FILLING || job->seeking)
         return status;
+    if (tia_job_count(job, TIA_OF_TEXTURES) < job->images) { /* the last pass is read again */
+        const struct tia_texture *loaded = tia_job_at(job, TIA_OF_TEXTURES, tia_job_count(job, TIA_OF_TEXTURES));
+        texture->width = loaded->width;
+        texture->height = loaded->height;
+        texture->texels = loaded->texels;
+        return TIA_OK;
+    }
     if (is_image ? reader->image(reader->ctx, path, &image, &why)
                  : reader->opacity(reader->ctx, path, TIA_CHANNEL_OPACITY, &image, &why))
         return tia_job_missing(job, file, why, "a picture");
+    job->images = tia_job_count(job, TIA_OF_TEXTURES) + 1;
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;

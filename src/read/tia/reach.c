@@ -3,8 +3,8 @@
 #include "math/integer.h"
 #include "scene/shapes/description.h"
 
-/* An eye 1 above an infinite plane sees it end at 2^-16 below the horizon, since nothing is hit 65536 away. In a finer
- * unit that is nearer: up to 2^-13, less than a quarter of a pixel. */
+/* An eye 1 above an infinite plane sees it end at 2^-16 below the horizon, since nothing is hit 65536 away; one 8 above
+ * it at 2^-13, which is less than a quarter of a pixel. So the unit of length is no smaller than this allows. */
 #define HEIGHT_MOST TIA_Q16(8)
 /* A window whose width follows the picture's has 64 times its height to grow. */
 #define WINDOW_GROWS 32
@@ -54,10 +54,10 @@ static void scale(struct tia_reach *r, struct tia_vec3 s)
     }
 }
 
-void tia_reach_begin(struct tia_reach *r)
+void tia_reach_begin(struct tia_reach *r, int scale_bits, tia_q16 places)
 {
     *r = (struct tia_reach){.scale_least = TIA_Q16_ONE, .scale_largest = TIA_Q16_ONE};
-    tia_lengths_begin(&r->lengths);
+    tia_lengths_begin(&r->lengths, scale_bits, places);
     tia_span_begin(&r->places);
 }
 
@@ -218,15 +218,23 @@ static void add_placed(struct tia_reach *r)
         lengthen(r, distance(around) * TIA_Q16_ONE / least);
 }
 
-unsigned tia_reach_bits(const struct tia_reach *reach)
+int tia_reach_room(const struct tia_reach *reach)
 {
     struct tia_reach r = *reach;
 
-    if (!r.lengths.rounded || r.falls)
-        return 0;
     add_placed(&r);
-    unsigned bits = tia_lengths_room(&r.lengths);
-    while (bits > 0 && r.height << bits > HEIGHT_MOST)
+    int bits = tia_lengths_room(&r.lengths);
+    bool finer = (r.lengths.rounded || r.lengths.finest) && !r.falls;
+    return bits > 0 && !finer ? 0 : bits;
+}
+
+int tia_reach_bits(const struct tia_reach *reach, int most)
+{
+    int bits = most;
+    bool sees = !reach->lengths.finest && !reach->falls;
+
+    while (bits > -TIA_SCALE_BITS_MAX && sees &&
+           tia_length_times(reach->height, bits - reach->lengths.scale_bits) > HEIGHT_MOST)
         bits--;
     return bits;
 }

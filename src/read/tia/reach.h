@@ -18,7 +18,8 @@ struct tia_reach {
     int64_t height;                     /* of an eye above a plane, at most */
 };
 
-void tia_reach_begin(struct tia_reach *reach);
+/* See tia_lengths_begin. */
+void tia_reach_begin(struct tia_reach *reach, int scale_bits, tia_q16 places);
 
 /* In the first pass: a shape, with its transform if it is placed or may move; a mesh's vertex or a grid; ... */
 void tia_reach_shape(struct tia_reach *reach, const struct tia_shape *shape, const struct tia_transform *transform,
@@ -33,7 +34,9 @@ void tia_reach_group(struct tia_reach *reach, const int64_t position[3]);
 /* In a later pass, when all eyes are known. */
 void tia_reach_plane(struct tia_reach *reach, const struct tia_plane *plane);
 
-/* The scale_bits: 0 if Q16.16 has all lengths as they are. */
-unsigned tia_reach_bits(const struct tia_reach *reach);
+/* The most scale_bits that there surely is room for, 0 where no more are needed; and `most` or fewer, where an eye is
+ * high above a plane. */
+int tia_reach_room(const struct tia_reach *reach);
+int tia_reach_bits(const struct tia_reach *reach, int most);
 
 #endif

@@ -244,7 +244,7 @@ static int read_rows(struct tia_job *job, const struct tia_grid *grid)
 
 int tia_line_grid(struct tia_job *job)
 {
-    struct tia_grid grid = {.cell = TIA_Q16_ONE << job->reach.lengths.scale_bits};
+    struct tia_grid grid = {.cell = (tia_q16)tia_length_times(TIA_Q16_ONE, job->reach.lengths.scale_bits)};
     uint32_t cells = tia_job_count(job, TIA_OF_CELLS);
     int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_GRIDS) + 1);
 

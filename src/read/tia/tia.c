@@ -113,10 +113,9 @@ static void begin_pass(struct tia_job *job, enum tia_pass pass)
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
             tia_array_restart(&job->arrays[i]);
-    if (pass == TIA_COUNTING)
-        tia_reach_begin(&job->reach);
     job->reach.lengths.filling = pass == TIA_FILLING;
-    job->reach.lengths.scale_bits = pass == TIA_FILLING && !reader->unscaled ? tia_reach_bits(&job->reach) : 0;
+    if (pass == TIA_FILLING)
+        job->reach.lengths.scale_bits = job->bits;
     *job->scene = (struct tia_scene){.camera = {.fov = TIA_Q16(25)}, .scale_bits = job->reach.lengths.scale_bits};
     job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
     job->text.constants = &job->constants;
@@ -261,13 +260,30 @@ static void size_arrays(struct tia_job *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
+/* Where all lengths fit in the file's unit, it is tried even if the estimate of how far the scene reaches is against
+ * it.
+ */
+static void choose_unit(struct tia_job *job)
+{
+    bool fits = job->reach.lengths.scale_bits == 0;
+
+    job->room = tia_reach_room(&job->reach);
+    job->most = fits && job->room < 0 ? 0 : job->room;
+    job->bits = tia_reach_bits(&job->reach, job->most);
+}
+
 /* All passes; where the memory does not fit, only the first one. */
 int tia_job_read(struct tia_job *job, struct tia_arena *arena)
 {
+    int bits = 0, status;
+
     size_arrays(job);
-    int status = read_pass(job, TIA_COUNTING);
-    if (status)
-        return status;
+    do {
+        tia_reach_begin(&job->reach, bits, job->reader->reach);
+        status = read_pass(job, TIA_COUNTING);
+        if (status)
+            return status;
+    } while (!job->reader->unscaled && tia_lengths_widen(&job->reach.lengths, &bits));
     tia_reach_camera(&job->reach, &job->scene->camera);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         (void)tia_array_place(arena, &job->arrays[i]);
@@ -275,7 +291,30 @@ int tia_job_read(struct tia_job *job, struct tia_arena *arena)
         return TIA_OK;
     status = read_pass(job, TIA_NAMING);
     status = status ? status : sort_names(job);
+    if (!job->reader->unscaled)
+        choose_unit(job);
     return status ? status : read_pass(job, TIA_FILLING);
+}
+
+static void finish(struct tia_job *job)
+{
+    resolve_tracks(job);
+    tia_events_resolve(job);
+    set_arrays(job);
+}
+
+/* What to try when a scene is refused: where the unit is large for the horizon's sake, a smaller one, as some length
+ * may have become too small; and where the scene does not fit, the one in which it surely does. False: nothing. */
+static bool next_unit(struct tia_job *job)
+{
+    if (job->bits < job->most) {
+        job->bits++;
+        return true;
+    }
+    if (job->bits <= job->room)
+        return false;
+    job->bits = job->most = job->room;
+    return true;
 }
 
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
@@ -283,10 +322,15 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     struct tia_job job = {.reader = reader, .scene = scene};
     int status = tia_job_read(&job, arena);
 
-    if (status || !tia_arena_fits(arena))
+    if (!tia_arena_fits(arena) || job.pass != TIA_FILLING)
         return status;
-    resolve_tracks(&job);
-    tia_events_resolve(&job);
-    set_arrays(&job);
-    return TIA_OK;
+    if (!status)
+        finish(&job);
+    while ((status || tia_scene_check(scene, NULL)) && next_unit(&job)) {
+        reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+        status = read_pass(&job, TIA_FILLING);
+        if (!status)
+            finish(&job);
+    }
+    return status;
 }

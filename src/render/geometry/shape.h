@@ -88,7 +88,8 @@ struct prepared_plane {
     struct num_point point; /* of a disc its centre */
     struct num_dir normal, tangents[2];
     num_length radius; /* of a disc */
-    num_unit unit;     /* of an infinite plane: the scene's unit of length in the file's */
+    num_unit unit;     /* of an infinite plane: the scene's unit of length in the file's, */
+    int coarser;       /* times 2^coarser */
 };
 
 /* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */

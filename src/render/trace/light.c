@@ -40,7 +40,7 @@ static void prepare_shape(struct ray_light *l, const struct tia_light *given)
     }
 }
 
-void ray_light_prepare(struct ray_light *l, const struct tia_light *given, uint32_t scale_bits)
+void ray_light_prepare(struct ray_light *l, const struct tia_light *given, int scale_bits)
 {
     bool area = given->kind >= TIA_RECTANGLE_LIGHT || given->kind == TIA_AMBIENT_LIGHT;
 
@@ -53,8 +53,8 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given, uint3
     l->constant = num_length_of(given->constant);
     l->linear = num_length_of(given->linear);
     l->quadratic = num_length_of(given->quadratic);
-    l->unit = num_scene_unit(scale_bits);
     l->fades = given->constant || given->linear || given->quadratic;
+    l->unit = l->fades ? num_scene_unit(scale_bits + given->unit_bits) : NUM_UNIT_ONE;
     prepare_shape(l, given);
 }
 
@@ -140,7 +140,7 @@ static struct num_point source(const struct ray_aim *aim, unsigned i)
     return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
 }
 
-/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in the file's units. */
+/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in its units. */
 static num_length attenuation(const struct ray_light *l, num_length d)
 {
     num_length slope = l->linear + num_product_within(l->quadratic, d);

@@ -17,7 +17,7 @@ struct ray_light {
     struct num_point side[2]; /* of a rectangle */
     struct num_dir across[2]; /* in its plane, at right angles to the other side */
     num_length constant, linear, quadratic;
-    num_unit unit; /* the scene's unit of length in the file's, which attenuation is in */
+    num_unit unit; /* the scene's unit of length in that of its attenuation */
     bool fades;
 };
 
@@ -28,7 +28,7 @@ struct ray_sample {
     num_length factor;       /* attenuation times the spot's falloff; 0: it does not shine here */
 };
 
-void ray_light_prepare(struct ray_light *light, const struct tia_light *given, uint32_t scale_bits);
+void ray_light_prepare(struct ray_light *light, const struct tia_light *given, int scale_bits);
 
 /* A light as a point sees it, in a pixel of class `class`, 0..15. */
 struct ray_aim {

@@ -137,14 +137,36 @@ static bool is_fine(const struct tia_scene *scene)
     return !fine || ((fine->spheres || !scene->sphere_count) && (fine->shapes || !scene->shape_count));
 }
 
+static bool has_unit(const struct tia_scene *scene, const struct tia_light *l)
+{
+    bool fades = l->constant || l->linear || l->quadratic;
+    return !fades || tia_check_is_between(scene->scale_bits + l->unit_bits, 0, 30);
+}
+
+static int check_units(struct check *check)
+{
+    const struct tia_scene *scene = check->scene;
+
+    REQUIRE(tia_check_is_between(scene->scale_bits, -TIA_SCALE_BITS_MAX, TIA_SCALE_BITS_MAX), "scale_bits",
+            "must be in -16..16");
+    check->thing = "light";
+    for (check->index = 0; check->index < scene->light_count; check->index++)
+        REQUIRE(has_unit(scene, &scene->lights[check->index]), "unit_bits", "must be in 0..30 with scale_bits");
+    check->thing = "key";
+    for (check->index = 0; check->index < scene->binding_count; check->index++)
+        REQUIRE(has_unit(scene, &scene->bindings[check->index].state), "unit_bits", "must be in 0..30 with scale_bits");
+    return TIA_OK;
+}
+
 int tia_check_uses(struct check *check)
 {
     int status = check_parts(check, TIA_MESH, check->scene->mesh_count);
     status = status ? status : check_parts(check, TIA_GRID, check->scene->grid_count);
     check->thing = "scene";
     check->index = 0;
-    if (!status)
-        REQUIRE(check->scene->scale_bits <= TIA_SCALE_BITS_MAX, "scale_bits", "must be in 0..16");
+    status = status ? status : check_units(check);
+    check->thing = "scene";
+    check->index = 0;
     if (!status)
         REQUIRE(is_fine(check->scene), "fine", "an array of as many must not be NULL");
     return status;
