@@ -139,9 +139,9 @@ static int parse_option(struct options *o, int option, char **argv)
 {
     switch (option) {
     case TX:
-        return parse_place("--tx", optarg, o->tx, &o->tx_count);
+        return parse_place("--tx", optarg, o->tx_at, &o->tx_count);
     case RX:
-        return parse_place("--rx", optarg, o->rx, &o->rx_count);
+        return parse_place("--rx", optarg, o->rx_at, &o->rx_count);
     case 'f':
         return parse_frequency(optarg, &o->frequency);
     case REFLECTIONS:

@@ -5,6 +5,22 @@
 #define PI 3.14159265358979323846
 #define Q62 4611686018427387904.0 /* 2^62 */
 
+/* ---- places ---- */
+
+double metres_of(const struct world *world, tia_q16 at)
+{
+    return ldexp(at, -16 - world->scale_bits);
+}
+
+struct tia_vec3 place_at(const struct world *world, const double metres[3])
+{
+    tia_q16 at[3];
+
+    for (int k = 0; k < 3; k++)
+        at[k] = (tia_q16)llround(ldexp(metres[k], 16 + world->scale_bits));
+    return (struct tia_vec3){at[0], at[1], at[2]};
+}
+
 /* ---- coefficients ---- */
 
 struct coefficients fresnel(double complex eta, double cosine)
@@ -106,10 +122,10 @@ static double cosine_of(const double n[3], const double d[3])
     return fmin(fabs(dot(n, d)), 1);
 }
 
-static double thickness_of(const struct medium *medium, const struct tia_radio_face *face)
+static double thickness_of(const struct world *world, const struct medium *medium, const struct tia_radio_face *face)
 {
     return medium->thickness > 0 ? medium->thickness
-           : face->thickness > 0 ? face->thickness / 65536.0
+           : face->thickness > 0 ? metres_of(world, face->thickness)
                                  : THICKNESS_DEFAULT;
 }
 
@@ -129,7 +145,8 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
         double n[3], d[3];
         unit_of(face.normal, n);
         unit_of(path->direction[path->wall[i].segment], d);
-        field->transmission[i] = slab(medium->eta, thickness_of(medium, &face), cosine_of(n, d), world->frequency);
+        field->transmission[i] =
+            slab(medium->eta, thickness_of(world, medium, &face), cosine_of(n, d), world->frequency);
     }
 }
 
@@ -171,23 +188,26 @@ static void angles_of(int up, const double d[3], double s, double angles[2])
     angles[1] = atan2(v[up], hypot(v[0], left)) * 180 / PI;
 }
 
-/* The length in waves, without the whole ones: 10 km at 28 GHz are 10^6 waves, whose phase a product of doubles would
- * have to 10^-9 only. So the length, the wave number and their product are sums of two doubles each. */
-static double part_of_wave(int64_t length, double frequency)
+/* The length, with so many bits behind the point, in waves, without the whole ones: 10 km at 28 GHz are 10^6 waves,
+ * whose phase a product of doubles would have to 10^-9 only. So the length, the wave number and their product are sums
+ * of two doubles each. */
+static double part_of_wave(int64_t length, int bits, double frequency)
 {
     double high = (double)(length >> 20 << 20), low = (double)(length & 0xfffff);
     double waves = frequency / LIGHT_SPEED, less = fma(-waves, LIGHT_SPEED, frequency) / LIGHT_SPEED;
     double product = high * waves, rest = fma(high, waves, -product) + high * less + low * waves;
 
-    product = ldexp(product, -TIA_RADIO_LENGTH_BITS);
-    return product - floor(product) + ldexp(rest, -TIA_RADIO_LENGTH_BITS);
+    product = ldexp(product, -bits);
+    return product - floor(product) + ldexp(rest, -bits);
 }
 
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field)
 {
     double first[3], last[3];
 
-    field->length = ldexp((double)path->length, -TIA_RADIO_LENGTH_BITS);
+    int bits = TIA_RADIO_LENGTH_BITS + world->scale_bits;
+
+    field->length = ldexp((double)path->length, -bits);
     field->delay = field->length / LIGHT_SPEED;
     unit_of(path->direction[0], first);
     unit_of(path->direction[path->order], last);
@@ -195,7 +215,7 @@ void field_of(const struct world *world, const struct tia_radio_path *path, stru
     angles_of(world->up, last, -1, field->arrival);
     meet(world, path, field);
     double complex free_space = LIGHT_SPEED / world->frequency / (4 * PI * field->length) *
-                                cexp(-2 * PI * I * part_of_wave(path->length, world->frequency));
+                                cexp(-2 * PI * I * part_of_wave(path->length, bits, world->frequency));
     for (int p = 0; p < POLARISATIONS; p++)
         field->gain[p] = free_space * carry(world, path, field, p);
 }

@@ -15,6 +15,7 @@ struct world {
     const struct medium *media; /* of the scene's materials */
     double frequency;           /* hertz */
     int up;                     /* the axis that is vertical: 1 y, 2 z */
+    int scale_bits;             /* of the scene */
 };
 
 /* Perpendicular to the plane of incidence (TE), and in it (TM). */
@@ -36,6 +37,10 @@ struct field {
     double departure[2], arrival[2];                       /* azimuth and elevation in degrees: to where the wave
                                                               leaves, from where it comes */
 };
+
+/* A place in the scene's unit in metres, and the nearest one to a place in metres. */
+double metres_of(const struct world *world, tia_q16 at);
+struct tia_vec3 place_at(const struct world *world, const double metres[3]);
 
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field);
 

@@ -43,9 +43,9 @@ static void choose_axes(struct map *map)
     map->down = axis == 1;
 }
 
-static double coordinate(const struct tia_vec3 *v, int k)
+static double coordinate(const struct map *map, const struct tia_vec3 *v, int k)
 {
-    return (k == 0 ? v->x : k == 1 ? v->y : v->z) / 65536.0;
+    return metres_of(&map->site->world, k == 0 ? v->x : k == 1 ? v->y : v->z);
 }
 
 static int choose_area(struct map *map)
@@ -59,8 +59,8 @@ static int choose_area(struct map *map)
     for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
         struct tia_bounds b = tia_object_bounds(scene, i);
         for (int k = 0; k < 2 && b.min.x <= b.max.x; k++) {
-            low[k] = fmin(low[k], coordinate(&b.min, map->across[k]));
-            high[k] = fmax(high[k], coordinate(&b.max, map->across[k]));
+            low[k] = fmin(low[k], coordinate(map, &b.min, map->across[k]));
+            high[k] = fmax(high[k], coordinate(map, &b.max, map->across[k]));
         }
     }
     for (int k = 0; k < 2; k++) {
@@ -77,11 +77,10 @@ static bool place_of(const struct map *map, unsigned x, unsigned y, struct tia_v
     const struct options *o = map->options;
     double part[2] = {(x + 0.5) / o->width, map->down ? (y + 0.5) / o->height : 1 - (y + 0.5) / o->height}, at[3];
 
-    at[o->map_axis] = o->map_at / 65536.0;
+    at[o->map_axis] = o->map_at;
     for (int k = 0; k < 2; k++)
         at[map->across[k]] = map->area[k] + part[k] * (map->area[k + 2] - map->area[k]);
-    *place = (struct tia_vec3){(tia_q16)llround(at[0] * 65536), (tia_q16)llround(at[1] * 65536),
-                               (tia_q16)llround(at[2] * 65536)};
+    *place = place_at(&map->site->world, at);
     return tia_radio_inside(map->site->radio, *place) == TIA_RADIO_NO_OBJECT;
 }
 
@@ -211,7 +210,8 @@ static void write_pixel(const struct map *map, struct text *text, unsigned x, un
     struct tia_vec3 place;
 
     (void)place_of(map, x, map->first_row + y, &place);
-    text_print(text, "%.6f,%.6f,%.6f", coordinate(&place, 0), coordinate(&place, 1), coordinate(&place, 2));
+    text_print(text, "%.9f,%.9f,%.9f", coordinate(map, &place, 0), coordinate(map, &place, 1),
+               coordinate(map, &place, 2));
     for (unsigned i = 0; i < o->tx_count; i++)
         if (isfinite(gain[i]))
             text_print(text, ",%.6f", gain[i]);

@@ -16,6 +16,7 @@ struct naming {
 
 struct options {
     const char *scene, *output, *csv;
+    double tx_at[PLACES_MOST][3], rx_at[PLACES_MOST][3]; /* metres; and in the scene's unit, once that is known: */
     struct tia_vec3 tx[PLACES_MOST], rx[PLACES_MOST];
     unsigned tx_count, rx_count, naming_count;
     struct naming namings[NAMES_MOST];
@@ -24,9 +25,9 @@ struct options {
     enum method method;
     unsigned threads;
     bool json, best_server, horizontal;
-    int up;       /* the axis */
-    int map_axis; /* -1: no map */
-    tia_q16 map_at;
+    int up;         /* the axis */
+    int map_axis;   /* -1: no map */
+    double map_at;  /* metres */
     double area[4]; /* of the map, metres; */
     bool has_area, has_size;
     uint16_t width, height;

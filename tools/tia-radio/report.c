@@ -10,11 +10,6 @@ static const char *const polarisations[POLARISATIONS] = {"vertical", "horizontal
 
 /* ---- a table ---- */
 
-static double metres(tia_q16 a)
-{
-    return a / 65536.0;
-}
-
 static void print_faces(const struct link_report *r, const struct tia_radio_path *path)
 {
     for (uint32_t i = 0; i < path->order; i++)
@@ -40,7 +35,8 @@ void report_table(const struct link_report *r)
     struct summary s;
 
     (void)printf("# tx %g,%g,%g rx %g,%g,%g  %g GHz  %s, %" PRIu32 " reflections, %" PRIu32 " transmissions\n",
-                 metres(r->tx.x), metres(r->tx.y), metres(r->tx.z), metres(r->rx.x), metres(r->rx.y), metres(r->rx.z),
+                 metres_of(r->world, r->tx.x), metres_of(r->world, r->tx.y), metres_of(r->world, r->tx.z),
+                 metres_of(r->world, r->rx.x), metres_of(r->world, r->rx.y), metres_of(r->world, r->rx.z),
                  r->options->frequency / 1e9, method_name(r->options->method), r->options->order, r->options->walls);
     (void)printf("#path  n     length m    delay ns   az dep  el dep   az arr  el arr   gain V dB   phase   "
                  "gain H dB   phase objects (walls)\n");
@@ -70,9 +66,10 @@ static void put(const char *key, double value, const char *after)
         (void)printf("\"%s\": null%s", key, after);
 }
 
-static void put_vector(const char *key, struct tia_vec3 v, const char *after)
+static void put_vector(const struct link_report *r, const char *key, struct tia_vec3 v, const char *after)
 {
-    (void)printf("\"%s\": [%.17g, %.17g, %.17g]%s", key, metres(v.x), metres(v.y), metres(v.z), after);
+    (void)printf("\"%s\": [%.17g, %.17g, %.17g]%s", key, metres_of(r->world, v.x), metres_of(r->world, v.y),
+                 metres_of(r->world, v.z), after);
 }
 
 static void put_coefficients(struct coefficients c)
@@ -89,7 +86,7 @@ static void put_meetings(const struct link_report *r, unsigned i)
         struct tia_radio_face face = tia_radio_face(r->world->radio, path->face[k]);
         (void)printf("%s\n        {\"object\": %" PRIu32 ", \"face\": %" PRIu32 ", ", k > 0 ? "," : "", face.object,
                      path->face[k]);
-        put_vector("point", path->point[k], ", ");
+        put_vector(r, "point", path->point[k], ", ");
         put_coefficients(r->fields[i].reflection[k]);
     }
     (void)printf("],\n      \"walls\": [");
@@ -134,8 +131,8 @@ static void put_summary(const struct link_report *r)
 void report_json(const struct link_report *r, bool first)
 {
     (void)printf("%s\n   {", first ? "" : ",");
-    put_vector("tx", r->tx, ", ");
-    put_vector("rx", r->rx, ",\n    \"paths\": [");
+    put_vector(r, "tx", r->tx, ", ");
+    put_vector(r, "rx", r->rx, ",\n    \"paths\": [");
     for (unsigned i = 0; i < r->count; i++)
         put_path(r, i);
     (void)printf("]");

@@ -3,6 +3,7 @@
 #include "fail.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,9 +127,30 @@ static int find_faces(struct site *site, const struct options *o)
     return FINE;
 }
 
+/* How far from 0 a transmitter, a receiver or a map reaches along an axis, in units of 2^-16 m, rounded up. */
+static tia_q16 reach_of(const struct options *o)
+{
+    double most = fabs(o->map_at);
+
+    for (unsigned i = 0; i < PLACES_MOST; i++)
+        for (int k = 0; k < 3; k++)
+            most = fmax(most, fmax(fabs(o->tx_at[i][k]), fabs(o->rx_at[i][k])));
+    for (int k = 0; k < 4; k++)
+        most = fmax(most, fabs(o->area[k]));
+    return (tia_q16)fmin(ceil(most * 65536) + 1, 2147483647.0);
+}
+
+void site_place(const struct site *site, struct options *o)
+{
+    for (unsigned i = 0; i < o->tx_count; i++)
+        o->tx[i] = place_at(&site->world, o->tx_at[i]);
+    for (unsigned i = 0; i < o->rx_count; i++)
+        o->rx[i] = place_at(&site->world, o->rx_at[i]);
+}
+
 int site_open(struct site *site, const struct options *o)
 {
-    const struct scene_wish wish = {.unscaled = true, .threads = o->threads, .material = keep_name, .ctx = site};
+    const struct scene_wish wish = {.reach = reach_of(o), .threads = o->threads, .material = keep_name, .ctx = site};
     int format = scene_format_of(o->scene);
 
     *site = (struct site){.radio = NULL};
@@ -142,7 +164,7 @@ int site_open(struct site *site, const struct options *o)
     int result = find_faces(site, o);
     if (result == FINE)
         result = set_media(site, o);
-    site->world = (struct world){site->radio, site->media, o->frequency, o->up};
+    site->world = (struct world){site->radio, site->media, o->frequency, o->up, site->file.scene.scale_bits};
     return result;
 }
 
@@ -160,6 +182,6 @@ int site_check_place(const struct site *site, const char *option, struct tia_vec
 
     if (object == TIA_RADIO_NO_OBJECT)
         return FINE;
-    return refuse(REFUSED, "%s: %g,%g,%g is inside a wall, object %" PRIu32, option, place.x / 65536.0,
-                  place.y / 65536.0, place.z / 65536.0, object);
+    return refuse(REFUSED, "%s: %g,%g,%g is inside a wall, object %" PRIu32, option, metres_of(&site->world, place.x),
+                  metres_of(&site->world, place.y), metres_of(&site->world, place.z), object);
 }

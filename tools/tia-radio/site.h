@@ -18,6 +18,9 @@ struct site {
 
 /* FINE, or the exit status after printing why. */
 int site_open(struct site *site, const struct options *options);
+
+/* Sets the options' places in the unit of an open site. */
+void site_place(const struct site *site, struct options *options);
 void site_close(struct site *site);
 
 /* Whether the place is no wall; prints why if it is. */

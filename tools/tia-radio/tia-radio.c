@@ -107,6 +107,8 @@ int main(int argc, char **argv)
     result = pool ? site_open(&run.site, o) : refuse(FAILED, "memory: exhausted");
     run.search.radio = run.site.radio;
     if (result == FINE)
+        site_place(&run.site, &run.options);
+    if (result == FINE)
         result = check_places(&run);
     if (result == FINE)
         result = o->map_axis >= 0 ? map_draw(o, &run.site, &run.search) : run_links(&run);

@@ -37,26 +37,20 @@ bool parse_numbers(const char *text, double *values, int count)
     return *text == '\0';
 }
 
-static bool to_q16(double metres, tia_q16 *out)
+static bool is_near(double metres)
 {
-    double units = metres * 65536;
-
-    if (fabs(units) >= 2147483647.0)
-        return false;
-    *out = (tia_q16)llround(units);
-    return true;
+    return fabs(metres * 65536) < 2147483647.0;
 }
 
-int parse_place(const char *option, const char *text, struct tia_vec3 *places, unsigned *count)
+int parse_place(const char *option, const char *text, double (*places)[3], unsigned *count)
 {
     double at[3];
-    struct tia_vec3 place;
 
     if (*count == PLACES_MOST)
         return wrong(option, text, "one too many (at most 16)");
-    if (!parse_numbers(text, at, 3) || !to_q16(at[0], &place.x) || !to_q16(at[1], &place.y) || !to_q16(at[2], &place.z))
+    if (!parse_numbers(text, at, 3) || !is_near(at[0]) || !is_near(at[1]) || !is_near(at[2]))
         return wrong(option, text, "not X,Y,Z in metres, within 32767 (1.5,2,-3)");
-    places[(*count)++] = place;
+    memcpy(places[(*count)++], at, sizeof at);
     return FINE;
 }
 
@@ -105,8 +99,9 @@ int parse_map(const char *text, struct options *o)
 {
     double at;
 
-    if (text[0] < 'x' || text[0] > 'z' || text[1] != '=' || !parse_numbers(text + 2, &at, 1) || !to_q16(at, &o->map_at))
+    if (text[0] < 'x' || text[0] > 'z' || text[1] != '=' || !parse_numbers(text + 2, &at, 1) || !is_near(at))
         return wrong("--map", text, "not x=, y= or z= and a number (y=1.5)");
+    o->map_at = at;
     o->map_axis = text[0] - 'x';
     return FINE;
 }

@@ -9,7 +9,7 @@ int wrong(const char *option, const char *value, const char *rule);
 /* As many numbers with commas between them, and nothing else. */
 bool parse_numbers(const char *text, double *values, int count);
 
-int parse_place(const char *option, const char *text, struct tia_vec3 *places, unsigned *count);
+int parse_place(const char *option, const char *text, double (*places)[3], unsigned *count);
 int parse_count(const char *option, const char *text, uint32_t low, uint32_t high, uint32_t *value);
 int parse_frequency(const char *text, double *frequency);
 int parse_size(const char *text, struct options *o);

@@ -62,14 +62,15 @@ void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
     tia_span_cover(&l->eyes, eye, 0);
 }
 
-/* The distance from an eye to the farthest corner, rounded up. */
+/* The distance from an eye, or in the finest unit from any point, to the farthest corner, rounded up. */
 static int64_t farthest(const struct tia_lengths *l)
 {
     uint64_t far[3], most = 0, square = 0;
     unsigned coarse = 0;
 
     for (int i = 0; i < 3; i++) {
-        int64_t over = l->all.max[i] - l->eyes.min[i], under = l->eyes.max[i] - l->all.min[i];
+        const struct tia_span *from = l->finest ? &l->all : &l->eyes;
+        int64_t over = l->all.max[i] - from->min[i], under = from->max[i] - l->all.min[i];
         far[i] = (uint64_t)(over > under ? over : under);
         most = far[i] > most ? far[i] : most;
     }

@@ -12,7 +12,7 @@ struct scene_part; /* a file that the scene refers to */
 
 /* How a scene is read, when not for a picture. */
 struct scene_wish {
-    bool unscaled;    /* see tia/read.h */
+    tia_q16 reach;    /* see tia/read.h */
     unsigned threads; /* that build the hierarchy of a large scene; 0 is 1 */
     void (*material)(void *ctx, uint32_t index, const char *name);
     void *ctx;

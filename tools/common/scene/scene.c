@@ -121,7 +121,7 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .opacity = part_opacity,
                                 .material = name_material,
                                 .ctx = file,
-                                .unscaled = file->wish->unscaled,
+                                .reach = file->wish->reach,
                                 .strict = strict,
                                 .warnings = file->warnings};
     size_t size = text->length > MEMORY_FIRST ? text->length : MEMORY_FIRST, need = 0;
@@ -156,7 +156,7 @@ static int build_boxes(struct scene_file *file, unsigned threads)
 
 int scene_open(struct scene_file *file, const char *path, int format, bool strict)
 {
-    return scene_open_for(file, path, format, strict, &(struct scene_wish){.unscaled = false});
+    return scene_open_for(file, path, format, strict, &(struct scene_wish){.reach = 0});
 }
 
 int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish)
