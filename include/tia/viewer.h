@@ -84,8 +84,9 @@ struct tia_control {
     /* What the event would do; changes nothing. Called like the viewer's `stop`. */
     enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
     /* Does it. *camera is the present camera, to be changed; one that tia_scene_check refuses is ignored. It also
-     * receives keys that move lights when there is no light to move. For TIA_EFFECT_END it is called when the loop is
-     * over. */
+     * receives keys that move lights when there is no light to move. An event that has no effect by `weigh` is passed
+     * between two pictures of a frame that is drawn coarse to fine. For TIA_EFFECT_END it is called when the loop is
+     * over, and the display's memory has as much of a picture shown coarse as was drawn. */
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
@@ -94,6 +95,7 @@ struct tia_viewer_state {
     bool goes_on; /* set by the caller: begin with this state and the viewer's lights, not with the scene's */
     bool moved;   /* the camera is not the scene's */
     bool paused;
+    bool incomplete; /* the display does not show the whole picture of all this yet */
     struct tia_camera camera;
     uint32_t light_count,
         light;    /* their number, at most light_capacity; the one that keys move, or the next if it is ambient */

@@ -103,6 +103,17 @@ int tia_viewer_take_events(struct loop *loop)
     return status;
 }
 
+void tia_viewer_take_quiet(struct loop *loop)
+{
+    unsigned taken = 0;
+
+    while (taken < loop->queued && tia_viewer_effect(loop, &loop->queue[taken]) == TIA_EFFECT_NONE)
+        (void)take_event(loop, &loop->queue[taken++]);
+    loop->queued -= taken;
+    for (unsigned i = 0; i < loop->queued; i++)
+        loop->queue[i] = loop->queue[i + taken];
+}
+
 /* Where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS, drops the other steps: the eye could
  * not follow, and the key would be let go too late. */
 static void drop_steps(struct held *held, uint64_t time)

@@ -137,9 +137,11 @@ bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event);
 bool tia_viewer_moves(const struct loop *loop, uint16_t key);
 bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 
-/* keys.c. tia_viewer_take_events handles all waiting events. VIEWER_QUIT when one quits. */
+/* keys.c. tia_viewer_take_events handles all waiting events, VIEWER_QUIT when one quits; tia_viewer_take_quiet, while a
+ * frame is drawn, those that leave it as it is and came before all others. */
 int tia_viewer_press(struct loop *loop, const struct tia_event *event);
 int tia_viewer_take_events(struct loop *loop);
+void tia_viewer_take_quiet(struct loop *loop);
 int tia_viewer_repeat_held(struct loop *loop);
 
 /* control.c: what an event would do; does what it does beyond lights, VIEWER_QUIT when it quits; goes back to the last
@@ -215,7 +217,8 @@ uint32_t tia_viewer_share(const struct loop *loop, unsigned passes);
 /* Draws what loop->pass adds to a tile; *drawn counts the pixels that had none of their samples before. */
 int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *drawn);
 
-/* The picture so far onto the display. */
+/* The picture so far onto the display; after the loop, if it has been shown and the display is still the same. */
 int tia_viewer_copy(struct loop *loop);
+void tia_viewer_copy_last(struct loop *loop);
 
 #endif

@@ -138,6 +138,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     if (!status)
         status = tia_viewer_run_tiles(loop, copy_job);
     loop->line = 0;
+    tia_viewer_take_quiet(loop);
     viewer_tell(loop);
     if (!status && v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
@@ -223,6 +224,12 @@ bool tia_viewer_refines(const struct loop *loop)
 int tia_viewer_copy(struct loop *loop)
 {
     return tia_viewer_run_tiles(loop, copy_job);
+}
+
+void tia_viewer_copy_last(struct loop *loop)
+{
+    if (loop->canvas && loop->answered && !loop->complete && !same_display(loop))
+        (void)tia_viewer_copy(loop);
 }
 
 static void begin_passes(struct loop *loop)

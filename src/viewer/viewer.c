@@ -59,6 +59,8 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     loop->switched = false;
     loop->changed = loop->covered = false;
     loop->key_us = 0;
+    loop->state.incomplete = loop->unfinished;
+    viewer_tell(loop);
     loop->good = loop->scene->camera;
     keep_lights(loop);
     loop->frame++;
@@ -83,6 +85,8 @@ static int draw_frame(struct loop *loop)
     bool refines = tia_viewer_refines(loop);
 
     loop->complete = loop->unfinished = false;
+    loop->state.incomplete = true;
+    viewer_tell(loop);
     tia_viewer_watch_begin(loop);
     int status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
     loop->gave_up = status == VIEWER_OUTDATED;
@@ -247,6 +251,7 @@ static void begin(struct loop *loop)
     else
         for (uint32_t i = 0; i < v->scene->light_count; i++)
             v->lights[i] = v->scene->lights[i];
+    loop->state.incomplete = true;
     loop->good = v->scene->camera;
     if (!v->variant)
         return;
@@ -275,8 +280,10 @@ static void end(struct loop *loop)
     struct tia_camera camera = loop->scene->camera;
 
     viewer_tell(loop);
-    if (loop->last.key && v->control)
-        (void)v->control->act(v->control_ctx, &loop->last, &camera);
+    if (!loop->last.key || !v->control)
+        return;
+    tia_viewer_copy_last(loop);
+    (void)v->control->act(v->control_ctx, &loop->last, &camera);
 }
 
 int tia_viewer_run(struct tia_viewer *viewer)

@@ -36,6 +36,7 @@ static int choose_frame(struct letterbox *letterbox)
     if (!has_frame(letterbox))
         return TIA_OK;
     free(letterbox->frame);
+    letterbox->shown = false;
     letterbox->frame = malloc((size_t)letterbox->place.width * letterbox->place.height * sizeof *letterbox->frame);
     if (!letterbox->frame) {
         (void)snprintf(letterbox->why, PORT_WHY, "memory: exhausted");
@@ -260,6 +261,7 @@ static int letterbox_present(void *ctx)
         status = compute_crc(letterbox);
     if (!status)
         status = draw_label(letterbox);
+    letterbox->shown = letterbox->shown || !status;
     return status ? status : letterbox->screen->present(letterbox->screen_ctx);
 }
 

@@ -29,6 +29,7 @@ struct letterbox {
     struct rotation rotation;
     struct tia_tile place; /* of the rotated picture, on the screen */
     tia_rgb565 *frame;     /* the rotated picture; only with a checksum, or if it is kept */
+    bool shown;            /* a picture of this size */
     uint32_t crc;          /* of the frame presented last, rotated */
 };
 

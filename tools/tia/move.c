@@ -5,6 +5,7 @@
 
 #include "arithmetic.h"
 #include "clock.h"
+#include "common/signals.h"
 #include "save.h"
 
 #define TOLD_US 4000000
@@ -63,9 +64,18 @@ static void save(struct moves *moves)
 {
     char text[PORT_WHY];
 
-    save_numbered(moves->letterbox, &moves->saved, text);
+    (void)save_numbered(moves->letterbox, &moves->saved, text);
     moves_say(moves, text);
     moves->saves = false;
+}
+
+static void save_soon(struct moves *moves)
+{
+    moves->saves = true;
+    if (moves->viewer->incomplete)
+        moves_say(moves, "saved when the picture is complete");
+    else
+        save(moves);
 }
 
 /* The loop tells of these only where there is no light to move. */
@@ -121,9 +131,7 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
     }
     if (key != 'c')
         return tell(moves, key);
-    moves->saves = true;
-    if (moves->shown)
-        save(moves);
+    save_soon(moves);
     return TIA_EFFECT_PICTURE;
 }
 
@@ -131,9 +139,22 @@ const struct tia_control moves_control = {weigh, act};
 
 void moves_shown(struct moves *moves, const struct tia_frame *frame)
 {
-    moves->shown = frame->block == 1;
-    if (moves->shown && moves->saves)
+    if (frame->block == 1 && moves->saves)
         save(moves);
+}
+
+bool moves_finish(struct moves *moves, char text[PORT_WHY])
+{
+    bool waits = moves->saves;
+
+    moves->saves = false;
+    if (waits && signals_asked(NULL))
+        (void)snprintf(text, PORT_WHY, "nothing saved: a signal came before the picture was complete");
+    else if (waits && !moves->letterbox->shown)
+        (void)snprintf(text, PORT_WHY, "nothing saved: there was no picture yet");
+    else if (waits && !save_numbered(moves->letterbox, &moves->saved, text))
+        (void)snprintf(text + strlen(text), PORT_WHY - strlen(text), ", which is not complete");
+    return waits;
 }
 
 const char *moves_help(const struct moves *moves)

@@ -14,7 +14,8 @@ enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIE
 struct moves {
     /* Set by the caller; all else zero. */
     const struct options *options;
-    const struct letterbox *letterbox; /* that keeps its picture */
+    const struct letterbox *letterbox;     /* that keeps its picture */
+    const struct tia_viewer_state *viewer; /* what keys have changed */
 
     /* For the caller to read. */
     enum move_to to;        /* what is wanted after the loop */
@@ -23,8 +24,7 @@ struct moves {
     uint64_t until_us;      /* and how long */
 
     /* Private. */
-    bool shown;     /* the picture is complete */
-    bool saves;     /* and is to be saved then */
+    bool saves;     /* the picture is to be saved when it is complete */
     unsigned saved; /* see save_numbered */
     struct steer steer;
 };
@@ -33,6 +33,10 @@ extern const struct tia_control moves_control; /* the context is a struct moves 
 
 /* A frame is shown; coarse ones are not complete. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);
+
+/* After the loop: saves the picture that was to be saved when it is complete, as far as it is drawn. Whether there was
+ * one; `text` says what has become of it. */
+bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 
 /* Tells a line for a few seconds. */
 void moves_say(struct moves *moves, const char *text);

@@ -18,7 +18,7 @@ int save_picture(const struct letterbox *letterbox, const char *path, enum image
     return image_finish(image);
 }
 
-void save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY])
+int save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY])
 {
     enum image_format format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
     char path[32], why[PORT_WHY] = "";
@@ -26,8 +26,10 @@ void save_numbered(const struct letterbox *letterbox, unsigned *number, char tex
     do
         (void)snprintf(path, sizeof path, "tia-%04u.%s", ++*number, image_format_name(format));
     while (access(path, F_OK) == 0 && *number < NUMBERS);
-    if (save_picture(letterbox, path, format, why))
+    int status = save_picture(letterbox, path, format, why);
+    if (status)
         (void)snprintf(text, PORT_WHY, "%.200s", why);
     else
         (void)snprintf(text, PORT_WHY, "saved %s", path);
+    return status;
 }

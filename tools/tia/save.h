@@ -10,7 +10,7 @@
 int save_picture(const struct letterbox *letterbox, const char *path, enum image_format format, char *why);
 
 /* Writes it to the first of tia-0001.png, tia-0002.png, ... that is not there; .ppm without libpng. `text` says so, or
- * why not. *number is the last one that was found to be there, 0 at first. */
-void save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY]);
+ * why not, with a negative status. *number is the last one that was found to be there, 0 at first. */
+int save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY]);
 
 #endif

@@ -229,13 +229,13 @@ static void begin_overlay(struct session *session)
                                         .moves = session->is_moved ? &session->moves : NULL,
                                         .viewer = &session->viewer,
                                         .hints = !options->scene_path && !options->key_text && types};
-    session->moves = (struct moves){.options = options, .letterbox = &session->letterbox};
+    session->moves = (struct moves){.options = options, .letterbox = &session->letterbox, .viewer = &session->viewer};
     session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
 }
 
 /* After a key that ends the loop: whether there is more to show. A scene that cannot be loaded is told of, on the one
  * before. */
-static bool go_on(struct session *session)
+static bool move_on(struct session *session)
 {
     enum move_to to = session->moves.to;
 
@@ -258,6 +258,20 @@ static bool go_on(struct session *session)
     session->viewer.goes_on = false;
     lights_free(&session->lights);
     return lights_copy(&session->lights, &session->options->scene);
+}
+
+/* The same; a picture that could not be completed is saved, and told of on the next or, after the last, on standard
+ * error: the display is gone by then. */
+static bool go_on(struct session *session)
+{
+    char text[PORT_WHY];
+    bool saved = moves_finish(&session->moves, text), more = move_on(session);
+
+    if (saved && more)
+        moves_say(&session->moves, text);
+    else if (saved)
+        (void)snprintf(session->last, sizeof session->last, "%s", text);
+    return more;
 }
 
 /* Creates the threads after opening the display: opening may fork, and threads do not survive that. */
@@ -292,6 +306,8 @@ int session_run(struct session *session)
 
 int session_end(struct session *session, int status)
 {
+    if (session->last[0] != '\0')
+        note("%s", session->last);
     if (close_lines(session) && status == EXIT_FINE)
         status = fail_output();
     if (session->options->stats && session->stats.display && status == EXIT_FINE && stats_print(&session->stats) != 0)

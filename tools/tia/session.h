@@ -17,6 +17,7 @@
 struct session {
     struct options *options;
     char why[PORT_WHY];                 /* the last failure */
+    char last[PORT_WHY];                /* what else is told after the display is closed; empty: nothing */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
     void *display_ctx, *input_ctx;
