@@ -15,8 +15,9 @@ import time
 
 from command import LIMIT_S, TIA, check, same
 
-# A sequence that another one cuts short is none, nor is a character, where SIGKILL ended what wrote it.
-TOKEN = re.compile(rb"(?:\xe2\x96?(?=\x1b)|\x1b\[[?0-9;]*(?=\x1b))?\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
+# A sequence or a character that another one, or CAN, cuts short is none; ST without a string does nothing.
+TOKEN = re.compile(rb"(?:\x1b(?:\[[?0-9;]*)?|\xe2\x96?)?\x18|\x1b\\|(?:\xe2\x96?(?=\x1b)|\x1b\[[?0-9;]*(?=\x1b))?"
+                   rb"\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
 UNFINISHED = re.compile(rb"\x1b(\[[?0-9;]*)?$|\xe2\x96?$")
 GREYS = [(8 + 10 * i,) * 3 for i in range(24)]
 LEVELS = (0, 95, 135, 175, 215, 255)
@@ -51,7 +52,7 @@ class Screen:
             at = token.end()
             if token[2]:
                 self.control(token[1].decode(), token[2].decode())
-            else:
+            elif token[3] or token[4]:
                 self.put(token[3] != b" " if token[3] else True, token[3])
 
     def put(self, block, text):

@@ -1,7 +1,7 @@
 /* terminal_model.h - a terminal for tests: interprets what a program writes and keeps the pixels.
  *
- * It knows the few sequences that a picture of half blocks needs, and counts everything else in
- * `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
+ * It knows the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
+ * everything else in `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
  */
 #ifndef TESTS_TERMINAL_MODEL_H
 #define TESTS_TERMINAL_MODEL_H
@@ -161,11 +161,14 @@ static inline void model_feed(struct model *m, const char *bytes, size_t count)
     m->bytes += (unsigned)count;
     for (size_t i = 0; i < count; i++) {
         char c = bytes[i];
-        if (m->state == 0) {
+        if (c == 24) {
+            m->state = 0;
+            m->rest = 0;
+        } else if (m->state == 0) {
             model_text(m, (unsigned char)c);
         } else if (m->state == 1) {
             m->state = c == '[' ? 2 : 0;
-            m->unknown += c != '[';
+            m->unknown += c != '[' && c != '\\';
             m->length = 0;
         } else if (c >= '@' || m->length == sizeof m->sequence - 1) {
             m->sequence[m->length] = 0;

@@ -33,12 +33,13 @@
 #define DEFAULT_ROWS 24
 #define LAST_WRITE_MS 150 /* how long close waits for a terminal that accepts nothing */
 
-/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a frame. A
- * terminal without an alternate screen is cleared. */
-static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l";
-static const char leave_text[] = "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l";
-/* The end of a picture that was cut short: of its string, and for kitty of its data, which is not to be answered. */
-static const char cut_sixel[] = "\033\\", cut_kitty[] = "\033\\\033_Gm=0,q=2;\033\\";
+/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
+ * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
+ * answer. A terminal without an alternate screen is cleared. */
+#define CUT "\030\033\\"
+#define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
+static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
+                  leave_kitty[] = CUT "\033_Gm=0,q=2;\033\\" LEAVE;
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
@@ -205,9 +206,14 @@ static int choose_pictures(struct terminal *t)
     return why ? failed(t, why) : TIA_OK;
 }
 
+static const char *leaving(const struct terminal *t)
+{
+    return t->pictures == PICTURES_KITTY ? leave_kitty : leave_text;
+}
+
 static void enter(struct terminal *t)
 {
-    (void)guardian_keep_text(t->fd, leave_text);
+    (void)guardian_keep_text(t->fd, leaving(t));
     terminal_signals_begin();
     t->resumes = terminal_resumes();
     text_add(&t->text, enter_text);
@@ -219,8 +225,6 @@ static void drop_text(struct terminal *t)
 {
     descriptor_drop_output(t->fd);
     t->sent = t->text.count = 0;
-    if (t->pictures == PICTURES_KITTY || t->pictures == PICTURES_SIXEL)
-        text_add(&t->text, t->pictures == PICTURES_KITTY ? cut_kitty : cut_sixel);
 }
 
 static void leave(struct terminal *t)
@@ -229,14 +233,14 @@ static void leave(struct terminal *t)
 
     if (t->sent < t->text.count)
         drop_text(t);
-    text_add(&t->text, leave_text);
+    text_add(&t->text, leaving(t));
     do /* a signal ends a wait, too */
         (void)send_text(t, clock_left_ms(end));
     while (t->sent < t->text.count && clock_left_ms(end) > 0);
     terminal_signals_end();
     /* Otherwise the guardian sends it when the terminal accepts it. */
     if (t->sent == t->text.count)
-        guardian_forget_text(t->fd, leave_text);
+        guardian_forget_text(t->fd, leaving(t));
     t->entered = false;
 }
 
