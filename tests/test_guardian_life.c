@@ -84,6 +84,102 @@ TEST(cooked_before_the_parent_knows)
     }
 }
 
+enum { STOPS = 4, MESSAGES = 5 };
+
+/* Stops itself with a raw terminal, and makes it raw again afterwards; then it dies. The guardian has messages to read
+ * when the next stop comes. */
+static void stop_and_die(void)
+{
+    keep_and_make_raw();
+    if (!is_traced())
+        _exit(1);
+    for (int i = 0; i < STOPS; i++) {
+        (void)raise(SIGSTOP);
+        for (int j = 0; j < MESSAGES; j++)
+            guardian_keep_again(terminal);
+        guardian_sync();
+        make_raw();
+    }
+    (void)raise(SIGKILL);
+    _exit(2);
+}
+
+/* Whether the child has stopped; a message if that cannot be. */
+static bool has_stopped(pid_t child)
+{
+    int status = 0;
+
+    (void)waitpid(child, &status, WUNTRACED);
+    if (WIFEXITED(status))
+        SKIP("tracing is forbidden here");
+    return WIFSTOPPED(status);
+}
+
+static pid_t stopped_child(void)
+{
+    if (!open_terminal())
+        return 0;
+    pid_t child = fork();
+    if (child == 0)
+        stop_and_die();
+    if (has_stopped(child))
+        return child;
+    close_terminal();
+    return 0;
+}
+
+/* When a parent hears of a stop the terminal is cooked already, and when the process continues it is guarded again. */
+TEST(cooked_before_the_parent_knows_of_a_stop)
+{
+    for (int i = 0; i < 20; i++) {
+        pid_t child = stopped_child();
+        if (child == 0)
+            return;
+        int stops = 0;
+        do {
+            CHECK_MSG(!is_raw(), "raw after stop %d in try %d", stops, i);
+            stops++;
+            (void)kill(child, SIGCONT);
+        } while (has_stopped(child));
+        CHECK_MSG(!is_raw(), "raw after the death in try %d", i);
+        CHECK_EQ(stops, STOPS);
+        close_terminal();
+    }
+}
+
+/* What the terminal is after a stop is the shell's: the death of the stopped process does not change it. */
+TEST(put_back_once)
+{
+    pid_t child = stopped_child();
+
+    if (child == 0)
+        return;
+    make_raw();
+    (void)kill(child, SIGKILL);
+    (void)waitpid(child, NULL, 0);
+    CHECK(is_raw());
+    close_terminal();
+}
+
+/* Stops of threads of their own, SIGCONT between and after them: the process goes on, and is guarded. */
+TEST(stopped_and_continued_at_once)
+{
+    for (int i = 0; i < 50; i++) {
+        pid_t child = stopped_child();
+        if (child == 0)
+            return;
+        for (int j = 0; j < i; j++) {
+            (void)kill(child, SIGCONT);
+            (void)kill(child, SIGSTOP);
+        }
+        do
+            (void)kill(child, SIGCONT);
+        while (has_stopped(child));
+        CHECK_MSG(cooked_again(), "raw after %d stops", i);
+        close_terminal();
+    }
+}
+
 static pid_t await_guardian(pid_t of, pid_t but)
 {
     pid_t found = 0;
@@ -185,6 +281,9 @@ TEST(ends_with_a_stopped_guardian)
 int main(void)
 {
     RUN(cooked_before_the_parent_knows);
+    RUN(cooked_before_the_parent_knows_of_a_stop);
+    RUN(put_back_once);
+    RUN(stopped_and_continued_at_once);
     RUN(another_guardian_stands_in);
     RUN(is_no_choice_when_memory_is_short);
     RUN(ends_with_a_stopped_guardian);

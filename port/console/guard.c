@@ -8,24 +8,24 @@
 #include <poll.h>
 #include <signal.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
-#include <sys/ptrace.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "cooked.h"
 #include "kept.h"
 #include "stand_in.h"
+#include "traced.h"
 
-#define LINE 0          /* the socket's descriptor in this process */
-#define PATIENCE_MS 200 /* how long a terminal that accepts nothing delays the shell */
+#define LINE 0        /* the socket's descriptor in this process */
+#define SETTLE_MS 100 /* how long a stopped process may take until its main thread stops, in case a driver holds it */
 
-static pid_t watcher; /* the thread that is traced, or 0 */
+static pid_t process, process_group; /* that is guarded */
 
 /* ---- consoles and framebuffers ---- */
 
@@ -66,15 +66,10 @@ static void restore_fb(const struct saved *saved, int fd)
     (void)ioctl(fd, FBIOPAN_DISPLAY, &var);
 }
 
-static int open_node(const char *path)
-{
-    return open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-}
-
 static void restore_screens(void)
 {
     for (int i = KEPT_MOST - 1; i >= 0; i--) {
-        int fd = kept[i].kind == VT || kept[i].kind == FB ? open_node(kept[i].path) : -1;
+        int fd = kept[i].kind == VT || kept[i].kind == FB ? cooked_open(kept[i].path) : -1;
         if (fd < 0)
             continue;
         if (kept[i].kind == VT)
@@ -83,79 +78,6 @@ static void restore_screens(void)
             restore_fb(&kept[i], fd);
         (void)close(fd);
     }
-}
-
-/* ---- terminals ---- */
-
-/* Names of pseudo-terminals are reused: is this still the terminal that was kept? */
-static bool is_same_node(const struct saved *saved, int fd)
-{
-    struct stat s;
-
-    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == saved->made.tv_sec && s.st_ctim.tv_nsec == saved->made.tv_nsec;
-}
-
-/* Are the modes still those of the program that died? */
-static bool is_untouched(int fd, const struct termios *raw)
-{
-    struct termios now;
-
-    return tcgetattr(fd, &now) == 0 && now.c_iflag == raw->c_iflag && now.c_lflag == raw->c_lflag &&
-           now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
-}
-
-/* A shell that has its terminal back, because tia was stopped or could not be traced, may have set its own modes: they
- * stay. */
-static void restore_modes(const struct saved *saved, int fd, pid_t group)
-{
-    pid_t front = tcgetpgrp(fd);
-
-    if (front > 0 && front != group && !is_untouched(fd, &saved->was.terminal.raw))
-        return;
-    (void)tcsetattr(fd, TCSANOW, &saved->was.terminal.before);
-    (void)tcflush(fd, TCIFLUSH);
-}
-
-/* Writes the text, and removes from it what the terminal accepted. False: some is left after timeout_ms. */
-static bool write_text(struct saved *saved, int timeout_ms)
-{
-    struct pollfd ready = {.fd = saved->fd, .events = POLLOUT};
-    char *text = saved->was.text;
-
-    while (*text != '\0') {
-        ssize_t n = write(saved->fd, text, strlen(text));
-        if (n > 0)
-            (void)memmove(text, text + n, strlen(text + n) + 1);
-        else if (n < 0 && errno != EAGAIN)
-            return true;
-        else if (poll(&ready, 1, timeout_ms) <= 0)
-            return false;
-    }
-    return true;
-}
-
-static void restore_terminal(struct saved *saved, pid_t group)
-{
-    int fd = open_node(saved->path);
-
-    if (fd < 0 || !is_same_node(saved, fd)) {
-        (void)close(fd);
-        return;
-    }
-    saved->fd = fd;
-    if (saved->kind == TERMINAL)
-        restore_modes(saved, fd, group);
-    if (saved->kind == TEXT && !write_text(saved, PATIENCE_MS))
-        return; /* finish() waits for this terminal */
-    saved->fd = -1;
-    (void)close(fd);
-}
-
-static void restore_terminals(pid_t group)
-{
-    for (int i = KEPT_MOST - 1; i >= 0; i--)
-        if (kept[i].kind == TERMINAL || kept[i].kind == TEXT)
-            restore_terminal(&kept[i], group);
 }
 
 /* ---- what may take long ---- */
@@ -189,7 +111,7 @@ static bool finish_one(struct saved *saved)
     bool done = saved->fd < 0 || (saved->kind != TEXT && saved->kind != KEYBOARD);
 
     if (!done)
-        done = saved->kind == TEXT ? write_text(saved, 0) : is_released(saved->fd);
+        done = saved->kind == TEXT ? cooked_write(saved, 0) : is_released(saved->fd);
     if (done && saved->fd >= 0) {
         (void)close(saved->fd);
         saved->fd = -1;
@@ -212,38 +134,6 @@ static void finish(void)
     } while (waiting > 0 && poll(fds, waiting, -1) >= 0);
 }
 
-/* ---- signals ---- */
-
-/* The watcher stops and continues with its process. Its death is not reaped here: see guard(). */
-static void follow_watcher(void)
-{
-    siginfo_t what = {0};
-
-    while (watcher != 0 && waitid(P_PID, (id_t)watcher, &what, WSTOPPED | WNOHANG | __WALL) == 0 && what.si_pid != 0) {
-        int number = what.si_status & 0xff;
-        bool stop = what.si_status >> 8 == PTRACE_EVENT_STOP && number != SIGTRAP;
-        if (stop)
-            stand_in_begin();
-        else
-            stand_in_end();
-        (void)ptrace(stop ? PTRACE_LISTEN : PTRACE_CONT, watcher, NULL, NULL);
-        what.si_pid = 0;
-    }
-}
-
-static void take_signals(int signals)
-{
-    struct signalfd_siginfo signal;
-
-    while (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal)
-        if (signal.ssi_signo == SIGCHLD)
-            follow_watcher();
-        else if (signal.ssi_signo == SIGUSR1)
-            stand_in_leave();
-        else
-            stand_in_enter();
-}
-
 /* ---- messages ---- */
 
 /* The descriptor that came with the message, or -1. */
@@ -262,9 +152,14 @@ static void follow(struct saved *saved)
     const struct saved *old = kept_find(saved);
     const char ready = GUARD_READY;
 
-    if (saved->kind == WATCHER) {
-        watcher = ptrace(PTRACE_SEIZE, saved->was.watcher, NULL, NULL) == 0 ? saved->was.watcher : 0;
+    if (saved->kind == THREADS) {
+        traced_begin(saved->was.threads.reports, saved->was.threads.holds);
         (void)send(LINE, &ready, 1, MSG_NOSIGNAL);
+        return;
+    }
+    if (saved->kind == SYNC) {
+        traced_settle();
+        kept_answer();
         return;
     }
     if (old && old->fd >= 0)
@@ -286,6 +181,61 @@ static bool take_message(void)
     saved.fd = descriptor_of(&message);
     follow(&saved);
     return true;
+}
+
+/* ---- signals ---- */
+
+/* The main thread, which uses the terminals: in a stop of the process or of its tracer's, such as strace. */
+static bool is_main_stopped(void)
+{
+    char path[32], line[64] = "";
+
+    (void)snprintf(path, sizeof path, "/proc/%d/stat", (int)process);
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    ssize_t n = fd >= 0 ? read(fd, line, sizeof line - 1) : 0;
+    (void)close(fd);
+    line[n > 0 ? n : 0] = '\0';
+    const char *state = strrchr(line, ')'); /* ends the name; then follow a space and the state */
+    return state && strlen(state) > 2 && (state[2] == 'T' || state[2] == 't');
+}
+
+/* What the process has sent before it touched a terminal is known when that is put back. */
+static void take_all_messages(void)
+{
+    struct pollfd line = {.fd = LINE, .events = POLLIN};
+
+    while (poll(&line, 1, 0) > 0 && take_message())
+        ;
+}
+
+/* A shell takes the terminal's modes for its own when it sees the stop, so they are put back before. If SIGCONT came
+ * meanwhile, the program is to look at its terminal once more. */
+static void on_stop(bool held)
+{
+    stand_in_begin();
+    if (!held)
+        return;
+    for (int ms = 0; ms < SETTLE_MS && !is_main_stopped(); ms++)
+        (void)poll(NULL, 0, 1);
+    take_all_messages();
+    if (!cooked_at_a_stop(process_group))
+        return;
+    kept_count_put_back();
+    if (!is_main_stopped())
+        (void)kill(process, SIGCONT);
+}
+
+static void take_signals(int signals)
+{
+    struct signalfd_siginfo signal;
+
+    while (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal)
+        if (signal.ssi_signo == SIGCHLD)
+            traced_follow(on_stop, stand_in_end);
+        else if (signal.ssi_signo == SIGUSR1)
+            stand_in_leave();
+        else
+            stand_in_enter();
 }
 
 /* ---- the process ---- */
@@ -361,16 +311,16 @@ static void close_cards(void)
 
 void guard(int line, pid_t parent, pid_t group)
 {
+    process = parent;
+    process_group = group;
     go_away(line);
     struct pollfd end = {.fd = (int)syscall(SYS_pidfd_open, parent, 0u), .events = POLLIN};
     listen_until_the_end();
     if (kept_nothing())
         _exit(0);
     close_cards();
-    restore_terminals(group);
-    /* Now the parent of the dead process may see its death. */
-    if (watcher != 0)
-        (void)waitpid(watcher, NULL, __WALL);
+    cooked_at_the_end(group);
+    traced_end();
     /* The process is gone when the kernel has closed its files, and with them put DRM devices back. At most 2 s, in
      * case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
     if (kept_any(VT) || kept_any(FB))

@@ -1,16 +1,18 @@
-/* guard.h - the guardian's process. guardian.c forks it.
+/* guard.h - the guardian's process. keeper.c forks it.
  *
- * It traces one thread of the guarded process, the watcher, which does nothing but wait. A parent sees a child die when
- * its last thread is gone, and a traced thread is gone only when its tracer has reaped it. So the shell sees the death
- * after the terminal was put back, and cannot mistake the dead program's modes for its own. The other threads are not
- * traced, so a debugger can attach to them. Where tracing is forbidden, the shell may come first.
+ * It traces two threads of the guarded process, which do nothing but wait. A parent sees a child die when its last
+ * thread is gone, and a traced thread is gone only when its tracer has reaped it; it sees a child stop when the last
+ * thread has stopped, and one of the two does so only when its tracer lets it: see traced.h. So the shell sees both
+ * after the terminal was put back, and cannot mistake the program's modes for its own. The other threads are not
+ * traced: strace can attach to them, and gdb can start the program, but not attach to it. Where tracing is forbidden,
+ * the shell may come first, and a stop changes nothing.
  */
 #ifndef PORT_CONSOLE_GUARD_H
 #define PORT_CONSOLE_GUARD_H
 
 #include <sys/types.h>
 
-/* Sent to the guarded process for each WATCHER message. */
+/* Sent to the guarded process for each THREADS message. */
 #define GUARD_READY 'r'
 
 /* For a new process with all signals blocked: handles the messages on the socket `line` from the process `parent`, of

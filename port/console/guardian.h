@@ -32,6 +32,14 @@ int guardian_keep_card(int fd);
  * name. */
 int guardian_keep_text(int fd, const char *text);
 
+/* Where the kernel lets it, the guardian puts back the terminals of a process that is stopped, too, before the parent
+ * sees that: those that it has in front. The count of these times, to be read before guardian_keep_...; when it has
+ * changed, the terminal is as it was before, and whoever changes it again calls guardian_keep_again and
+ * guardian_keep_text first, and then guardian_sync: that waits until the guardian is ready for the next stop. */
+unsigned guardian_put_back(void);
+void guardian_keep_again(int fd);
+void guardian_sync(void);
+
 /* Reports that it has been put back. The arguments are those of guardian_keep_...; safe when nothing was kept. */
 void guardian_forget_vt(const char *path);
 void guardian_forget_terminal(int fd);

@@ -1,8 +1,16 @@
 #include "console/kept.h"
 
+#include <errno.h>
+#include <semaphore.h>
+#include <stdatomic.h>
 #include <string.h>
+#include <sys/mman.h>
 
 struct saved kept[KEPT_MOST];
+static struct {
+    atomic_uint put_back;
+    sem_t answered;
+} * shared;
 
 static bool is_same(const struct saved *a, const struct saved *b)
 {
@@ -33,6 +41,51 @@ bool kept_nothing(void)
         if (kept[i].kind != NOTHING)
             return false;
     return true;
+}
+
+void kept_share(void)
+{
+    void *page = shared ? NULL : mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+
+    if (!page || page == MAP_FAILED)
+        return;
+    shared = page;
+    (void)sem_init(&shared->answered, 1, 0);
+}
+
+void kept_count_put_back(void)
+{
+    if (shared)
+        (void)atomic_fetch_add(&shared->put_back, 1);
+}
+
+unsigned kept_put_back(void)
+{
+    return shared ? atomic_load(&shared->put_back) : 0;
+}
+
+void kept_answer(void)
+{
+    if (shared)
+        (void)sem_post(&shared->answered);
+}
+
+void kept_forget_answers(void)
+{
+    while (shared && sem_trywait(&shared->answered) == 0)
+        ;
+}
+
+void kept_await_answer(int timeout_ms)
+{
+    struct timespec end;
+
+    (void)clock_gettime(CLOCK_REALTIME, &end);
+    end.tv_nsec += timeout_ms * 1000000L;
+    end.tv_sec += end.tv_nsec / 1000000000;
+    end.tv_nsec %= 1000000000;
+    while (shared && sem_timedwait(&shared->answered, &end) != 0 && errno == EINTR)
+        ;
 }
 
 static struct saved *free_place(void)

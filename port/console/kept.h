@@ -10,14 +10,15 @@
 #include <termios.h>
 #include <time.h>
 
-enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, WATCHER };
+enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, THREADS, SYNC };
 
 #define KEPT_TEXT 96
 
 /* A console, terminal or device: how to find it, and the state to put back. */
 struct saved {
     enum kind kind;
-    bool forget; /* in a message: remove it from the table */
+    bool forget;   /* in a message: remove it from the table */
+    bool put_back; /* TERMINAL, TEXT: a stop has put it back */
     char path[64];
     struct timespec made; /* TERMINAL, TEXT: the node's ctime; a later terminal of the same name has another */
     int fd;               /* VT, KEYBOARD, CARD: this process's descriptor for it, else -1 */
@@ -32,7 +33,9 @@ struct saved {
         } terminal;
         char text[KEPT_TEXT];
         struct fb_var_screeninfo fb;
-        pid_t watcher; /* in messages only: see guard.h */
+        struct {
+            pid_t reports, holds;
+        } threads; /* in messages only: see traced.h */
     } was;
 };
 
@@ -45,6 +48,16 @@ struct saved *kept_find(const struct saved *like);
 /* Does the table have an entry of this kind? */
 bool kept_any(enum kind kind);
 bool kept_nothing(void);
+
+/* In memory that both processes share, from kept_share on; without that nothing is counted, and nobody waits. First,
+ * how often a stop has put terminals back. Second, the guardian's answer to a SYNC message: the other process forgets
+ * old ones before it sends that, and then waits timeout_ms at most. */
+void kept_share(void);
+void kept_count_put_back(void);
+unsigned kept_put_back(void);
+void kept_answer(void);
+void kept_forget_answers(void);
+void kept_await_answer(int timeout_ms);
 
 /* Does what a message says. 0, or -1: the table is full, or has nothing to remove. */
 int kept_note(const struct saved *message);

@@ -18,6 +18,13 @@ int descriptor_copy(int fd, int access)
     return copy >= 0 ? copy : fcntl(fd, F_DUPFD_CLOEXEC, 3);
 }
 
+bool descriptor_in_front(int fd)
+{
+    pid_t front = tcgetpgrp(fd);
+
+    return front <= 0 || front == getpgrp();
+}
+
 /* SIGTTOU would stop a process in the background here. */
 void descriptor_drop_output(int fd)
 {

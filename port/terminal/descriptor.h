@@ -2,12 +2,17 @@
 #ifndef PORT_TERMINAL_DESCRIPTOR_H
 #define PORT_TERMINAL_DESCRIPTOR_H
 
+#include <stdbool.h>
+
 /* Opens the file `path`, a terminal or not, with O_NONBLOCK. -1 and errno on failure. */
 int descriptor_open(const char *path, int access);
 
 /* Opens the terminal of `fd` again: setting O_NONBLOCK on `fd` itself would set it for the shell, which shares the open
  * file description. A terminal without a name, or that we may not open, is only duplicated, and may block. */
 int descriptor_copy(int fd, int access);
+
+/* False when another process group has the terminal in front: a shell has its own modes and its own screen then. */
+bool descriptor_in_front(int fd);
 
 /* Drops what the kernel has not yet passed to the terminal. */
 void descriptor_drop_output(int fd);

@@ -6,24 +6,20 @@
  */
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "clock.h"
 #include "colour.h"
-#include "console/console.h"
-#include "console/guardian.h"
 #include "console/node.h"
 #include "descriptor.h"
 #include "encode.h"
+#include "output.h"
 #include "pictures.h"
 #include "pixels/canvas.h"
 #include "place.h"
-#include "signals.h"
 #include "symbols.h"
 #include "terminal.h"
 #include "utf8.h"
@@ -31,25 +27,14 @@
 
 #define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
-#define LAST_WRITE_MS 150 /* how long close waits for a terminal that accepts nothing */
 
-/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
- * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
- * answer. A terminal without an alternate screen is cleared. */
-#define CUT "\030\033\\"
-#define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
-static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
-                  leave_kitty[] = CUT "\033_Gm=0,q=2;\033\\" LEAVE;
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
     const char *device;
     char *why;
     unsigned max_width, max_height;
-    int fd; /* -1: closed */
-    bool entered;
     bool clear;             /* the next frame begins on an empty window */
-    int resumes;            /* of signals.h, when the window was last drawn */
     unsigned columns, rows; /* of the window */
     struct way way;         /* as the user wants it */
     enum pictures pictures;
@@ -57,8 +42,7 @@ struct terminal {
     struct cell cell; /* where there are pictures */
     struct canvas canvas;
     struct grid grid;
-    struct text text; /* what is to be sent: [sent, text.count) */
-    size_t sent;
+    struct output output;
 };
 
 static int failed(const struct terminal *t, const char *why)
@@ -74,28 +58,9 @@ static int failed_with(const struct terminal *t, int error)
     return failed(t, node_error(error, text));
 }
 
-/* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal. */
-static int send_text(struct terminal *t, int timeout_ms)
-{
-    uint64_t end = clock_now_us() + (uint64_t)(timeout_ms < 0 ? 0 : timeout_ms) * 1000;
-
-    while (t->sent < t->text.count) {
-        ssize_t n = write(t->fd, t->text.bytes + t->sent, t->text.count - t->sent);
-        struct pollfd ready = {.fd = t->fd, .events = POLLOUT};
-        if (n >= 0)
-            t->sent += (size_t)n;
-        else if (errno == EAGAIN && console_wait(&ready, 1, timeout_ms < 0 ? -1 : clock_left_ms(end)) <= 0)
-            return TIA_OK;
-        else if (errno != EAGAIN && errno != EINTR)
-            return TIA_ERR_DEVICE;
-    }
-    t->sent = t->text.count = 0;
-    return TIA_OK;
-}
-
 static int show(struct terminal *t)
 {
-    return !send_text(t, -1) ? TIA_OK : failed_with(t, errno);
+    return !output_send(&t->output, -1) ? TIA_OK : failed_with(t, errno);
 }
 
 static unsigned smallest(unsigned a, unsigned b)
@@ -109,7 +74,7 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
 
     *columns = DEFAULT_COLUMNS;
     *rows = DEFAULT_ROWS;
-    if (ioctl(t->fd, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+    if (ioctl(t->output.fd, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
         *columns = size.ws_col;
         *rows = size.ws_row;
     }
@@ -130,10 +95,10 @@ static void draw_picture(struct terminal *t)
     const struct cell *cell = &t->cell;
 
     if (t->pictures == PICTURES_SYMBOLS)
-        symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, t->grid.direct, &t->text);
+        symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, t->grid.direct, &t->output.text);
     else
         pictures_draw(t->pictures, t->canvas.pixels, t->canvas.width, t->canvas.height, cell->width, cell->height,
-                      &t->text);
+                      &t->output.text);
 }
 
 /* Adapts to the window's current size. */
@@ -170,12 +135,12 @@ static int open_window(struct terminal *t)
 {
     if (!t->device && !isatty(STDOUT_FILENO))
         return failed(t, "standard output is no terminal");
-    t->fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
-    if (t->fd < 0 && errno == ENOENT && t->device && !strchr(t->device, '/'))
+    t->output.fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
+    if (t->output.fd < 0 && errno == ENOENT && t->device && !strchr(t->device, '/'))
         return failed(t, "is no device, nor " WAYS_NAMES);
-    if (t->fd < 0)
+    if (t->output.fd < 0)
         return failed_with(t, errno);
-    return isatty(t->fd) ? TIA_OK : failed(t, "is no terminal");
+    return isatty(t->output.fd) ? TIA_OK : failed(t, "is no terminal");
 }
 
 static int look_at_environment(struct terminal *t)
@@ -196,9 +161,9 @@ static int choose_pictures(struct terminal *t)
 
     t->pictures = t->way.pictures;
     if (t->way.chosen)
-        why = pictures_need(t->fd, t->pictures, &t->cell);
+        why = pictures_need(t->output.fd, t->pictures, &t->cell);
     else
-        t->pictures = pictures_find(t->fd, &t->cell);
+        t->pictures = pictures_find(t->output.fd, &t->cell);
     if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !t->way.chosen)
         t->pictures = PICTURES_HALF_BLOCKS;
     else if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !why)
@@ -206,90 +171,45 @@ static int choose_pictures(struct terminal *t)
     return why ? failed(t, why) : TIA_OK;
 }
 
-static const char *leaving(const struct terminal *t)
-{
-    return t->pictures == PICTURES_KITTY ? leave_kitty : leave_text;
-}
-
-static void enter(struct terminal *t)
-{
-    (void)guardian_keep_text(t->fd, leaving(t));
-    terminal_signals_begin();
-    t->resumes = terminal_resumes();
-    text_add(&t->text, enter_text);
-    t->entered = true;
-}
-
-/* Drops the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
-static void drop_text(struct terminal *t)
-{
-    descriptor_drop_output(t->fd);
-    t->sent = t->text.count = 0;
-}
-
-static void leave(struct terminal *t)
-{
-    uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;
-
-    if (t->sent < t->text.count)
-        drop_text(t);
-    text_add(&t->text, leaving(t));
-    do /* a signal ends a wait, too */
-        (void)send_text(t, clock_left_ms(end));
-    while (t->sent < t->text.count && clock_left_ms(end) > 0);
-    terminal_signals_end();
-    /* Otherwise the guardian sends it when the terminal accepts it. */
-    if (t->sent == t->text.count)
-        guardian_forget_text(t->fd, leaving(t));
-    t->entered = false;
-}
-
 static void terminal_close(void *ctx)
 {
     struct terminal *t = ctx;
 
-    if (t->entered)
-        leave(t);
-    if (t->fd >= 0)
-        (void)close(t->fd);
-    t->fd = -1;
+    if (t->output.entered)
+        output_leave(&t->output);
+    output_free(&t->output);
     t->columns = t->rows = 0;
     place_forget();
-    t->sent = 0;
-    text_free(&t->text);
     grid_free(&t->grid);
     symbols_free(&t->symbols);
     canvas_free(&t->canvas);
 }
 
-/* Encodes the canvas and sends what the terminal does not show already. */
+/* Encodes the canvas and sends what the terminal does not show already. In the background the shell has the window. */
 static int draw(struct terminal *t)
 {
+    if (output_is_taken(&t->output) && !descriptor_in_front(t->output.fd))
+        return TIA_OK;
+    if (output_is_taken(&t->output)) {
+        output_take(&t->output);
+        t->clear = true;
+    }
     if (t->clear) {
-        text_add(&t->text, t->grid.direct ? clear_direct : clear_256);
+        text_add(&t->output.text, t->grid.direct ? clear_direct : clear_256);
         grid_forget(&t->grid);
         symbols_forget(&t->symbols);
     }
     if (t->pictures)
         draw_picture(t);
     else
-        grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->text);
-    t->clear = t->text.failed;
-    if (t->text.failed) {
-        t->text.failed = false;
+        grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->output.text);
+    t->clear = t->output.text.failed;
+    if (t->output.text.failed) {
+        t->output.text.failed = false;
         (void)failed(t, "out of memory");
         return TIA_ERR_MEMORY;
     }
     return show(t);
-}
-
-/* After a stop the window shows what the shell wrote, so the last frame is drawn again. */
-static int draw_again(struct terminal *t)
-{
-    t->resumes = terminal_resumes();
-    t->clear = true;
-    text_add(&t->text, enter_text);
-    return draw(t);
 }
 
 static void describe(const struct terminal *t, struct tia_mode *mode)
@@ -307,8 +227,9 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
     struct terminal *t = ctx;
     int status = fit_window(t);
 
-    if (!status && t->entered && t->resumes != terminal_resumes())
-        status = draw_again(t);
+    /* The window shows what the shell wrote. */
+    if (!status && t->output.entered && output_is_taken(&t->output))
+        status = draw(t);
     describe(t, mode);
     return status;
 }
@@ -325,7 +246,9 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
     if (!status)
         status = fit_window(t);
     if (!status) {
-        enter(t);
+        t->output.kitty = t->pictures == PICTURES_KITTY;
+        output_enter(&t->output);
+        t->clear = true;
         status = show(t);
     }
     if (status)
@@ -351,7 +274,7 @@ static int terminal_present(void *ctx)
 {
     struct terminal *t = ctx;
 
-    return t->entered ? draw(t) : TIA_ERR_ARGUMENT;
+    return t->output.entered ? draw(t) : TIA_ERR_ARGUMENT;
 }
 
 const struct tia_display port_terminal_display = {
@@ -375,7 +298,7 @@ void *port_terminal_create(const struct port_wish *wish)
     t->why = wish->why;
     t->max_width = wish->width ? wish->width : TIA_SIZE_MAX;
     t->max_height = wish->height ? wish->height : TIA_SIZE_MAX;
-    t->fd = -1;
+    t->output.fd = -1;
     return t;
 }
 
@@ -387,7 +310,7 @@ void port_terminal_destroy(void *ctx)
 void port_terminal_list(port_line *line, void *arg)
 {
     char why[PORT_WHY] = "", text[PORT_WHY + 64];
-    struct terminal t = {.why = why, .fd = -1};
+    struct terminal t = {.why = why, .output.fd = -1};
     unsigned columns, rows;
 
     if (open_window(&t) || look_at_environment(&t)) {

@@ -60,3 +60,14 @@ int terminal_resumes(void)
 {
     return resumes;
 }
+
+int terminal_resumes_now(void)
+{
+    sigset_t one, before;
+
+    (void)sigemptyset(&one);
+    (void)sigaddset(&one, SIGCONT);
+    (void)pthread_sigmask(SIG_UNBLOCK, &one, &before);
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return resumes;
+}

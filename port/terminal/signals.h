@@ -11,4 +11,7 @@ void terminal_signals_end(void);
  * modes meanwhile. */
 int terminal_resumes(void);
 
+/* The same, with one that is pending. */
+int terminal_resumes_now(void);
+
 #endif

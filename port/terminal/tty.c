@@ -43,7 +43,8 @@ struct tty {
     bool controlling;     /* it is the process's, which the display may have asked */
     bool raw;             /* `before` holds what close puts back */
     struct termios before, now;
-    int resumes; /* of signals.h, when `now` was last set */
+    int resumes;       /* of signals.h, when `now` was last set */
+    unsigned put_back; /* of guardian.h, then */
     struct decoder decoder;
     uint64_t last_us;          /* when the last byte came */
     uint8_t bytes[TYPED_MOST]; /* read and not yet decoded: [next, count) */
@@ -90,6 +91,7 @@ static int make_raw(struct tty *tty)
     raw->c_cflag |= CS8;
     raw->c_cc[VMIN] = 1;
     raw->c_cc[VTIME] = 0;
+    tty->put_back = guardian_put_back();
     (void)guardian_keep_terminal(tty->fd, raw);
     (void)guardian_keep_text(tty->fd, tty->off);
     terminal_signals_begin();
@@ -108,22 +110,31 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
+/* After a stop that put all this back the terminal is the shell's. */
+static void make_cooked(const struct tty *tty)
+{
+    bool is_back = tty->put_back != guardian_put_back();
+
+    /* If it cannot be sent now, the guardian sends it later. */
+    if (is_back || send(tty, tty->off))
+        guardian_forget_text(tty->fd, tty->off);
+    if (!is_back) {
+        (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
+        (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
+    }
+    terminal_signals_end();
+    guardian_forget_terminal(tty->fd);
+}
+
 static void tty_close(void *ctx)
 {
     struct tty *tty = ctx;
 
     if (tty->fd < 0)
         return;
-    if (tty->raw) {
-        /* If it cannot be sent now, the guardian sends it later. */
-        if (send(tty, tty->off))
-            guardian_forget_text(tty->fd, tty->off);
-        (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
-        (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
-        terminal_signals_end();
-        guardian_forget_terminal(tty->fd);
-        tty->raw = false;
-    }
+    if (tty->raw)
+        make_cooked(tty);
+    tty->raw = false;
     (void)close(tty->fd);
     tty->fd = -1;
 }
@@ -190,12 +201,21 @@ static uint16_t next_key(struct tty *tty)
     return key;
 }
 
-/* After a stop the shell has set its own modes. */
+/* After a stop the shell has set its own modes. In the background the first call stops the process once more, until the
+ * terminal is its own; what it sets is not more than there is. */
 static void after_stop(struct tty *tty)
 {
-    if (tty->resumes == terminal_resumes())
+    struct termios own;
+
+    if (tty->resumes == terminal_resumes() && tty->put_back == guardian_put_back())
         return;
-    tty->resumes = terminal_resumes();
+    if (!descriptor_in_front(tty->fd) && tcgetattr(tty->fd, &own) == 0)
+        (void)tcsetattr(tty->fd, TCSANOW, &own);
+    tty->resumes = terminal_resumes_now();
+    tty->put_back = guardian_put_back();
+    guardian_keep_again(tty->fd);
+    (void)guardian_keep_text(tty->fd, tty->off);
+    guardian_sync();
     (void)tcsetattr(tty->fd, TCSANOW, &tty->now);
     (void)send(tty, tty->on);
 }

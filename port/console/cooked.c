@@ -1,0 +1,134 @@
+/* Nothing here may take a lock: see guard.c. */
+#include "cooked.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define PATIENCE_MS 200 /* how long a terminal that accepts nothing delays the shell */
+
+int cooked_open(const char *path)
+{
+    return open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+}
+
+/* Names of pseudo-terminals are reused: is this still the terminal that was kept? */
+static bool is_same_node(const struct saved *saved, int fd)
+{
+    struct stat s;
+
+    return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == saved->made.tv_sec && s.st_ctim.tv_nsec == saved->made.tv_nsec;
+}
+
+/* Are the modes still those of the guarded program? */
+static bool is_untouched(int fd, const struct termios *raw)
+{
+    struct termios now;
+
+    return tcgetattr(fd, &now) == 0 && now.c_iflag == raw->c_iflag && now.c_lflag == raw->c_lflag &&
+           now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
+}
+
+/* Whether another group has the terminal; unknown of one that is not ours. */
+static bool is_behind(int fd, pid_t group)
+{
+    pid_t front = tcgetpgrp(fd);
+
+    return front > 0 && front != group;
+}
+
+/* A shell that has its terminal back, because tia was stopped or could not be traced, may have set its own modes: they
+ * stay. */
+static void restore_modes(const struct saved *saved, int fd, pid_t group)
+{
+    if (is_behind(fd, group) && !is_untouched(fd, &saved->was.terminal.raw))
+        return;
+    (void)tcsetattr(fd, TCSANOW, &saved->was.terminal.before);
+    (void)tcflush(fd, TCIFLUSH);
+}
+
+bool cooked_write(struct saved *saved, int timeout_ms)
+{
+    struct pollfd ready = {.fd = saved->fd, .events = POLLOUT};
+    char *text = saved->was.text;
+
+    while (*text != '\0') {
+        ssize_t n = write(saved->fd, text, strlen(text));
+        if (n > 0)
+            (void)memmove(text, text + n, strlen(text + n) + 1);
+        else if (n < 0 && errno != EAGAIN)
+            return true;
+        else if (poll(&ready, 1, timeout_ms) <= 0)
+            return false;
+    }
+    return true;
+}
+
+/* What a slow terminal has not read of a frame by then is dropped: the text ends whatever that cuts. */
+static bool write_soon(struct saved *saved)
+{
+    struct saved again = *saved;
+
+    if (cooked_write(saved, PATIENCE_MS))
+        return true;
+    (void)tcflush(saved->fd, TCOFLUSH);
+    again.fd = saved->fd;
+    *saved = again;
+    return cooked_write(saved, PATIENCE_MS);
+}
+
+/* The terminal's descriptor, or -1: it is gone, or it is no terminal. */
+static int open_terminal(const struct saved *saved)
+{
+    int fd = saved->kind == TERMINAL || saved->kind == TEXT ? cooked_open(saved->path) : -1;
+
+    if (fd >= 0 && !is_same_node(saved, fd)) {
+        (void)close(fd);
+        fd = -1;
+    }
+    return fd;
+}
+
+/* True when nothing is left to do. */
+static bool restore(struct saved *saved, pid_t group)
+{
+    if (saved->kind == TEXT)
+        return write_soon(saved);
+    restore_modes(saved, saved->fd, group);
+    return true;
+}
+
+void cooked_at_the_end(pid_t group)
+{
+    for (int i = KEPT_MOST - 1; i >= 0; i--) {
+        int fd = kept[i].put_back ? -1 : open_terminal(&kept[i]);
+        if (fd < 0)
+            continue;
+        kept[i].fd = fd;
+        if (!restore(&kept[i], group))
+            continue;
+        kept[i].fd = -1;
+        (void)close(fd);
+    }
+}
+
+bool cooked_at_a_stop(pid_t group)
+{
+    bool any = false;
+
+    for (int i = KEPT_MOST - 1; i >= 0; i--) {
+        struct saved once = kept[i];
+        once.fd = once.put_back ? -1 : open_terminal(&once);
+        if (once.fd < 0)
+            continue;
+        if (!is_behind(once.fd, group)) {
+            (void)restore(&once, group);
+            kept[i].put_back = any = true;
+        }
+        (void)close(once.fd);
+    }
+    return any;
+}

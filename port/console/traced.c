@@ -1,0 +1,111 @@
+#include "traced.h"
+
+#include <signal.h>
+#include <stdint.h>
+#include <sys/ptrace.h>
+#include <sys/wait.h>
+
+static pid_t reporter, holder; /* 0: not traced */
+static bool listens;           /* the holder: it has to come back from a stop of the process */
+
+/* What a thread has stopped for. */
+enum cause { NOTHING_NEW, STOP, CONTINUED, SIGNAL };
+
+static pid_t seize(pid_t thread)
+{
+    return thread > 0 && ptrace(PTRACE_SEIZE, thread, NULL, NULL) == 0 ? thread : 0;
+}
+
+/* In a stop of its own when this returns; the report is left for traced_follow. */
+static pid_t seize_and_hold(pid_t thread)
+{
+    siginfo_t what;
+
+    if (seize(thread) == 0)
+        return 0;
+    (void)ptrace(PTRACE_INTERRUPT, thread, NULL, NULL);
+    (void)waitid(P_PID, (id_t)thread, &what, WSTOPPED | WEXITED | WNOWAIT | __WALL);
+    return thread;
+}
+
+void traced_begin(pid_t reports, pid_t holds)
+{
+    reporter = seize(reports);
+    holder = seize_and_hold(holds);
+}
+
+static enum cause cause_of(pid_t thread, uintptr_t *number)
+{
+    siginfo_t what = {0};
+
+    if (thread == 0 || waitid(P_PID, (id_t)thread, &what, WSTOPPED | WNOHANG | __WALL) != 0 || what.si_pid == 0)
+        return NOTHING_NEW;
+    *number = (uintptr_t)(what.si_status & 0xff);
+    if (what.si_status >> 8 != PTRACE_EVENT_STOP)
+        return SIGNAL;
+    return *number == SIGTRAP ? CONTINUED : STOP;
+}
+
+/* All signals are blocked in both threads, which SIGSTOP ignores: it may come to any thread of a process. */
+static void deliver(pid_t thread, uintptr_t number)
+{
+    (void)ptrace(PTRACE_CONT, thread, NULL, (void *)number);
+}
+
+static void listen_too(void)
+{
+    listens = holder != 0 && ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
+}
+
+/* PTRACE_LISTEN in the stop of its own lets it report the present state at once: STOP, or CONTINUED if that has come in
+ * between. In the first case it goes on listening, in the second it stays where it is, as in the beginning. */
+static void follow_holder(void)
+{
+    uintptr_t number;
+    enum cause cause;
+
+    while ((cause = cause_of(holder, &number)) != NOTHING_NEW)
+        if (cause == STOP) {
+            listen_too();
+        } else if (cause == SIGNAL) {
+            deliver(holder, number);
+            (void)ptrace(PTRACE_INTERRUPT, holder, NULL, NULL);
+        } else {
+            listens = false;
+        }
+}
+
+void traced_follow(void (*stops)(bool held), void (*goes_on)(void))
+{
+    uintptr_t number;
+    enum cause cause;
+
+    while ((cause = cause_of(reporter, &number)) != NOTHING_NEW)
+        if (cause == STOP) {
+            stops(holder != 0);
+            (void)ptrace(PTRACE_LISTEN, reporter, NULL, NULL);
+            listen_too();
+        } else {
+            goes_on();
+            deliver(reporter, cause == SIGNAL ? number : 0);
+        }
+    follow_holder();
+}
+
+/* If it has come into the next stop instead, that ends the wait, too. */
+void traced_settle(void)
+{
+    siginfo_t what;
+
+    follow_holder();
+    if (listens && waitid(P_PID, (id_t)holder, &what, WSTOPPED | WEXITED | WNOWAIT | __WALL) == 0)
+        follow_holder();
+}
+
+void traced_end(void)
+{
+    while (reporter != 0 && waitpid(reporter, NULL, __WALL) > 0)
+        ;
+    while (holder != 0 && waitpid(holder, NULL, __WALL) > 0)
+        ;
+}

@@ -1,0 +1,117 @@
+#include "output.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include "clock.h"
+#include "console/console.h"
+#include "console/guardian.h"
+#include "descriptor.h"
+#include "signals.h"
+
+#define LAST_WRITE_MS 150 /* how long output_leave waits for a terminal that accepts nothing */
+
+/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
+ * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
+ * answer. A terminal without an alternate screen is cleared. */
+#define CUT "\030\033\\"
+#define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
+static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
+                  leave_kitty[] = CUT "\033_Gm=0,q=2;\033\\" LEAVE;
+
+static const char *leaving(const struct output *output)
+{
+    return output->kitty ? leave_kitty : leave_text;
+}
+
+static bool is_put_back(const struct output *output)
+{
+    return output->put_back != guardian_put_back();
+}
+
+bool output_is_taken(const struct output *output)
+{
+    return output->resumes != terminal_resumes() || is_put_back(output);
+}
+
+static void forget(struct output *output)
+{
+    output->sent = output->text.count = 0;
+}
+
+void output_take(struct output *output)
+{
+    output->resumes = terminal_resumes_now();
+    output->put_back = guardian_put_back();
+    (void)guardian_keep_text(output->fd, leaving(output));
+    guardian_sync();
+    forget(output);
+    text_add(&output->text, enter_text);
+}
+
+void output_enter(struct output *output)
+{
+    terminal_signals_begin();
+    output_take(output);
+    output->entered = true;
+}
+
+bool output_is_left(const struct output *output)
+{
+    return output->sent < output->text.count;
+}
+
+int output_send(struct output *output, int timeout_ms)
+{
+    uint64_t end = clock_now_us() + (uint64_t)(timeout_ms < 0 ? 0 : timeout_ms) * 1000;
+
+    while (output_is_left(output) && !is_put_back(output)) {
+        ssize_t n = write(output->fd, output->text.bytes + output->sent, output->text.count - output->sent);
+        struct pollfd ready = {.fd = output->fd, .events = POLLOUT};
+        if (n >= 0)
+            output->sent += (size_t)n;
+        else if (errno == EAGAIN && console_wait(&ready, 1, timeout_ms < 0 ? -1 : clock_left_ms(end)) <= 0)
+            return TIA_OK;
+        else if (errno != EAGAIN && errno != EINTR)
+            return TIA_ERR_DEVICE;
+    }
+    forget(output);
+    return TIA_OK;
+}
+
+/* Without the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
+static void send_last(struct output *output)
+{
+    uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;
+
+    if (output_is_left(output))
+        descriptor_drop_output(output->fd);
+    forget(output);
+    text_add(&output->text, leaving(output));
+    do /* a signal ends a wait, too */
+        (void)output_send(output, clock_left_ms(end));
+    while (output_is_left(output) && clock_left_ms(end) > 0);
+}
+
+void output_leave(struct output *output)
+{
+    if (is_put_back(output))
+        forget(output);
+    else
+        send_last(output);
+    terminal_signals_end();
+    /* Otherwise the guardian sends it when the terminal accepts it. */
+    if (!output_is_left(output))
+        guardian_forget_text(output->fd, leaving(output));
+    output->entered = false;
+}
+
+void output_free(struct output *output)
+{
+    if (output->fd >= 0)
+        (void)close(output->fd);
+    output->fd = -1;
+    output->sent = 0;
+    text_free(&output->text);
+}
