@@ -102,7 +102,11 @@ static inline void check_frame(unsigned frame)
 
 static inline void present(unsigned frame)
 {
-    CHECK_MSG(!subject.ops->present(subject.ctx), "frame %u: present: %s", frame, subject.why);
+    int status = subject.ops->present(subject.ctx);
+
+    while (status == TIA_BUSY)
+        status = subject.ops->go_on(subject.ctx);
+    CHECK_MSG(!status, "frame %u: present: %s", frame, subject.why);
     subject.frames += frame != subject.last;
     subject.last = frame;
     check_frame(frame);

@@ -301,21 +301,29 @@ static void draw_patches(void)
             pixels[y * WIDTH + x] = colours[(x / 7 + y / 5 + (x == 13 ? 1u : 0u) + (y == 22 ? 3u : 0u)) % 11];
 }
 
-static void check_kitty(unsigned columns, unsigned rows)
+static const struct cell cell = {10, 20};
+
+/* A strip in a picture: where it is put, and its pixels. */
+static void check_kitty(unsigned columns, struct strip strip)
 {
     struct text text = {0};
-    unsigned across = 10 * columns, down = 20 * rows, width = 0, height = 0;
+    unsigned across = 10 * columns, down = strip.rows, width = 0, height = 0;
+    const tia_rgb565 *want = pixels + strip.first * across;
+    char place[16];
 
     for (size_t i = 0; i < WIDTH * HEIGHT; i++)
         pixels[i] = (tia_rgb565)random_u32();
-    pictures_draw(PICTURES_KITTY, pixels, across, down, 10, 20, &text);
+    pictures_draw(PICTURES_KITTY, pixels, across, strip, &cell, &text);
     char *whole = calloc(1, text.count + 1);
     memcpy(whole, text.bytes, text.count);
     size_t count = decode_kitty(whole, &width, &height);
     CHECK(width == across && height == down);
+    (void)snprintf(place, sizeof place, "\033[%uH", strip.first / 20 + 1);
+    CHECK(strstr(whole, place));
+    CHECK(!strip.first == !!strstr(whole, "a=d")); /* the picture before is removed once */
     CHECK_EQ(count, 4 * across * down);
     for (size_t i = 0; i < across * down; i++) {
-        const struct rgb8 c = colour_expand(pixels[i]);
+        const struct rgb8 c = colour_expand(want[i]);
         const uint8_t *d = decoded + 4 * i;
         CHECK_MSG(d[0] == c.r && d[1] == c.g && d[2] == c.b && d[3] == 255,
                   "%ux%u, %zu: %02x%02x%02x %02x, not %02x%02x%02x", across, down, i, d[0], d[1], d[2], d[3], c.r, c.g,
@@ -328,9 +336,11 @@ static void check_kitty(unsigned columns, unsigned rows)
 /* Also where the last part has one byte or two in its last group. */
 TEST(kittys_pictures)
 {
-    for (unsigned columns = 1; columns <= 6; columns++)
-        for (unsigned rows = 1; rows <= 2; rows++)
-            check_kitty(columns, rows);
+    for (unsigned columns = 1; columns <= 6; columns++) {
+        check_kitty(columns, (struct strip){0, 20});
+        check_kitty(columns, (struct strip){0, 40});
+        check_kitty(columns, (struct strip){20, 20});
+    }
 }
 
 static unsigned apart(uint32_t a, uint32_t b)
@@ -344,7 +354,7 @@ TEST(sixel)
     for (int n = 0; n < 5; n++) {
         struct text text = {0};
         draw_patches();
-        pictures_draw(PICTURES_SIXEL, pixels, WIDTH, 36, 10, 20, &text);
+        pictures_draw(PICTURES_SIXEL, pixels, WIDTH, (struct strip){0, 36}, &cell, &text);
         char *whole = calloc(1, text.count + 1);
         memcpy(whole, text.bytes, text.count);
         CHECK(decode_sixel(whole));

@@ -132,11 +132,18 @@ static void play(const struct text *text)
 
 static struct symbols symbols;
 
+static void add_frame(bool direct, struct text *text)
+{
+    const unsigned part = 5 * SYMBOLS_HEIGHT;
+    symbols_draw(&symbols, pixels, WIDTH, HEIGHT, (struct strip){0, part}, direct, text);
+    symbols_draw(&symbols, pixels, WIDTH, HEIGHT, (struct strip){part, HEIGHT - part}, direct, text);
+}
+
 static void draw(bool direct)
 {
     struct text text = {0};
 
-    symbols_draw(&symbols, pixels, WIDTH, HEIGHT, direct, &text);
+    add_frame(direct, &text);
     CHECK(!text.failed);
     play(&text);
     text_free(&text);
@@ -204,7 +211,7 @@ TEST(what_did_not_change_is_not_sent)
 
     draw_patches();
     draw(true);
-    symbols_draw(&symbols, pixels, WIDTH, HEIGHT, true, &text);
+    add_frame(true, &text);
     CHECK_EQ(text.count, 0);
     draw_halves(0x1234, 0x1234); /* then either the background alone changes or the foreground */
     draw_halves(0x1234, 0xffff);

@@ -186,8 +186,89 @@ TEST(errors_of_the_caller)
     CHECK_EQ(w->frame_count, 0);
 }
 
+/* ---- displays that take long to show a frame ---- */
+
+TEST(what_takes_long_is_shown_to_its_end)
+{
+    struct world *w = moving_world();
+
+    w->slices = 5;
+    w->events[2].at_us = START + 5000000; /* q */
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->slices_left, 0);
+    CHECK(w->frame_count >= 2 && w->slices_done == 5 * w->frame_count);
+}
+
+TEST(without_an_input_too)
+{
+    struct world *w = world_new();
+
+    w->slices = 3;
+    w->viewer.input = NULL;
+    w->viewer.frame_limit = 4;
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 4);
+    CHECK_EQ(w->slices_done, 12);
+}
+
+/* Two looks are 20 ms apart. */
+TEST(a_key_quits_while_a_frame_is_shown)
+{
+    struct world *w = world_new();
+
+    w->slices = 1000;
+    tap(w, 100000, 'q');
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->now_us <= START + 100000 + 2 * 20000);
+}
+
+/* More of them than the queue has room for. */
+TEST(a_key_quits_after_others_that_wait)
+{
+    struct world *w = world_new();
+
+    w->slices = 1000;
+    tap(w, 100000, 'd');
+    for (unsigned i = 0; i < 40; i++)
+        tap(w, 200000, i % 2 ? TIA_KEY_LEFT : TIA_KEY_RIGHT);
+    tap(w, 3000000, 'q');
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK(w->frame_count >= 1 && w->now_us <= START + 3000000 + 3 * 20000);
+}
+
+TEST(a_failed_input_ends_it_while_a_frame_is_shown)
+{
+    struct world *w = world_new();
+
+    w->slices = 1000;
+    w->fail = CALL_POLL;
+    w->fail_from_us = START + 100000;
+    CHECK_EQ(world_play(w), TIA_ERR_DEVICE);
+    CHECK(w->now_us <= START + 100000 + 2 * 20000);
+}
+
+/* As after a stop, when something else was on the screen. */
+TEST(the_last_frame_is_shown_again)
+{
+    struct world *w = world_new();
+
+    w->slices = 7;
+    w->again_us = START + 1000000;
+    world_event(w, START + 1500000, TIA_EVENT_RELEASE, 'x'); /* wakes the loop */
+    tap(w, 3000000, 'q');
+    CHECK_EQ(world_play(w), TIA_OK);
+    CHECK_EQ(w->frame_count, 1);
+    CHECK_EQ(w->slices_done, 14);
+}
+
 int main(void)
 {
+    RUN(what_takes_long_is_shown_to_its_end);
+    RUN(without_an_input_too);
+    RUN(a_key_quits_while_a_frame_is_shown);
+    RUN(a_key_quits_after_others_that_wait);
+    RUN(a_failed_input_ends_it_while_a_frame_is_shown);
+    RUN(the_last_frame_is_shown_again);
     RUN(frames_are_relit);
     RUN(other_cores_and_options);
     RUN(tiles_as_the_display_takes_them);

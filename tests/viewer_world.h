@@ -43,6 +43,8 @@ struct world {
     unsigned change_after;
     uint64_t hidden_from_us, hidden_until_us;
     uint64_t tile_us, present_us; /* what drawing a tile and presenting take */
+    unsigned slices;              /* so many times 20 ms more, in go_on */
+    uint64_t again_us;            /* if not 0: from then on `mode` has the last frame shown again, once */
     enum world_call fail;         /* what fails, after fail_after frames */
     unsigned fail_after, stop_after;
     uint64_t fail_from_us;
@@ -50,6 +52,7 @@ struct world {
     size_t memory_limit;
 
     /* What happened. */
+    unsigned slices_left, slices_done;
     unsigned next_event, tiles, acquired, memory_calls, runs, frame_count;
     size_t memory_size;
     int stop, entered;
@@ -91,6 +94,11 @@ static inline int world_mode(void *ctx, struct tia_mode *mode)
     struct world *w = ctx;
 
     *mode = *world_mode_now(w);
+    if (w->again_us && w->now_us >= w->again_us) {
+        w->again_us = 0;
+        w->slices_left = w->slices;
+        return TIA_BUSY;
+    }
     return world_hidden(w) ? TIA_HIDDEN : world_result(w, CALL_MODE);
 }
 
@@ -158,11 +166,26 @@ static inline int world_present(void *ctx)
     memset(w->pixels, 0x5a, sizeof w->pixels);
     w->tiles = 0;
     w->now_us += w->present_us;
-    return world_result(w, CALL_PRESENT);
+    w->slices_left += w->slices;
+    return w->slices_left ? TIA_BUSY : world_result(w, CALL_PRESENT);
 }
 
-static const struct tia_display world_display = {
-    .mode = world_mode, .acquire = world_acquire, .submit = world_submit, .present = world_present};
+static inline int world_go_on(void *ctx)
+{
+    struct world *w = ctx;
+
+    CHECK(w->slices_left > 0);
+    w->now_us += 20000;
+    w->slices_left--;
+    w->slices_done++;
+    return w->slices_left ? TIA_BUSY : world_result(w, CALL_PRESENT);
+}
+
+static const struct tia_display world_display = {.mode = world_mode,
+                                                 .acquire = world_acquire,
+                                                 .submit = world_submit,
+                                                 .present = world_present,
+                                                 .go_on = world_go_on};
 
 /* ---- the input ---- */
 

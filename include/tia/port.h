@@ -1,8 +1,8 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
- * Every function pointer must be set: tia_viewer_run returns TIA_ERR_ARGUMENT when one that it calls is not. A port
- * never exits, prints, or starts threads. On failure it returns a negative enum tia_status and keeps the reason in its
- * context, for the program to print.
+ * Every function pointer must be set, unless it says otherwise: tia_viewer_run returns TIA_ERR_ARGUMENT when one that it
+ * calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status and keeps
+ * the reason in its context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
@@ -59,23 +59,28 @@ struct tia_mode {
 };
 
 /* For each frame the caller acquires, fills and submits tiles until they cover the screen, then presents.
- * Each function but close returns an enum tia_status. */
+ * Each function but close returns an enum tia_status. All but go_on must be set. */
 struct tia_display {
     /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
     /* The current mode, 1..TIA_SIZE_MAX pixels in both directions; it may change while the display is open (a resized
      * terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw then.
-     */
+     * TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
     int (*mode)(void *ctx, struct tia_mode *mode);
     /* Memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow:
      * only write, at rising addresses. Its old contents are undefined. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
     /* The tile's pixels are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
-    /* The frame is complete: shows it. May wait until it is on screen, but no longer. */
+    /* The frame is complete: shows it. May wait until it is on screen, but no longer; what takes more than about 20 ms
+     * of that, such as a slow line, returns TIA_BUSY and goes on in go_on. */
     int (*present)(void *ctx);
     /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);
+    /* NULL where nothing returns TIA_BUSY. Goes on with what present began, or what `mode` returned TIA_BUSY for, for
+     * about 20 ms: TIA_BUSY if that is not all. In between the caller may look at its input, close the display, or draw
+     * the next frame; that is shown after this one. */
+    int (*go_on)(void *ctx);
 };
 
 struct tia_input {

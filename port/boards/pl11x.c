@@ -98,5 +98,5 @@ static void panel_close(void *ctx)
     *lcd(LCD_CONTROL) = 0;
 }
 
-const struct tia_display panel_display = {panel_open,   panel_mode,    panel_acquire,
-                                          panel_submit, panel_present, panel_close};
+const struct tia_display panel_display = {panel_open,    panel_mode,  panel_acquire, panel_submit,
+                                          panel_present, panel_close, NULL};

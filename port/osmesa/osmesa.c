@@ -182,8 +182,8 @@ static int osmesa_present(void *ctx)
     return error == GL_NO_ERROR ? TIA_OK : gl_fail(screen, TIA_ERR_DEVICE, "GL error 0x%x", error);
 }
 
-const struct tia_display port_osmesa_display = {osmesa_open,   osmesa_mode,    osmesa_acquire,
-                                                osmesa_submit, osmesa_present, osmesa_close};
+const struct tia_display port_osmesa_display = {
+    osmesa_open, osmesa_mode, osmesa_acquire, osmesa_submit, osmesa_present, osmesa_close, NULL};
 
 const tia_rgb565 *port_osmesa_read(void *ctx)
 {

@@ -198,5 +198,5 @@ static void panel_close(void *ctx)
     (void)send(panel, SLPIN, NULL, 0);
 }
 
-const struct tia_display tia_spi_panel_display = {panel_open,   panel_mode,    panel_acquire,
-                                                  panel_submit, panel_present, panel_close};
+const struct tia_display tia_spi_panel_display = {panel_open,    panel_mode,  panel_acquire, panel_submit,
+                                                  panel_present, panel_close, NULL};

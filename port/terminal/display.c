@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
- * Frames are drawn into memory; present encodes what changed and sends it in one write. What the terminal does not
- * accept at once is sent when it is ready. A signal may end that wait; then the rest is sent before the next frame,
- * since the grid counts it as shown.
+ * Frames are drawn into memory; present encodes what changed, in strips, and sends them. What takes longer than 20 ms,
+ * to encode or for the terminal to accept, is left to go_on. The rest of a frame is sent before the next one, since the
+ * grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -12,6 +12,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "clock.h"
 #include "colour.h"
 #include "console/node.h"
 #include "descriptor.h"
@@ -28,13 +29,19 @@
 #define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
 
+#define SLICE_MS 20 /* that present and go_on take */
+
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
 struct terminal {
     const char *device;
     char *why;
     unsigned max_width, max_height;
-    bool clear;             /* the next frame begins on an empty window */
+    bool clear;    /* the next frame begins on an empty window */
+    bool fresh;    /* the canvas has a frame of which nothing is encoded */
+    bool encoding; /* one is encoded in part: the rows up to `next`; `begun`: and has added text */
+    bool begun;
+    unsigned next;
     unsigned columns, rows; /* of the window */
     struct way way;         /* as the user wants it */
     enum pictures pictures;
@@ -56,11 +63,6 @@ static int failed_with(const struct terminal *t, int error)
     char text[PORT_WHY];
 
     return failed(t, node_error(error, text));
-}
-
-static int show(struct terminal *t)
-{
-    return !output_send(&t->output, -1) ? TIA_OK : failed_with(t, errno);
 }
 
 static unsigned smallest(unsigned a, unsigned b)
@@ -90,17 +92,6 @@ static unsigned pixels_down(const struct terminal *t, unsigned rows)
     return t->grid.spaces ? rows : 2 * rows;
 }
 
-static void draw_picture(struct terminal *t)
-{
-    const struct cell *cell = &t->cell;
-
-    if (t->pictures == PICTURES_SYMBOLS)
-        symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, t->grid.direct, &t->output.text);
-    else
-        pictures_draw(t->pictures, t->canvas.pixels, t->canvas.width, t->canvas.height, cell->width, cell->height,
-                      &t->output.text);
-}
-
 /* Adapts to the window's current size. */
 static int fit_window(struct terminal *t)
 {
@@ -128,6 +119,7 @@ static int fit_window(struct terminal *t)
     else
         place_of_grid(&t->grid, width, height);
     t->clear = true;
+    t->encoding = false;
     return TIA_OK;
 }
 
@@ -185,31 +177,96 @@ static void terminal_close(void *ctx)
     canvas_free(&t->canvas);
 }
 
-/* Encodes the canvas and sends what the terminal does not show already. In the background the shell has the window. */
-static int draw(struct terminal *t)
+/* ---- frames ---- */
+
+static void begin_frame(struct terminal *t)
 {
-    if (output_is_taken(&t->output) && !descriptor_in_front(t->output.fd))
-        return TIA_OK;
-    if (output_is_taken(&t->output)) {
-        output_take(&t->output);
-        t->clear = true;
-    }
     if (t->clear) {
         text_add(&t->output.text, t->grid.direct ? clear_direct : clear_256);
         grid_forget(&t->grid);
         symbols_forget(&t->symbols);
     }
-    if (t->pictures)
-        draw_picture(t);
+    t->clear = t->fresh = t->begun = false;
+    t->encoding = true;
+    t->next = 0;
+}
+
+/* Adds nothing where nothing changed. */
+static void encode_strip(struct terminal *t)
+{
+    struct strip strip = pictures_strip(t->pictures, &t->cell, t->next, t->canvas.width, t->canvas.height);
+    struct text *text = &t->output.text;
+    size_t before = text->count, begun;
+
+    if (!t->begun)
+        text_add(text, FRAME_BEGIN);
+    begun = text->count;
+    if (t->pictures == PICTURES_SYMBOLS)
+        symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, strip, t->grid.direct, text);
     else
+        pictures_draw(t->pictures, t->canvas.pixels, t->canvas.width, strip, &t->cell, text);
+    t->begun = t->begun || text->count > begun;
+    if (!t->begun)
+        text->count = before;
+    t->next += strip.rows;
+}
+
+static void encode_next(struct terminal *t)
+{
+    if (!t->pictures) {
         grid_draw(&t->grid, t->canvas.pixels, t->canvas.height, &t->output.text);
-    t->clear = t->output.text.failed;
-    if (t->output.text.failed) {
-        t->output.text.failed = false;
-        (void)failed(t, "out of memory");
-        return TIA_ERR_MEMORY;
+        t->encoding = false;
+        return;
     }
-    return show(t);
+    encode_strip(t);
+    t->encoding = t->next < t->canvas.height;
+    if (!t->encoding && t->begun)
+        text_add(&t->output.text, FRAME_END);
+}
+
+static int encode(struct terminal *t)
+{
+    if (!t->encoding)
+        begin_frame(t);
+    encode_next(t);
+    if (!t->output.text.failed)
+        return TIA_OK;
+    t->output.text.failed = t->encoding = false;
+    t->clear = true;
+    (void)failed(t, "out of memory");
+    return TIA_ERR_MEMORY;
+}
+
+/* After a stop the shell has had the window: the last frame is shown again. False in the background. */
+static bool has_window(struct terminal *t)
+{
+    if (!output_is_taken(&t->output))
+        return true;
+    if (!descriptor_in_front(t->output.fd))
+        return false;
+    output_take(&t->output);
+    t->clear = t->fresh = true;
+    t->encoding = false;
+    return true;
+}
+
+/* A frame that is not encoded yet waits until all of the one before is sent. */
+static int terminal_go_on(void *ctx)
+{
+    struct terminal *t = ctx;
+    uint64_t end = clock_now_us() + SLICE_MS * 1000;
+    int status = TIA_OK;
+
+    while (!status && has_window(t)) {
+        if (output_send(&t->output, clock_left_ms(end)))
+            return failed_with(t, errno);
+        if (output_is_left(&t->output) || clock_left_ms(end) == 0)
+            return TIA_BUSY;
+        if (!t->encoding && !t->fresh)
+            return TIA_OK;
+        status = encode(t);
+    }
+    return status;
 }
 
 static void describe(const struct terminal *t, struct tia_mode *mode)
@@ -227,11 +284,9 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
     struct terminal *t = ctx;
     int status = fit_window(t);
 
-    /* The window shows what the shell wrote. */
-    if (!status && t->output.entered && output_is_taken(&t->output))
-        status = draw(t);
     describe(t, mode);
-    return status;
+    bool again = t->output.entered && output_is_taken(&t->output) && descriptor_in_front(t->output.fd);
+    return !status && again ? TIA_BUSY : status;
 }
 
 static int terminal_open(void *ctx, struct tia_mode *mode)
@@ -249,7 +304,7 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
         t->output.kitty = t->pictures == PICTURES_KITTY;
         output_enter(&t->output);
         t->clear = true;
-        status = show(t);
+        status = output_send(&t->output, SLICE_MS) ? failed_with(t, errno) : TIA_OK;
     }
     if (status)
         terminal_close(t);
@@ -274,7 +329,10 @@ static int terminal_present(void *ctx)
 {
     struct terminal *t = ctx;
 
-    return t->output.entered ? draw(t) : TIA_ERR_ARGUMENT;
+    if (!t->output.entered)
+        return TIA_ERR_ARGUMENT;
+    t->fresh = true;
+    return terminal_go_on(t);
 }
 
 const struct tia_display port_terminal_display = {
@@ -284,6 +342,7 @@ const struct tia_display port_terminal_display = {
     .submit = terminal_submit,
     .present = terminal_present,
     .close = terminal_close,
+    .go_on = terminal_go_on,
 };
 
 void *port_terminal_create(const struct port_wish *wish)

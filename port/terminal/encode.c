@@ -10,9 +10,6 @@
 #define BLACK_256 16
 #define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */
 
-/* Synchronised update: terminals that know it show the whole frame at once, others ignore it. */
-static const char frame_begin[] = "\033[?2026h", frame_end[] = "\033[?2026l";
-
 static bool text_room(struct text *text, size_t more)
 {
     if (text->capacity - text->count >= more)
@@ -213,12 +210,12 @@ void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, str
     struct pen pen = {text, grid->direct, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
     size_t before = text->count, begun;
 
-    text_add(text, frame_begin);
+    text_add(text, FRAME_BEGIN);
     begun = text->count;
     for (unsigned row = 0; row < grid->rows && !text->failed; row++)
         draw_row(&pen, grid, pixels, height, row);
     bool changed = text->count > begun;
-    text_add(text, frame_end);
+    text_add(text, FRAME_END);
     if (text->failed || !changed)
         text->count = before;
     grid->known = !text->failed;

@@ -26,10 +26,16 @@ const char *pictures_need(int fd, enum pictures pictures, struct cell *cell);
 uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most);
 uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsigned rows, unsigned most);
 
-/* Sixel and kitty's; symbols.h has the others. Adds the text that shows width x height pixels in the window's upper
- * left corner, whose cells have that size in pixels. They are not scaled if the picture covers whole cells or, of
- * sixel, the most bands that fit into the cells it reaches. Without memory text->failed gets set. */
-void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
-                   unsigned cell_width, unsigned cell_height, struct text *text);
+/* The strip from row `first` on of a picture of width x height pixels: whole cells, and of sixel whole bands, but for
+ * the last one. It takes a processor some 30 ms at most. */
+struct strip pictures_strip(enum pictures pictures, const struct cell *cell, unsigned first, unsigned width,
+                            unsigned height);
+
+/* Sixel and kitty's; symbols.h has the others. Adds the text that shows a strip of a picture in the window's upper left
+ * corner, whose rows have `width` pixels. They are not scaled if the strip covers whole cells or, of sixel, the most
+ * bands that fit into the cells it reaches. A frame's strips come from the top down. Without memory text->failed gets
+ * set. */
+void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
+                   const struct cell *cell, struct text *text);
 
 #endif

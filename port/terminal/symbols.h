@@ -19,10 +19,11 @@ struct symbols {
     bool known;
 };
 
-/* Adds the text that shows width x height pixels, whole characters, in 24-bit colours (`direct`) or the nearest of the
- * 256; only of characters that changed. If text->failed gets set, nothing is added and nothing is known any more. */
-void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height, bool direct,
-                  struct text *text);
+/* Adds the text that shows a strip of width x height pixels, whole characters, in 24-bit colours (`direct`) or the
+ * nearest of the 256; only of characters that changed, none if there are none. A frame's strips come from the top down.
+ * If text->failed gets set, nothing is known any more. */
+void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                  struct strip strip, bool direct, struct text *text);
 void symbols_forget(struct symbols *symbols); /* the window may show anything */
 void symbols_free(struct symbols *symbols);
 

@@ -57,7 +57,7 @@ static void web_close(void *ctx)
     (void)ctx;
 }
 
-const struct tia_display web_display = {web_mode, web_mode, web_acquire, web_submit, web_present, web_close};
+const struct tia_display web_display = {web_mode, web_mode, web_acquire, web_submit, web_present, web_close, NULL};
 
 /* ---- input ---- */
 

@@ -97,6 +97,7 @@ struct loop {
     bool covered;  /* it is but for what is drawn over the picture */
     bool switched; /* a key has changed the technique since the last frame */
     bool pressed;  /* and one the lights */
+    bool showing;  /* the display has not shown all that it was given */
     bool keeps;    /* the viewer's `kept` are those of the last picture, kept_count of them */
     uint32_t kept_count;
 };
@@ -118,6 +119,14 @@ static inline uint32_t viewer_spp(const struct loop *loop)
 static inline tia_rgb565 *viewer_canvas_at(const struct loop *loop, unsigned x, unsigned y)
 {
     return loop->canvas + (size_t)y * loop->mode.width + x;
+}
+
+static inline int viewer_mode(struct loop *loop, struct tia_mode *mode)
+{
+    int status = loop->viewer->display->mode(loop->viewer->display_ctx, mode);
+
+    loop->showing = loop->showing || status == TIA_BUSY;
+    return status == TIA_BUSY ? TIA_OK : status;
 }
 
 /* Brings the viewer's state up to date. */
@@ -176,6 +185,11 @@ int tia_viewer_play(struct loop *loop);
 void tia_viewer_watch_begin(struct loop *loop);
 int tia_viewer_watch(struct loop *loop);
 bool tia_viewer_stops(void *loop);
+
+/* present.c: the display shows the frame; goes on with what it has not shown yet. While that takes long, keys are
+ * looked at, and what they are ends it as it would end drawing: then the rest stays for later. */
+int tia_viewer_present(struct loop *loop);
+int tia_viewer_go_on(struct loop *loop);
 
 /* prepare.c: memory for the display's mode, and a view of the current scene. */
 int tia_viewer_prepare(struct loop *loop);

@@ -103,11 +103,10 @@ static void copy_job(void *arg, unsigned index)
 }
 
 /* Another screen or size ends the frame. */
-static int same_display(const struct loop *loop)
+static int same_display(struct loop *loop)
 {
-    const struct tia_viewer *v = loop->viewer;
     struct tia_mode mode;
-    int status = v->display->mode(v->display_ctx, &mode);
+    int status = viewer_mode(loop, &mode);
 
     if (status == TIA_HIDDEN || (!status && !tia_viewer_same_mode(&mode, &loop->mode)))
         return VIEWER_OUTDATED;
@@ -143,12 +142,12 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     if (!status && v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
     if (!status)
-        status = v->display->present(v->display_ctx);
+        status = tia_viewer_present(loop);
     loop->shown_us = viewer_now(loop);
     loop->show_cost_us = loop->shown_us - now;
     loop->showing_us += loop->show_cost_us;
     frame->key_us = loop->key_us && !loop->answered ? loop->shown_us - loop->key_us : 0;
-    loop->answered = true;
+    loop->answered = loop->answered || !status;
     return !status && v->frame_done ? v->frame_done(v->frame_ctx, frame) : status;
 }
 

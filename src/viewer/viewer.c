@@ -53,8 +53,8 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     viewer_tell(loop);
     if (v->frame_drawn)
         v->frame_drawn(v->frame_ctx, frame);
-    status = v->display->present(v->display_ctx);
-    if (status)
+    status = tia_viewer_present(loop);
+    if (status && status != VIEWER_OUTDATED) /* in that case the rest of it is shown before the next */
         return status;
     loop->switched = false;
     loop->changed = loop->covered = false;
@@ -158,7 +158,7 @@ static int show(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
     struct tia_mode mode;
-    int status = v->display->mode(v->display_ctx, &mode);
+    int status = viewer_mode(loop, &mode);
 
     if (status == TIA_HIDDEN)
         loop->changed = true;
@@ -174,7 +174,7 @@ static int show(struct loop *loop)
         return status;
     if (is_due(loop))
         return draw_frame(loop);
-    return loop->covered && loop->complete ? show_again(loop) : TIA_OK;
+    return loop->covered && loop->complete ? show_again(loop) : tia_viewer_go_on(loop);
 }
 
 /* Sleeps until there can be something to do; with frames left to draw, it only delivers pending signals. */
@@ -182,7 +182,7 @@ static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
     bool unfinished = loop->unfinished && !tia_viewer_is_moving(loop);
-    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit || unfinished));
+    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit || unfinished || loop->showing));
 
     if (!v->input)
         return hidden ? TIA_HIDDEN : TIA_OK;

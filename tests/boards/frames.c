@@ -58,8 +58,8 @@ static void strip_close(void *ctx)
     (void)ctx;
 }
 
-static const struct tia_display strips = {strip_mode,   strip_mode,    strip_acquire,
-                                          strip_submit, strip_present, strip_close};
+static const struct tia_display strips = {strip_mode,    strip_mode,  strip_acquire, strip_submit,
+                                          strip_present, strip_close, NULL};
 
 static size_t arena_used;
 

@@ -93,7 +93,8 @@ static int letterbox_mode(void *ctx, struct tia_mode *mode)
     struct letterbox *letterbox = ctx;
     struct tia_mode now;
     int status = letterbox->screen->mode(letterbox->screen_ctx, &now);
-    if (status)
+    bool busy = status == TIA_BUSY;
+    if (status && !busy)
         return status;
     bool changed = now.width != letterbox->mode.width || now.height != letterbox->mode.height;
     letterbox->mode = now;
@@ -103,7 +104,7 @@ static int letterbox_mode(void *ctx, struct tia_mode *mode)
         return TIA_HIDDEN;
     }
     get_picture_mode(letterbox, mode);
-    return status;
+    return !status && busy ? TIA_BUSY : status;
 }
 
 /* ---- pixels ---- */
@@ -265,6 +266,12 @@ static int letterbox_present(void *ctx)
     return status ? status : letterbox->screen->present(letterbox->screen_ctx);
 }
 
+static int letterbox_go_on(void *ctx)
+{
+    const struct letterbox *letterbox = ctx;
+    return letterbox->screen->go_on(letterbox->screen_ctx);
+}
+
 static void letterbox_close(void *ctx)
 {
     struct letterbox *letterbox = ctx;
@@ -273,5 +280,12 @@ static void letterbox_close(void *ctx)
     letterbox->frame = NULL;
 }
 
-const struct tia_display letterbox_display = {letterbox_open,   letterbox_mode,    letterbox_acquire,
-                                              letterbox_submit, letterbox_present, letterbox_close};
+const struct tia_display letterbox_display = {
+    .open = letterbox_open,
+    .mode = letterbox_mode,
+    .acquire = letterbox_acquire,
+    .submit = letterbox_submit,
+    .present = letterbox_present,
+    .close = letterbox_close,
+    .go_on = letterbox_go_on,
+};

@@ -1,14 +1,14 @@
 /* chafa.c - sixel and kitty's protocol by libchafa. */
 #include <chafa.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "terminal/chafa/expand.h"
 #include "terminal/pictures.h"
 
-/* Synchronised, from the corner; pictures of kitty's protocol lie on top of each other, so those before are removed. */
-static const char frame_begin[] = "\033[?2026h\033[H", remove_before[] = "\033_Ga=d,q=2\033\\",
-                  frame_end[] = "\033[?2026l";
+/* Pictures of kitty's protocol lie on top of each other, so those before are removed. */
+static const char remove_before[] = "\033_Ga=d,q=2\033\\";
 
 static unsigned cells(unsigned size, unsigned cell)
 {
@@ -55,27 +55,34 @@ static void mend_base64(char *text)
     }
 }
 
-void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
-                   unsigned cell_width, unsigned cell_height, struct text *text)
+static void put_cursor(unsigned row, struct text *text)
 {
-    uint8_t *rgba = expand(pixels, (size_t)width * height, 1);
+    char sequence[32];
+
+    (void)snprintf(sequence, sizeof sequence, "\033[%uH", row + 1);
+    text_add(text, sequence);
+}
+
+void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
+                   const struct cell *cell, struct text *text)
+{
+    uint8_t *rgba = expand(pixels + (size_t)strip.first * width, (size_t)width * strip.rows, 1);
 
     if (!rgba) {
         text->failed = true;
         return;
     }
     chafa_set_n_threads(1); /* a port starts none */
-    ChafaCanvas *canvas = canvas_for(pictures, width, height, cell_width, cell_height);
-    chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)width, (gint)height,
+    ChafaCanvas *canvas = canvas_for(pictures, width, strip.rows, cell->width, cell->height);
+    chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)width, (gint)strip.rows,
                                  (gint)(4 * width));
     GString *printed = print(canvas);
-    text_add(text, frame_begin);
-    if (pictures == PICTURES_KITTY) {
+    if (pictures == PICTURES_KITTY)
         mend_base64(printed->str);
+    if (pictures == PICTURES_KITTY && strip.first == 0)
         text_add(text, remove_before);
-    }
+    put_cursor(strip.first / cell->height, text);
     text_add(text, printed->str);
-    text_add(text, frame_end);
     (void)g_string_free(printed, TRUE);
     chafa_canvas_unref(canvas);
     free(rgba);

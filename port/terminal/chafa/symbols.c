@@ -13,8 +13,6 @@
 #define UNKNOWN UINT32_MAX
 #define BRAILLE_BLANK 0x2800
 
-static const char frame_begin[] = "\033[?2026h", frame_end[] = "\033[?2026l";
-
 /* Colours are 0xrrggbb, or indices of the 256. */
 struct symbol {
     uint32_t code, fore, back;
@@ -135,45 +133,33 @@ static void put_symbol(struct pen *pen, const struct symbol *s, bool direct, str
     text_add(text, character);
 }
 
-static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, bool direct, struct text *text)
+/* The canvas has the rows from `top` on. */
+static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned top, unsigned rows, bool direct,
+                        struct text *text)
 {
     struct pen pen = {UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
 
-    for (unsigned i = 0; i < symbols->columns * symbols->rows; i++) {
+    for (unsigned i = 0; i < symbols->columns * rows; i++) {
         unsigned column = i % symbols->columns, row = i / symbols->columns;
-        struct symbol s = symbol_at(canvas, column, row, direct), *known = &symbols->cells[i];
+        struct symbol s = symbol_at(canvas, column, row, direct);
+        struct symbol *known = &symbols->cells[(size_t)top * symbols->columns + i];
         if (symbols->known && s.code == known->code && s.fore == known->fore && s.back == known->back)
             continue;
-        move(&pen, column, row, text);
+        move(&pen, column, top + row, text);
         put_symbol(&pen, &s, direct, text);
         pen.column = column + 1; /* after the last column terminals differ, but there the next row begins */
-        pen.row = row;
+        pen.row = top + row;
         *known = s;
     }
 }
 
-/* Adds nothing where nothing changed. */
-static void put_frame(struct symbols *symbols, ChafaCanvas *canvas, bool direct, struct text *text)
+void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                  struct strip strip, bool direct, struct text *text)
 {
-    size_t before = text->count, begun;
+    unsigned columns = width / SYMBOLS_WIDTH, rows = strip.rows / SYMBOLS_HEIGHT, top = strip.first / SYMBOLS_HEIGHT;
+    uint8_t *rgba = expand(pixels + (size_t)strip.first * width, (size_t)width * strip.rows, POINTS / SYMBOLS_WIDTH);
 
-    text_add(text, frame_begin);
-    begun = text->count;
-    put_changed(symbols, canvas, direct, text);
-    bool changed = text->count > begun;
-    text_add(text, frame_end);
-    if (text->failed || !changed)
-        text->count = before;
-    symbols->known = !text->failed;
-}
-
-void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height, bool direct,
-                  struct text *text)
-{
-    unsigned columns = width / SYMBOLS_WIDTH, rows = height / SYMBOLS_HEIGHT;
-    uint8_t *rgba = expand(pixels, (size_t)width * height, POINTS / SYMBOLS_WIDTH);
-
-    if (!rgba || !resize(symbols, columns, rows)) {
+    if (!rgba || !resize(symbols, columns, height / SYMBOLS_HEIGHT)) {
         free(rgba);
         symbols_free(symbols);
         text->failed = true;
@@ -183,7 +169,8 @@ void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned wi
     ChafaCanvas *canvas = canvas_new(columns, rows);
     chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)(columns * POINTS),
                                  (gint)(rows * SYMBOLS_HEIGHT), (gint)(4 * columns * POINTS));
-    put_frame(symbols, canvas, direct, text);
+    put_changed(symbols, canvas, top, rows, direct, text);
+    symbols->known = !text->failed && (symbols->known || top + rows == symbols->rows);
     chafa_canvas_unref(canvas);
     free(rgba);
 }

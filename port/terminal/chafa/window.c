@@ -54,6 +54,31 @@ static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
 }
 
+/* Sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
+#define STRIP_PIXELS (1u << 19)
+#define SYMBOLS_PIXELS (1u << 18)
+
+/* The least common multiple of both. */
+static unsigned common(unsigned a, unsigned b)
+{
+    unsigned multiple = a;
+
+    while (multiple % b)
+        multiple += a;
+    return multiple;
+}
+
+struct strip pictures_strip(enum pictures pictures, const struct cell *cell, unsigned first, unsigned width,
+                            unsigned height)
+{
+    unsigned unit = pictures == PICTURES_SIXEL ? common(cell->height, PICTURES_BAND) : cell->height;
+    unsigned pixels = pictures == PICTURES_SYMBOLS ? SYMBOLS_PIXELS : STRIP_PIXELS;
+    unsigned most = pixels / width / unit * unit, left = height - first;
+
+    most = most ? most : unit;
+    return (struct strip){first, left < most ? left : most};
+}
+
 uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most)
 {
     return (uint16_t)whole_cells(columns, cell->width, most);

@@ -28,16 +28,23 @@ uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsign
     return (uint16_t)most;
 }
 
-void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
-                   unsigned cell_width, unsigned cell_height, struct text *text)
+struct strip pictures_strip(enum pictures pictures, const struct cell *cell, unsigned first, unsigned width,
+                            unsigned height)
 {
-    (void)pictures, (void)pixels, (void)width, (void)height, (void)cell_width, (void)cell_height, (void)text;
+    (void)pictures, (void)cell, (void)width;
+    return (struct strip){first, height - first};
 }
 
-void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height, bool direct,
-                  struct text *text)
+void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
+                   const struct cell *cell, struct text *text)
 {
-    (void)symbols, (void)pixels, (void)width, (void)height, (void)direct, (void)text;
+    (void)pictures, (void)pixels, (void)width, (void)strip, (void)cell, (void)text;
+}
+
+void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                  struct strip strip, bool direct, struct text *text)
+{
+    (void)symbols, (void)pixels, (void)width, (void)height, (void)strip, (void)direct, (void)text;
 }
 
 void symbols_forget(struct symbols *symbols)
