@@ -223,6 +223,48 @@ TEST(another_guardian_stands_in)
     close_terminal();
 }
 
+/* The first child of a process, or 0. */
+static pid_t child_of(pid_t pid)
+{
+    char path[64];
+    int child = 0;
+
+    (void)snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)pid, (int)pid);
+    FILE *file = fopen(path, "re");
+    if (file && fscanf(file, "%d", &child) != 1)
+        child = 0;
+    if (file)
+        (void)fclose(file);
+    return child;
+}
+
+/* In one order and the other: neither can do anything between. */
+TEST(both_killed_at_once)
+{
+    for (int i = 0; i < 10; i++) {
+        int ready[2];
+        char byte = 0;
+        if (!open_terminal() || pipe(ready) != 0)
+            return;
+        pid_t child = fork();
+        if (child == 0) {
+            keep_and_make_raw();
+            (void)!write(ready[1], &byte, 1);
+            (void)pause();
+        }
+        CHECK_EQ(read(ready[0], &byte, 1), 1);
+        pid_t guardian = child_of(child);
+        CHECK(guardian > 0 && child_of(guardian) > 0);
+        (void)kill(i % 2 ? child : guardian, SIGKILL);
+        (void)kill(i % 2 ? guardian : child, SIGKILL);
+        (void)waitpid(child, NULL, 0);
+        CHECK_MSG(cooked_again(), "still raw in try %d", i);
+        (void)close(ready[0]);
+        (void)close(ready[1]);
+        close_terminal();
+    }
+}
+
 /* Writes this process's own oom_score_adj: a higher one always, a lower one not for everybody. */
 static bool set_score(const char *value)
 {
@@ -285,6 +327,7 @@ int main(void)
     RUN(put_back_once);
     RUN(stopped_and_continued_at_once);
     RUN(another_guardian_stands_in);
+    RUN(both_killed_at_once);
     RUN(is_no_choice_when_memory_is_short);
     RUN(ends_with_a_stopped_guardian);
     return check_status();

@@ -19,6 +19,7 @@
 
 #include "cooked.h"
 #include "kept.h"
+#include "spare.h"
 #include "stand_in.h"
 #include "traced.h"
 
@@ -26,6 +27,7 @@
 #define SETTLE_MS 100 /* how long a stopped process may take until its main thread stops, in case a driver holds it */
 
 static pid_t process, process_group; /* that is guarded */
+static int process_end;              /* its pidfd */
 
 /* ---- consoles and framebuffers ---- */
 
@@ -294,6 +296,7 @@ static void listen_until_the_end(void)
             return;
         if (fds[1].revents != 0)
             take_signals(fds[1].fd);
+        spare_follow();
         if (fds[2].fd >= 0 && fds[2].revents != 0)
             stand_in_look();
     }
@@ -309,17 +312,12 @@ static void close_cards(void)
         }
 }
 
-void guard(int line, pid_t parent, pid_t group)
+static void put_all_back(void)
 {
-    process = parent;
-    process_group = group;
-    go_away(line);
-    struct pollfd end = {.fd = (int)syscall(SYS_pidfd_open, parent, 0u), .events = POLLIN};
-    listen_until_the_end();
-    if (kept_nothing())
-        _exit(0);
+    struct pollfd end = {.fd = process_end, .events = POLLIN};
+
     close_cards();
-    cooked_at_the_end(group);
+    cooked_at_the_end(process_group);
     traced_end();
     /* The process is gone when the kernel has closed its files, and with them put DRM devices back. At most 2 s, in
      * case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
@@ -327,5 +325,18 @@ void guard(int line, pid_t parent, pid_t group)
         (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
     restore_screens();
     finish();
+}
+
+void guard(int line, pid_t parent, pid_t group)
+{
+    process = parent;
+    process_group = group;
+    go_away(line);
+    process_end = (int)syscall(SYS_pidfd_open, parent, 0u);
+    spare_start(process_end, put_all_back);
+    listen_until_the_end();
+    if (!kept_nothing())
+        put_all_back();
+    kept_finish();
     _exit(0);
 }

@@ -79,6 +79,7 @@ static int start_process(void)
         return -1;
     (void)sigfillset(&all);
     (void)pthread_sigmask(SIG_BLOCK, &all, &old);
+    (void)kept_next_guardian();
     guardian.process = fork();
     if (guardian.process == 0)
         guard(ends[1], parent, group);

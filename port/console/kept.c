@@ -8,7 +8,7 @@
 
 struct saved kept[KEPT_MOST];
 static struct {
-    atomic_uint put_back;
+    atomic_uint put_back, guardian, finished;
     sem_t answered;
 } * shared;
 
@@ -62,6 +62,27 @@ void kept_count_put_back(void)
 unsigned kept_put_back(void)
 {
     return shared ? atomic_load(&shared->put_back) : 0;
+}
+
+unsigned kept_next_guardian(void)
+{
+    return shared ? atomic_fetch_add(&shared->guardian, 1) + 1 : 0;
+}
+
+unsigned kept_guardian(void)
+{
+    return shared ? atomic_load(&shared->guardian) : 0;
+}
+
+void kept_finish(void)
+{
+    if (shared)
+        atomic_store(&shared->finished, atomic_load(&shared->guardian));
+}
+
+bool kept_is_finished(unsigned guardian)
+{
+    return !shared || atomic_load(&shared->finished) == guardian;
 }
 
 void kept_answer(void)
