@@ -45,7 +45,7 @@ static bool move_centre(struct tia_vec3 *centre, const struct move *move, int sc
 {
     if (scale_bits > 14)
         return false;
-    int32_t unit = scale_bits < 0 ? TIA_Q16_ONE >> -scale_bits : TIA_Q16_ONE << scale_bits;
+    int32_t unit = TIA_Q30_ONE >> (14 - scale_bits);
     return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
@@ -64,8 +64,7 @@ static bool rotate(struct tia_dir3 *direction, const struct move *move)
 static int move_light(const struct tia_scene *scene, struct tia_light *light, const struct move *move)
 {
     struct tia_light moved = *light;
-    struct tia_scene alone = {
-        .camera = scene->camera, .lights = &moved, .light_count = 1, .scale_bits = scene->scale_bits};
+    struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
 
     if (tia_scene_check(&alone, NULL))
         return 0;

@@ -67,22 +67,21 @@ static bool fits(const int64_t numbers[2])
            numbers[1] >= -FADING_MOST;
 }
 
-/* Units are 2^-8 to 2^16 times the file's: tia_decimal has no more bits. */
-#define FADING_UNIT 8
-#define FADING_UNITS 16
+#define FADING_UNITS 16 /* tia_decimal has no more bits */
 
 int tia_fading(struct tia_text *t, struct tia_fading *out)
 {
     int status = tia_text_q16(t, &out->constant), scale_bits = t->lengths->filling ? t->lengths->scale_bits : 0;
-    int unit = scale_bits < 0 ? -scale_bits : 0, least = scale_bits > 0 ? -scale_bits : unit;
+    int unit = scale_bits < 0 ? -scale_bits : 0;
     const struct tia_text start = *t;
     int64_t numbers[2] = {0, 0}, more[2];
 
-    unit = unit < FADING_UNITS ? unit : FADING_UNITS;
-    status = status ? status : read_fading(t, unit, numbers);
-    for (struct tia_text again = start; !status && !fits(numbers) && unit > least && unit > -FADING_UNIT; again = start)
-        status = read_fading(&again, --unit, numbers);
-    for (struct tia_text again = start; !status && !keeps_digits(numbers) && unit < FADING_UNITS; again = start) {
+    status = status ? status : tia_text_q16(t, &out->linear);
+    status = status ? status : tia_text_q16(t, &out->quadratic);
+    struct tia_text again = start;
+    status = status ? status : read_fading(&again, unit, numbers);
+    while (!status && !keeps_digits(numbers) && unit < FADING_UNITS) {
+        again = start;
         if (read_fading(&again, unit + 1, more) || !fits(more))
             break;
         numbers[0] = more[0];
