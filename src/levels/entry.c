@@ -10,7 +10,14 @@ struct level_pool {
     char *first;
     size_t stride;
     uint32_t workers;
+    bool prepared; /* false: plain C draws all the same */
 };
+
+/* It lies before the part's own memory, behind the rooms. */
+static struct level_pool *pool_of(const struct tia_view *view)
+{
+    return (struct level_pool *)(void *)((char *)view->level_memory - LEVEL_ALIGN(sizeof(struct level_pool)));
+}
 
 static size_t stride_of(const struct tia_level *level, const struct level_renderer *part)
 {
@@ -46,24 +53,23 @@ static void open_pool(struct tia_view *view, void *memory, size_t bytes)
     const struct level_renderer *part = level_renderer_for(view->level, view->renderer);
     char *start = (char *)memory + (64 - (uintptr_t)memory % 64) % 64;
     size_t least = size(view->level, part, view->scene, view->light_capacity, 1);
-    struct level_pool *pool = (void *)start;
+    struct level_pool pool = {.first = start, .stride = stride_of(view->level, part), .prepared = false};
+    size_t more = (bytes - least) / pool.stride;
 
-    pool->first = start + LEVEL_ALIGN(sizeof *pool);
-    pool->stride = stride_of(view->level, part);
-    size_t more = (bytes - least) / pool->stride;
-    pool->workers = more < WORKERS_MAX ? 1 + (uint32_t)more : WORKERS_MAX;
-    for (uint32_t i = 0; i < pool->workers; i++)
-        *room_in_use(pool, i) = false;
-    view->level_pool = pool;
-    view->level_memory = pool->first + pool->workers * pool->stride;
+    pool.workers = more < WORKERS_MAX ? 1 + (uint32_t)more : WORKERS_MAX;
+    for (uint32_t i = 0; i < pool.workers; i++)
+        *room_in_use(&pool, i) = false;
+    view->level_memory = start + pool.workers * pool.stride + LEVEL_ALIGN(sizeof pool);
+    *pool_of(view) = pool;
 }
 
 static void prepare(struct tia_view *view)
 {
+    struct level_pool *pool = pool_of(view);
     struct environment caller;
 
-    view->level_prepared = view->level_prepared && environment_take(&caller);
-    if (!view->level_prepared)
+    pool->prepared = pool->prepared && environment_take(&caller);
+    if (!pool->prepared)
         return;
     part_of(view)->prepare(view);
     environment_leave(&caller);
@@ -75,9 +81,9 @@ static void open(struct tia_view *view, void *memory, size_t bytes)
     struct environment caller;
 
     open_pool(view, memory, bytes);
-    view->level_prepared = environment_take(&caller);
-    if (!view->level_prepared)
+    if (!environment_take(&caller))
         return;
+    pool_of(view)->prepared = true;
     if (part->open)
         part->open(view);
     environment_leave(&caller);
@@ -92,9 +98,9 @@ struct entry {
 
 static bool enter(const struct tia_view *view, struct entry *e)
 {
-    const struct level_pool *pool = view->level_pool;
+    const struct level_pool *pool = pool_of(view);
 
-    for (uint32_t i = 0; view->level_prepared && i < pool->workers; i++) {
+    for (uint32_t i = 0; pool->prepared && i < pool->workers; i++) {
         uint32_t no = false;
         e->in_use = room_in_use(pool, i);
         if (!__atomic_compare_exchange_n(e->in_use, &no, true, false, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED))

@@ -107,8 +107,6 @@ struct tia_view {
     const struct renderer *renderer;
     const struct tia_level *level; /* NULL: plain C */
     void *level_memory;
-    struct level_pool *level_pool;
-    bool level_prepared;                       /* false: plain C draws all the same */
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;                            /* the renderer's */
     struct tia_light *lights;                  /* our copy */

@@ -43,8 +43,6 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
     v->renderer = renderer_for(scene);
     v->level = NULL;
     v->level_memory = NULL;
-    v->level_pool = NULL;
-    v->level_prepared = false;
     v->raster_runs = NULL;
     v->lights = (struct tia_light *)(void *)((char *)memory + ALIGN(sizeof *v));
     v->light_count = 0;
