@@ -95,10 +95,14 @@ static void stop_and_die(void)
         _exit(1);
     for (int i = 0; i < STOPS; i++) {
         (void)raise(SIGSTOP);
-        for (int j = 0; j < MESSAGES; j++)
-            guardian_keep_again(terminal);
-        guardian_sync();
-        make_raw();
+        unsigned put_back;
+        do { /* as tty.c does whenever it looks for keys */
+            put_back = guardian_put_back();
+            for (int j = 0; j < MESSAGES; j++)
+                guardian_keep_again(terminal);
+            guardian_sync();
+            make_raw();
+        } while (put_back != guardian_put_back());
     }
     (void)raise(SIGKILL);
     _exit(2);

@@ -210,8 +210,8 @@ static void take_all_messages(void)
         ;
 }
 
-/* A shell takes the terminal's modes for its own when it sees the stop, so they are put back before. If SIGCONT came
- * meanwhile, the program is to look at its terminal once more. */
+/* A shell takes the terminal's modes for its own when it sees the stop, so they are put back before, unless SIGCONT has
+ * come already. If it comes meanwhile, the program is to look at its terminal once more. */
 static void on_stop(bool held)
 {
     stand_in_begin();
@@ -220,7 +220,7 @@ static void on_stop(bool held)
     for (int ms = 0; ms < SETTLE_MS && !is_main_stopped(); ms++)
         (void)poll(NULL, 0, 1);
     take_all_messages();
-    if (!cooked_at_a_stop(process_group))
+    if (!is_main_stopped() || !cooked_at_a_stop(process_group))
         return;
     kept_count_put_back();
     if (!is_main_stopped())
