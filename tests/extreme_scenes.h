@@ -138,7 +138,7 @@ static void make_extreme(struct corpus_rays *c, unsigned i)
     if (i % 3 == 0)
         s->background = (struct tia_rgb){3, 1, 1000};
     if (i % 4 == 1)
-        s->scale_bits = (uint32_t)dice_between(&state, 1, 8);
+        s->scale_bits = (int32_t)dice_between(&state, 1, 8);
     if (i % 4 == 2)
         move_all(c, (struct tia_vec3){TIA_Q16(14000.3), TIA_Q16(9000.7), TIA_Q16(-12000.1)});
 }

@@ -156,7 +156,6 @@ static int prepare(struct loop *loop)
 /* Draws a frame if one is needed. TIA_HIDDEN while another program has the display. */
 static int show(struct loop *loop)
 {
-    const struct tia_viewer *v = loop->viewer;
     struct tia_mode mode;
     int status = viewer_mode(loop, &mode);
 
