@@ -258,6 +258,8 @@ static const struct tia_light five[] = {
     {TIA_VEC3(0, 0, -5), TIA_Q16(1), TIA_RGB(0.25, 1.5, 0)},
 };
 
+static uint16_t pixel_colours[3];
+
 static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
 {
     const struct tia_scene scene = {
@@ -274,10 +276,13 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
     struct tia_surface surface = {colour, 2, 2};
     struct tia_view *view = NULL;
     uint32_t path_hash = 0;
-    struct tia_options options = {.path_hash = &path_hash};
+    struct tia_options options = {.path_hash = &path_hash, .colours = pixel_colours};
 
     CHECK_EQ(init(&view, &scene, light_count, 1, 1), TIA_OK);
     CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);
+    options.dither = true;
+    CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
+    CHECK_EQ(tia_light_tile(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
     return path_hash;
 }
 
@@ -298,6 +303,9 @@ TEST(a_pixel_by_hand)
 
     CHECK_EQ(one_pixel(4, &colour), 1u << 0 | 1u << 2 | (2u + 1) * (1 + 1) << 16);
     CHECK_EQ(colour, level(red, 31) << 11 | level(green, 63) << 5 | level(blue, 31));
+    CHECK_EQ(pixel_colours[0], level(red, 65535));
+    CHECK_EQ(pixel_colours[1], level(green, 65535));
+    CHECK_EQ(pixel_colours[2], level(blue, 65535));
     CHECK_EQ(one_pixel(1, &colour), 1);
     CHECK_EQ(one_pixel(0, &colour), 0);
     CHECK_EQ(colour, level(0.0625, 31) << 11);

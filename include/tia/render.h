@@ -60,7 +60,12 @@ struct tia_options {
     uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
     uint64_t *lit;                 /* NULL, or receives which lights reach each pixel, row by row of the tile */
     struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
+    uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
 };
+
+/* `colours` are the light that RGB565 is rounded from, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides 65535,
+ * colours of 8 bits can be rounded from them. Not with dither, of a view with a level, or of integrators with samples,
+ * which have sums: TIA_ERR_UNSUPPORTED. */
 
 /* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
  * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the first sample

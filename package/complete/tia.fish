@@ -17,7 +17,7 @@ complete -c tia -l denoise -d 'of ao and path: take the noise out of a .png, .pp
 complete -c tia -l guide -x -a 'normal depth albedo error' -d 'what that goes by instead: normal, depth, albedo or error'
 complete -c tia -l tone -x -a 'linear srgb' -d 'of ao and path: linear or srgb'
 complete -c tia -l exposure -x -d 'of ao and path: 2^STOPS times as bright'
-complete -c tia -l colour -x -a '565 888 16' -d 'bits of a .png or .ppm of ao and path'
+complete -c tia -l colour -x -a '565 888 16' -d 'bits a channel of a .png or .ppm'
 complete -c tia -l shadows -x -a 'traced rays zpass zfail map map-exact zpass-plain' -d 'traced, rays, zpass, zfail, map, map-exact or zpass-plain'
 complete -c tia -l map-size -x -d 'texels along a shadow map\'s side, 64 to 4096'
 complete -c tia -l bias -x -a 'none constant= slope= normal= plane=' -d 'of shadow maps: constant, slope, normal or plane, its amount'

@@ -12,7 +12,7 @@ void tia_level_plain(const struct tia_view *view, uint32_t sphere, int x, int y,
 
     for (int done = 0; done < count; done += CHUNK) {
         int n = count - done < CHUNK ? count - done : CHUNK;
-        struct shaded_span span = {sphere, x + done, y, n, t, NULL};
+        struct shaded_span span = {sphere, x + done, y, n, t, NULL, NULL};
         span_distances(span_view_of(view), sphere, y, x + done, n, t);
         shade_span(view, &span, threshold, out + done);
     }

@@ -22,12 +22,20 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 
 static const struct tia_options plain = {0};
 
+/* Levels have no colours but RGB565, samples have sums. */
+static bool has_colours(const struct tia_view *view, const struct tia_options *options)
+{
+    return !options->colours || !(view->level || view->renderer->sample || options->dither);
+}
+
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options)
 {
     if (!hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->level || hits_are_traced(hits)))
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
+    if (!has_colours(view, options))
+        return TIA_ERR_UNSUPPORTED;
     if (view->level)
         view->level->enter->light(view, tile, surface, options);
     else
@@ -41,7 +49,10 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
     if (!surface_is_usable(surface))
         return TIA_ERR_ARGUMENT;
     if (hits_have(hits, view, tile) && !view->level && view->renderer->render) {
-        view->renderer->render(view, hits, tile, surface, options ? options : &plain);
+        options = options ? options : &plain;
+        if (!has_colours(view, options))
+            return TIA_ERR_UNSUPPORTED;
+        view->renderer->render(view, hits, tile, surface, options);
         return ended(view, hits, true);
     }
     int status = tia_trace(view, hits, tile);

@@ -118,6 +118,7 @@ int draw(const struct options *options)
     int status = film_plan(options, &drawing.film);
     if (status != EXIT_FINE)
         return status;
+    drawing.film.depth = options->depth_bits;
     drawing.series =
         (struct series){.name = options->output, .format = options->format, .film = drawing.film, .why = drawing.why};
     status = draw_all(&drawing);

@@ -26,7 +26,7 @@ const char *const options_help[] = {
     "      --guide NAME             what that goes by instead: normal, depth, albedo or error\n"
     "      --tone NAME              of ao and path: linear or srgb\n"
     "      --exposure STOPS         of ao and path: 2^STOPS times as bright\n"
-    "      --colour 565|888|16      bits of a .png or .ppm of ao and path\n",
+    "      --colour 565|888|16      bits a channel of a .png or .ppm\n",
     "      --shadows NAME           traced, rays, zpass, zfail, map, map-exact or zpass-plain\n"
     "      --map-size N             texels along a shadow map's side, 64 to 4096\n"
     "      --bias none|KIND=A       of shadow maps: constant, slope, normal or plane, its amount\n"

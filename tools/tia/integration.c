@@ -189,8 +189,12 @@ static int choose_depth(struct options *options)
     bool series = options->output && series_is_pattern(options->output);
     bool plain = options->checksum || options->dither || options->rotate || options->light.pictures || series;
 
-    if (options->colour_given && options->depth_bits && !sampled)
-        return fail(EXIT_USAGE, "--colour: whitted draws in 565 (--integrator ao or path)");
+    if (options->depth_bits && !sampled && !options->output)
+        return fail(EXIT_USAGE, "--colour: displays have 565 (-o FILE)");
+    if (options->depth_bits && !sampled && (options->resume || options->views.view || options->views.draws_rays))
+        return fail(EXIT_USAGE, "--colour: --resume, --view and --draw-rays take 565 of whitted");
+    if (options->depth_bits && !sampled)
+        options->level = NULL; /* levels have no colours but 565 */
     if (options->colour_given && options->depth_bits && plain)
         return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {

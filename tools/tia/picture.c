@@ -21,9 +21,32 @@ static struct tia_tile tile_of(const struct picture *picture, const struct pictu
 
 /* ---- jobs ---- */
 
+/* As a file has them, in the same memory: 255 levels of 8 bits are 257 of 65535 apart. */
+static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsigned depth)
+{
+    unsigned char *bytes = (unsigned char *)colours;
+
+    for (size_t i = 0; i < count; i++) {
+        unsigned colour = colours[i];
+        if (depth == 8) {
+            bytes[i] = (unsigned char)((colour + 128) / 257);
+        } else {
+            bytes[2 * i] = (unsigned char)(colour >> 8);
+            bytes[2 * i + 1] = (unsigned char)(colour & 255);
+        }
+    }
+    return bytes;
+}
+
 static void write_band(struct picture *picture, const struct picture_band *band)
 {
     size_t count = (size_t)band->rows * picture->width;
+    if (band->colours) {
+        int status = image_rows(picture->image, colour_bytes(band->colours, 3 * count, picture->depth), band->rows);
+        if (status)
+            atomic_store(&picture->status, status);
+        return;
+    }
     if (picture->checksum && image_bottom_up(picture->image))
         picture->crc = crc_join(tia_crc32(0, band->pixels, count), picture->crc, picture->crc_bytes);
     else if (picture->checksum)
@@ -47,7 +70,11 @@ static void draw_rows(struct picture *picture, unsigned job)
                                sizeof(tia_rgb565), (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
     struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
 
-    int status = picture->core->render(picture->view, picture->hits, tile, &surface, &picture->pixel_options);
+    struct tia_options pixel_options = picture->pixel_options;
+    if (band->colours)
+        pixel_options.colours = band->colours + 3 * (size_t)(place.y - band->y) * picture->width;
+
+    int status = picture->core->render(picture->view, picture->hits, tile, &surface, &pixel_options);
     if (status)
         atomic_store(&picture->status, status);
     progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
@@ -132,6 +159,20 @@ static unsigned band_pixels(const struct options *options, const struct image_fi
     return part < KEPT_PIXELS ? (unsigned)KEPT_PIXELS : part;
 }
 
+static bool allocate_bands(struct picture *picture)
+{
+    size_t pixels = (size_t)picture->band_rows * picture->width;
+    bool has = true;
+
+    for (unsigned i = 0; i < 2; i++) {
+        struct picture_band *band = &picture->band[i];
+        band->pixels = malloc(pixels * sizeof *band->pixels);
+        band->colours = picture->depth ? malloc(3 * pixels * sizeof *band->colours) : NULL;
+        has = has && band->pixels && (band->colours || !picture->depth);
+    }
+    return has;
+}
+
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
 {
     const struct tia_core *core = options->core;
@@ -141,30 +182,30 @@ int picture_begin(struct picture *picture, const struct options *options, const 
                                 .width = film->width,
                                 .first_row = film->first_row,
                                 .rows = film->rows,
+                                .depth = options->depth_bits,
                                 .checksum = options->checksum};
     unsigned pixels = band_pixels(options, film), part = pixels / KEPT_JOBS;
     unsigned job_pixels = options->resume && part < JOB_PIXELS ? part : (unsigned)JOB_PIXELS;
     picture->band_rows = pixels / film->width < film->rows ? pixels / film->width : film->rows;
 
-    struct picture_band whole = {0, picture->band_rows, NULL};
+    struct picture_band whole = {0, picture->band_rows, NULL, NULL};
     struct tia_tile tile = tile_of(picture, &whole);
     picture->job_rows = tile.width < job_pixels ? job_pixels / tile.width : 1;
     picture->hits_bytes = core->hits_size(&options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
-    for (unsigned i = 0; i < 2; i++)
-        picture->band[i].pixels = malloc((size_t)picture->band_rows * film->width * sizeof(tia_rgb565));
+    bool has = allocate_bands(picture);
     picture->pool = threads_create(options->threads);
     progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames, options->progress);
-    if (!picture->hits_memory || !picture->pool || !picture->band[0].pixels || !picture->band[1].pixels)
-        return TIA_ERR_MEMORY;
-    return TIA_OK;
+    return has && picture->hits_memory && picture->pool ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 void picture_end(struct picture *picture)
 {
     progress_end(&picture->progress);
     threads_destroy(picture->pool);
-    for (unsigned i = 0; i < 2; i++)
+    for (unsigned i = 0; i < 2; i++) {
         free(picture->band[i].pixels);
+        free(picture->band[i].colours);
+    }
     free(picture->hits_memory);
 }

@@ -15,6 +15,7 @@
 struct picture_band {
     unsigned y, rows; /* in rows of the file */
     tia_rgb565 *pixels;
+    uint16_t *colours; /* NULL: RGB565 is written */
 };
 
 struct picture {
@@ -36,6 +37,7 @@ struct picture {
     struct threads *pool;
     struct picture_band band[2]; /* one being drawn, one being written */
     struct tia_tile tile;        /* of the picture: the band being drawn */
+    unsigned depth;              /* of the colours, see struct image_film */
     bool checksum;
     uint32_t crc; /* of the rows written so far */
     uint64_t crc_bytes;

@@ -51,7 +51,7 @@ static int act(struct options *options)
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);
-        return options->depth_bits ? estimate(options) : draw(options);
+        return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
     default:
         return show(options);
     }

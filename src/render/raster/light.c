@@ -137,7 +137,7 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
         raster_trace_tile(view, &again, tile);
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &asker);
-    if (raster->place_count || options->path_hash || options->lit ||
+    if (raster->place_count || options->path_hash || options->lit || options->colours ||
         !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
         whitted_light_tile(view, hits, tile, surface, options, &r.first);
         return;

@@ -21,6 +21,7 @@ struct chunk {
     const num_u *t;
     const uint32_t *object;
     uint32_t *path_hash; /* NULL, or the row's */
+    uint16_t *colours;   /* the same */
     bool lights;         /* the row may see lights */
     tia_rgb565 *pixels;  /* side by side */
 };
@@ -43,6 +44,8 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
         span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
+    for (int i = first; chunk->colours && i < first + count; i++)
+        span_put_colours(rgb[0][0], rgb[1][0], rgb[2][0], chunk->colours + 3 * i);
 }
 
 /* Marks the pixels of a chunk where light `n` is nearer than what they see. */
@@ -138,7 +141,7 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     num_u t[CHUNK];
 
     for (int count; first < end; first += count) {
-        struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL};
+        struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL, NULL};
         count = end - first < CHUNK ? end - first : CHUNK;
         span.count = count;
         if (chunk->spans->spheres[object].wide) {
@@ -146,6 +149,7 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
             span.t = t;
         }
         span.path_hash = chunk->path_hash ? chunk->path_hash + first : NULL;
+        span.colours = chunk->colours ? chunk->colours + 3 * first : NULL;
         shade_span(chunk->view, &span, threshold, chunk->pixels + first);
     }
 }
@@ -153,9 +157,9 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
 {
     uint32_t object = chunk->object[first];
-    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL};
+    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
 
-    if (chunk->path_hash || chunk->lights || !chunk->spans->spheres[object].wide ||
+    if (chunk->path_hash || chunk->colours || chunk->lights || !chunk->spans->spheres[object].wide ||
         !coherence_shade(chunk->view, &span, threshold, chunk->pixels + first))
         shade_pixels(chunk, object, first, end, threshold);
 }
@@ -228,6 +232,7 @@ static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct t
         path_hash[x] = 0;
     for (unsigned x = 0; x < tile.width;) {
         chunk->path_hash = path_hash ? path_hash + x : NULL;
+        chunk->colours = options->colours ? options->colours + 3 * (before + x) : NULL;
         x += (unsigned)light_columns(chunk, hits, tile, x, surface, threshold);
     }
 }

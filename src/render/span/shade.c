@@ -141,6 +141,8 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         else
             shade_from_light(&s, l, NULL);
     }
-    s.spans->kernels->pack(s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2], threshold, span->x, span->count,
-                           pixels);
+    const num_u *green = s.sum[s.grey ? 0 : 1], *blue = s.sum[s.grey ? 0 : 2];
+    s.spans->kernels->pack(s.sum[0], green, blue, threshold, span->x, span->count, pixels);
+    for (int i = 0; span->colours && i < span->count; i++)
+        span_put_colours(s.sum[0][i], green[i], blue[i], span->colours + 3 * i);
 }

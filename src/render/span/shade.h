@@ -9,7 +9,16 @@ struct shaded_span {
     int x, y, count; /* the first pixel; at most CHUNK */
     const num_u *t;
     uint32_t *path_hash; /* NULL, or receives each pixel's lights, see tia/render.h */
+    uint16_t *colours;   /* NULL, or receives red, green and blue, see there */
 };
+
+/* A pixel's colours with 16 bits each. */
+static inline void span_put_colours(num_u red, num_u green, num_u blue, uint16_t *colours)
+{
+    colours[0] = (uint16_t)num_quantise(red, 65535, NUM_ROUND);
+    colours[1] = (uint16_t)num_quantise(green, 65535, NUM_ROUND);
+    colours[2] = (uint16_t)num_quantise(blue, 65535, NUM_ROUND);
+}
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                 tia_rgb565 *pixels);

@@ -75,6 +75,12 @@ static tia_rgb565 pack(const num_length mean[3], num_u threshold)
     return (tia_rgb565)(r << 11 | g << 5 | b);
 }
 
+static void put_colours(const num_length mean[3], uint16_t *colours)
+{
+    for (int c = 0; c < 3; c++)
+        colours[c] = (uint16_t)num_levels(mean[c], 65535, NUM_ROUND);
+}
+
 /* What is drawn where. */
 struct job {
     const struct tia_view *view;
@@ -110,6 +116,8 @@ static bool row(const struct job *job, int y)
         path.reached = 0;
         pixel(&path, x, y, &objects[i], mean);
         *(tia_rgb565 *)(void *)(out + i * job->surface->step) = pack(mean, threshold[x & 7]);
+        if (options->colours)
+            put_colours(mean, options->colours + 3 * (before + (size_t)i));
         if (path_hash)
             path_hash[i] = path.hash;
         if (options->lit)

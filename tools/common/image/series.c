@@ -48,7 +48,15 @@ static int begin_picture(struct series *series, uint32_t frame)
         (void)snprintf(series->why, PORT_WHY, "memory: exhausted");
         return TIA_ERR_MEMORY;
     }
-    series->image = image_create(series->path, series->format, series->film.width, series->film.height, series->why);
+    const struct image_film picture = {.width = series->film.width,
+                                       .height = series->film.height,
+                                       .rows = series->film.height,
+                                       .frames = 1,
+                                       .all_frames = 1,
+                                       .rate = {1, 1},
+                                       .depth = series->film.depth,
+                                       .transfer = series->film.transfer};
+    series->image = image_create_film(series->path, series->format, &picture, series->why);
     return series->image ? TIA_OK : TIA_ERR_DEVICE;
 }
 
