@@ -282,7 +282,9 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
     CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);
     options.dither = true;
     CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
-    CHECK_EQ(tia_light_tile(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
+    struct tia_hits *hits = hits_of(view, pixel);
+    CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);
+    CHECK_EQ(tia_light_tile(view, hits, pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
     return path_hash;
 }
 
