@@ -65,6 +65,7 @@
 #define light_line_prepare NAMES(light_line_prepare)
 #define shadow_line_prepare NAMES(shadow_line_prepare)
 #define shade_span NAMES(shade_span)
+#define span_put_colours NAMES(span_put_colours)
 #define coherence_pays NAMES(coherence_pays)
 #define coherence_shade NAMES(coherence_shade)
 #define coherence_square_at NAMES(coherence_square_at)

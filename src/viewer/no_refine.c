@@ -33,6 +33,11 @@ int tia_viewer_copy(struct loop *loop)
     return tia_viewer_draw_tiles(loop);
 }
 
+void tia_viewer_copy_last(struct loop *loop)
+{
+    (void)loop;
+}
+
 void tia_viewer_gaze(struct loop *loop)
 {
     loop->gazes = false;

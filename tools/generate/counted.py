@@ -115,7 +115,7 @@ def block(text):
     return lambda _: ["    " + line if line else line for line in text.split("\n\n")[0].splitlines()]
 
 
-COMPARED = {"scene": (), "random": ("--random", "200", "--seed", "7", "--summary"),
+COMPARED = {"scene": (), "default": ("-s", "640x480"), "random": ("--random", "200", "--seed", "7", "--summary"),
             "everything": ("--rays-random", "100", "--summary"), "databases": ("-s", "320x240", *DATABASES, "--summary")}
 
 
@@ -133,7 +133,8 @@ def differing(what):
 
 
 def compare(full):
-    return by_first_cell({"the built-in scene, 5 frames of 1920x1080": differing("scene"),
+    return by_first_cell({"the built-in scene, 5 frames of 640x480": differing("default"),
+                          "the built-in scene, 5 frames of 1920x1080": differing("scene"),
                           "200 random scenes of spheres": differing("random"),
                           "100 random scenes of everything": differing("everything") if full else (None,) * 3,
                           "the Standard Procedural Databases, 13 scenes": differing("databases")})
@@ -247,6 +248,16 @@ def loaded(path):
 KINDS = ("thesis", "random", "rays holes", "ao path room lamps", "play", "curved flat mirror orthographic polygons", "radio")
 
 
+def frames_of_levels(arch, plain):
+    """Their builds are those of a processor with AVX-512; on another they are not counted."""
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        if "avx512vl" not in file.read().split():
+            return {}
+    levels = list(arch.level_builds())
+    usual = sum(build.usual() for build in plain + levels)
+    return {"{} more builds draw with": (len(levels),), "takes {} of these {}.": (usual, len(plain + levels))}
+
+
 def frames(_):
     """Pinned frames by kind, and the builds that draw them."""
     with open(os.path.join(ROOT, "tests/golden/frames.crc"), encoding="utf-8") as file:
@@ -254,16 +265,11 @@ def frames(_):
     if set(kinds) != set(" ".join(KINDS).split()):
         raise Wrong(f"tests/golden/frames.crc has other kinds of frames: {sorted(set(kinds))}")
     by_kind = [sum(kind in group.split() for kind in kinds) for group in KINDS]
-    with open("/proc/cpuinfo", encoding="utf-8") as file:
-        if "avx512vl" not in file.read().split():
-            raise Missing("the builds are those of a processor with AVX-512")
     arch = loaded("tests/slow/arch")
-    plain, levels = list(arch.builds()), list(arch.level_builds())
-    usual = sum(build.usual() for build in plain + levels)
+    plain = list(arch.builds())
     return words({"Of {} frames in {} builds": (len(kinds), len(plain)),
                   "the CRC-32 of {} frames with `tests/golden/frames.crc`: {} builds": (len(kinds), len(plain)),
-                  "{} more builds draw with": (len(levels),),
-                  "takes {} of these {}.": (usual, len(plain + levels)),
+                  **frames_of_levels(arch, plain),
                   "{} frames are of the built-in scene, {} of random balls, {} of random scenes of everything, {} of paths "
                   "and ambient occlusion, {} of keyframes played, and {} of [shadows]": by_kind[:6],
                   "{} are the points of radio": by_kind[6:]})

@@ -117,6 +117,13 @@ static void shade_from_tinted_light(struct shading *s, uint32_t l)
     shade_from_light(s, l, &tint);
 }
 
+void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours)
+{
+    for (int i = 0; colours && i < count; i++)
+        for (int c = 0; c < 3; c++)
+            *colours++ = (uint16_t)num_quantise(rgb[c][i * step], 65535, NUM_ROUND);
+}
+
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                 tia_rgb565 *pixels)
 {
@@ -141,8 +148,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         else
             shade_from_light(&s, l, NULL);
     }
-    const num_u *green = s.sum[s.grey ? 0 : 1], *blue = s.sum[s.grey ? 0 : 2];
-    s.spans->kernels->pack(s.sum[0], green, blue, threshold, span->x, span->count, pixels);
-    for (int i = 0; span->colours && i < span->count; i++)
-        span_put_colours(s.sum[0][i], green[i], blue[i], span->colours + 3 * i);
+    const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
+    s.spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, span->x, span->count, pixels);
+    span_put_colours(rgb, 1, span->count, span->colours);
 }

@@ -12,13 +12,8 @@ struct shaded_span {
     uint16_t *colours;   /* NULL, or receives red, green and blue, see there */
 };
 
-/* A pixel's colours with 16 bits each. */
-static inline void span_put_colours(num_u red, num_u green, num_u blue, uint16_t *colours)
-{
-    colours[0] = (uint16_t)num_quantise(red, 65535, NUM_ROUND);
-    colours[1] = (uint16_t)num_quantise(green, 65535, NUM_ROUND);
-    colours[2] = (uint16_t)num_quantise(blue, 65535, NUM_ROUND);
-}
+/* Colours with 16 bits each, of pixels side by side, or `step` 0: of the first for all; NULL: of none. */
+void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours);
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                 tia_rgb565 *pixels);
