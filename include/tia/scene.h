@@ -90,7 +90,7 @@ struct tia_scene {
     tia_q16 tessellated; /* for all techniques but traced rays. 0: rays find curved shapes; otherwise these are divided
                             into flat faces, none farther than this from the true surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
-    int32_t scale_bits;  /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
+    int scale_bits;      /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
                                             another technique for shadows than traced rays */

@@ -23,15 +23,15 @@ struct colour {
     uint32_t rgb[3];
 };
 
-/* Passes 0 to EDGES - 1 stop at edges of the light. The others average what these have taken from each pixel, which has
- * a sign: with NOTHING added. */
-#define EDGES 3
-#define NOTHING (UINT32_C(1) << 31)
+/* Passes 0 to EDGE_PASSES - 1 stop at edges of the light. The others average what these have taken from each pixel,
+ * which has a sign: with NONE_TAKEN added. */
+#define EDGE_PASSES 3
+#define NONE_TAKEN (UINT32_C(1) << 31)
 
 struct tia_denoiser {
     unsigned width, height;
     struct light *light[2];  /* a pass reads one and writes the other */
-    struct colour *filtered; /* the light that was put in; after pass EDGES - 1, what has become of it */
+    struct colour *filtered; /* the light that was put in; after pass EDGE_PASSES - 1, what has become of it */
     struct feature *features;
 };
 

@@ -136,8 +136,8 @@ static void begin(struct middle *m, const struct tia_denoiser *d, unsigned pass,
     size_t at = (size_t)y * d->width + (size_t)x;
 
     *m = (struct middle){.d = d, .light = d->light[pass & 1], .x = x, .y = y, .feature = d->features[at]};
-    m->stops = pass < EDGES;
-    m->step = 1 << (m->stops ? pass : pass - EDGES);
+    m->stops = pass < EDGE_PASSES;
+    m->step = 1 << (m->stops ? pass : pass - EDGE_PASSES);
     m->luminance = luminance(m->light[at].rgb);
     m->spread = m->stops ? SPREAD(error_around(m)) : 0;
     m->across = (depth_at(d, x + 1, y) - depth_at(d, x - 1, y)) / 2;
@@ -171,7 +171,7 @@ static struct light filtered(const struct middle *m)
 static void take(struct tia_denoiser *d, size_t at, struct light *light)
 {
     for (int c = 0; c < 3; c++) {
-        int64_t taken = (int64_t)d->filtered[at].rgb[c] - light->rgb[c] + NOTHING;
+        int64_t taken = (int64_t)d->filtered[at].rgb[c] - light->rgb[c] + NONE_TAKEN;
         d->filtered[at].rgb[c] = light->rgb[c];
         light->rgb[c] = taken < 0 ? 0 : taken > UINT32_MAX ? UINT32_MAX : (uint32_t)taken;
     }
@@ -188,7 +188,7 @@ int tia_denoise_pass(struct tia_denoiser *d, unsigned pass, struct tia_tile tile
             size_t at = (size_t)y * d->width + (size_t)x;
             begin(&m, d, pass, x, y);
             struct light light = filtered(&m);
-            if (pass == EDGES - 1)
+            if (pass == EDGE_PASSES - 1)
                 take(d, at, &light);
             d->light[(pass + 1) & 1][at] = light;
         }

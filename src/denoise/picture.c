@@ -136,7 +136,7 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
 /* The light that is left, and the mean around it of what was taken. */
 static uint32_t light_of(const struct tia_denoiser *d, size_t at, int c)
 {
-    int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NOTHING;
+    int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NONE_TAKEN;
 
     return light < 0 ? 0 : light > UINT32_MAX ? UINT32_MAX : (uint32_t)light;
 }

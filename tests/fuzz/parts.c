@@ -101,8 +101,10 @@ static void write_part(struct bytes *b, struct memory_file *file, uint8_t shape,
 static void write_sums(struct bytes *b, struct memory_file *file, uint8_t shape)
 {
     uint8_t samples = take_byte(b), other = take_byte(b);
-    struct sums sums = {shape % SIDE + 1u, shape / SIDE % SIDE + 1u, samples % 16, samples / 16u + 1, TIA_TONE_SRGB, 0,
-                        other == 7 ? 7 : 5};
+    struct sums sums = {shape % SIDE + 1u,  shape / SIDE % SIDE + 1u,
+                        samples % 16,       samples / 16u + 1,
+                        TIA_TONE_SRGB,      0,
+                        other == 7 ? 7 : 5, false};
     unsigned char bytes[SIDE * 24 + 4];
     struct tia_sum row[SIDE];
     char text[SUMS_HEADER];

@@ -18,7 +18,7 @@ static const struct image_film film = {.width = WIDTH,
                                        .all_frames = FRAMES,
                                        .rate = {25, 1},
                                        .crc = 0x1234567};
-static const struct sums sums = {WIDTH, HEIGHT, 0, 16, TIA_TONE_SRGB, 0, 0x1234567};
+static const struct sums sums = {WIDTH, HEIGHT, 0, 16, TIA_TONE_SRGB, 0, 0x1234567, false};
 
 static void must_say(int status)
 {
@@ -89,46 +89,85 @@ static void begin_rows(struct bytes *b)
 
 /* ---- rows of sums ---- */
 
-static void draw_sums(struct tia_sum *band, unsigned y, unsigned rows)
+struct band {
+    struct tia_sum sums[WIDTH * HEIGHT];
+    struct tia_guide guides[WIDTH * HEIGHT];
+    uint64_t squares[WIDTH * HEIGHT];
+};
+
+static struct tia_gathered gathered(struct band *band, bool guided)
 {
-    for (unsigned i = 0; i < rows * WIDTH; i++)
-        band[i] = (struct tia_sum){{(int64_t)(y * WIDTH + i) << 24, (int64_t)1 << 42, 5}};
+    return (struct tia_gathered){band->sums, guided ? band->guides : NULL, guided ? band->squares : NULL, WIDTH};
 }
 
-static void append_sums(struct resume *r, unsigned y, unsigned rows)
+static void draw_band(struct band *band, unsigned y, unsigned rows)
 {
-    struct tia_sum band[WIDTH * HEIGHT];
-
-    draw_sums(band, y, rows);
-    MUST(resume_append(r, y, rows, band) == TIA_OK);
+    *band = (struct band){.squares = {0}};
+    for (unsigned i = 0; i < rows * WIDTH; i++) {
+        unsigned at = y * WIDTH + i;
+        band->sums[i] = (struct tia_sum){{(int64_t)at << 24, (int64_t)1 << 42, 5}};
+        band->guides[i] = (struct tia_guide){{at, -(int64_t)at, 16 << 24}, at << 16, {at, 7, 16 << 24}};
+        band->squares[i] = UINT64_MAX - at;
+    }
 }
 
-static void must_resume(bool raw)
+static struct sums kept_sums(bool guided)
 {
-    struct tia_sum band[WIDTH * HEIGHT], drawn[WIDTH * HEIGHT];
+    struct sums kept = sums;
+
+    kept.guided = guided;
+    return kept;
+}
+
+static void append_band(struct resume *r, unsigned y, unsigned rows)
+{
+    static struct band band;
+
+    draw_band(&band, y, rows);
+    const struct tia_gathered from = gathered(&band, r->sums.guided);
+    MUST(resume_append(r, y, rows, &from) == TIA_OK);
+}
+
+static int must_read_band(struct resume *r, bool raw)
+{
+    static struct band band, drawn;
+    struct tia_gathered to = gathered(&band, r->sums.guided);
+    int status = resume_read(r, 0, HEIGHT, &to);
+
+    draw_band(&drawn, 0, HEIGHT);
+    if (!status && !raw) {
+        MUST(memcmp(band.sums, drawn.sums, sizeof band.sums) == 0);
+        MUST(!to.guides || memcmp(band.guides, drawn.guides, sizeof band.guides) == 0);
+        MUST(!to.squares || memcmp(band.squares, drawn.squares, sizeof band.squares) == 0);
+    }
+    return status;
+}
+
+static void must_resume(bool raw, bool guided)
+{
+    const struct sums kept = kept_sums(guided);
     struct resume r;
-    int status = resume_open(&r, file.path, &sums, why);
+    int status = resume_open(&r, file.path, &kept, why);
 
     if (!status) {
         MUST(r.rows <= HEIGHT);
-        append_sums(&r, 0, HEIGHT);
+        append_band(&r, 0, HEIGHT);
         resume_close(&r);
-        MUST(resume_open(&r, file.path, &sums, why) == TIA_OK && r.rows == HEIGHT);
-        draw_sums(drawn, 0, HEIGHT);
-        status = resume_read(&r, 0, HEIGHT, band);
-        MUST(status || raw || memcmp(band, drawn, sizeof drawn) == 0);
+        MUST(resume_open(&r, file.path, &kept, why) == TIA_OK && r.rows == HEIGHT);
+        status = must_read_band(&r, raw);
     }
     if (status)
         must_say(status);
     resume_close(&r);
 }
 
-static void begin_sums(struct bytes *b)
+static void begin_sums(struct bytes *b, bool guided)
 {
+    const struct sums kept = kept_sums(guided);
     struct resume r;
 
-    MUST(resume_open(&r, file.path, &sums, why) == TIA_OK);
-    append_sums(&r, 0, take_byte(b) % (HEIGHT + 1));
+    MUST(resume_open(&r, file.path, &kept, why) == TIA_OK);
+    append_band(&r, 0, take_byte(b) % (HEIGHT + 1));
     resume_close(&r);
 }
 
@@ -153,13 +192,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct bytes bytes = {data, size};
     uint8_t how = take_byte(&bytes);
-    bool of_sums = how & 1, raw = how & 2;
+    bool of_sums = how & 1, raw = how & 2, guided = how & 16;
 
     if (raw)
         memory_file_write(&file, bytes.next, bytes.left);
     memory_file_save(&file);
     if (!raw && of_sums)
-        begin_sums(&bytes);
+        begin_sums(&bytes, guided);
     else if (!raw)
         begin_rows(&bytes);
     if (how & 4)
@@ -167,7 +206,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (how & 8)
         change(&bytes);
     if (of_sums)
-        must_resume(raw);
+        must_resume(raw, guided);
     else
         must_finish(raw);
     return 0;

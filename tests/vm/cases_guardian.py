@@ -1,21 +1,29 @@
 """Cases about the guardian: what becomes of the console when it dies, alone or with tia, and while tia
 is stopped."""
-import re
-
 from cases_console import is_active, other_text
 from guest import Failure
 
 
 def guardians(s):
-    """The process numbers of the guardians, all in one line."""
+    """The process numbers of the guardian and its spare, in one line."""
     return s.guest.sh('for p in /proc/[0-9]*; do [ "$(cat $p/comm 2>/dev/null)" = console-guard ] && '
                       'echo -n "${p#/proc/} "; done; true').strip()
 
 
 def replace_guardian(s):
-    old = guardians(s)
-    s.guest.sh('kill -9 ' + old)
-    s.guest.wait(lambda: re.fullmatch(r'\d+', guardians(s)) and guardians(s) != old, 'a new guardian')
+    old = set(guardians(s).split())
+    s.guest.sh('kill -9 ' + ' '.join(old))
+
+    def found():
+        new = set(guardians(s).split())
+        return len(new) == 2 and not new & old
+    s.guest.wait(found, 'a new guardian and its spare')
+
+
+def first_guardian(s):
+    """The one that is not the spare, tia's child."""
+    return s.guest.sh("for p in %s; do [ \"$(sed 's/.*) //' /proc/$p/stat | cut -d' ' -f2)\" = %s ] && echo $p; done; true"
+                      % (guardians(s), s.pid()))
 
 
 def guardian_killed(s):
@@ -29,12 +37,20 @@ def guardian_killed(s):
     s.ends(137)
 
 
+def killed_with_its_guardian(s):
+    """In one moment: the spare puts the console back."""
+    for turn in (1, -1):
+        s.start()
+        s.guest.sh('kill -9 ' + ' '.join([s.pid(), first_guardian(s)][::turn]))
+        s.ends(137)
+
+
 def chosen_by_nobody(s):
     """Root's guardian outlives every choice of the kernel's."""
     s.start()
-    score = s.guest.sh('cat /proc/%s/oom_score_adj' % guardians(s))
-    if score != '-1000':
-        raise Failure('its oom_score_adj is %s' % score)
+    scores = [s.guest.sh('cat /proc/%s/oom_score_adj' % pid) for pid in guardians(s).split()]
+    if scores != ['-1000', '-1000']:
+        raise Failure('its and its spare\'s oom_score_adj are %s' % scores)
     s.guest.tap('esc')
     s.ends(0)
 
@@ -170,5 +186,5 @@ def killed_while_switching(s):
     s.ends(137)
 
 
-ALL = [guardian_killed, chosen_by_nobody, both_killed, both_killed_and_switched, stopped, killed_while_stopped,
-       killed_while_switching]
+ALL = [guardian_killed, killed_with_its_guardian, chosen_by_nobody, both_killed, both_killed_and_switched, stopped,
+       killed_while_stopped, killed_while_switching]

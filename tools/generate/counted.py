@@ -287,7 +287,7 @@ def mutants(_):
 # Their order is that of the work; those of COMPARED with "everything" take minutes.
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "cycles": cycles,
          "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
-         "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in COMPARED}}
+         "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in COMPARED if what != "default"}}
 SLOW = ("compare-everything",)
 
 

@@ -131,7 +131,7 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
                            .raster = raster,
                            .rays = view->prepared,
                            .hits = hits};
-    struct tia_hits again = *hits;
+    struct tia_hits again = {.view = view, .area = hits->area, .object = hits->object, .buffer = hits->buffer};
 
     if (is_outdated(raster, hits, tile))
         raster_trace_tile(view, &again, tile);

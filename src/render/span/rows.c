@@ -44,8 +44,8 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
         span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
-    if (chunk->colours)
-        span_put_colours((const num_u *const[]){rgb[0], rgb[1], rgb[2]}, 0, count, chunk->colours + 3 * first);
+    const num_u *const colours[3] = {rgb[0], rgb[1], rgb[2]};
+    span_put_colours(colours, 0, count, chunk->colours ? chunk->colours + 3 * first : NULL);
 }
 
 /* Marks the pixels of a chunk where light `n` is nearer than what they see. */
