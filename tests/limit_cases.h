@@ -132,32 +132,7 @@ LIMIT(most_index)
     materials[1].index = TIA_INDEX_MAX + beyond;
 }
 
-LIMIT(fewest_repeats)
-{
-    materials[0].texture = 1;
-    texture.repeat[0] = texture.repeat[1] = ONE / 1024 - beyond;
-}
-
-LIMIT(most_repeats)
-{
-    materials[1].texture = 1;
-    texture.repeat[0] = texture.repeat[1] = 1024 * ONE + beyond;
-}
-
-LIMIT(widest_image)
-{
-    texture.kind = TIA_IMAGE;
-    materials[0].texture = 1;
-    texture.width = (uint16_t)(TIA_TEXTURE_MAX + beyond);
-}
-
-LIMIT(highest_image)
-{
-    texture.kind = TIA_IMAGE;
-    texture.bilinear = true;
-    materials[1].texture = 1;
-    texture.height = (uint16_t)(TIA_TEXTURE_MAX + beyond);
-}
+#include "limit_textures.h"
 
 LIMIT(smallest_light)
 {
@@ -363,8 +338,11 @@ static const struct {
     ROW(glossiest, "material", 1, "exponent", "must be in 1..10000"),
     ROW(least_index, "material", 1, "index", "must be in 0.25..4"),
     ROW(most_index, "material", 1, "index", "must be in 0.25..4"),
-    ROW(fewest_repeats, "texture", 0, "repeat", "must be in 1/1024..1024"),
-    ROW(most_repeats, "texture", 0, "repeat", "must be in 1/1024..1024"),
+    ROW(fewest_repeats, "texture", 0, "repeat", "must be 1/1024 or more"),
+    ROW(least_repeat_bits, "texture", 0, "repeat_bits", "must be in -8..12"),
+    ROW(most_repeat_bits, "texture", 0, "repeat_bits", "must be in -8..12"),
+    ROW(least_offset_bits, "texture", 0, "offset_bits", "must be in -8..12"),
+    ROW(most_offset_bits, "texture", 0, "offset_bits", "must be in -8..12"),
     ROW(widest_image, "texture", 0, "width", "must be in 1..16384"),
     ROW(highest_image, "texture", 0, "height", "must be in 1..16384"),
     ROW(smallest_light, "light", 0, "radius", "must be 0 or at least 2^-10"),

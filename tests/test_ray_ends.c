@@ -252,8 +252,12 @@ TEST(coordinates)
 static void try_blend(struct used *u)
 {
     static const uint8_t texels[12] = {255, 255, 0, 0, 0, 0, 0, 255, 0, 255, 255, 255};
-    const struct tia_texture t = {TIA_IMAGE, {TIA_Q16_ONE, TIA_Q16_ONE}, {0, 0}, {{0, 0, 0}, {0, 0, 0}}, true, 2, 2,
-                                  texels};
+    const struct tia_texture t = {.kind = TIA_IMAGE,
+                                  .repeat = {TIA_Q16_ONE, TIA_Q16_ONE},
+                                  .bilinear = true,
+                                  .width = 2,
+                                  .height = 2,
+                                  .texels = texels};
     const struct sure_material m = {.texture = &t, .repeat = {1, 1}};
     struct texture_point p = {&scene->object[0], 0, {0, 0, 0}, (double)unit * some_size(4, 30)};
     struct coordinates c;
@@ -269,7 +273,7 @@ static void try_blend(struct used *u)
     }
     for (int i = 0; i < 2; i++)
         uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / UNIT);
-    (void)ray_texture(&t, uv, value);
+    (void)ray_texture(&t, uv, 0, value);
     for (int i = 0; i < 3; i++)
         use(u, sure_length(value[i]) - rgb[i], e + SURE_2(44));
 }

@@ -91,7 +91,8 @@ TEST(materials)
     CHECK(scene->textures[0].repeat[0] == TIA_Q16_ONE && scene->textures[1].repeat[1] == TIA_Q16(3));
     CHECK(!scene->textures[1].offset[0] && !scene->textures[1].offset[1]);
     CHECK(scene->textures[2].offset[0] == TIA_Q16(0.5) && scene->textures[2].offset[1] == TIA_Q16(-2));
-    CHECK(scene->textures[2].repeat[0] == TIA_Q16(0.25) && scene->textures[2].repeat[1] == 218451); /* 2^32/19661 */
+    CHECK(scene->textures[2].repeat_bits == 12 && scene->textures[2].repeat[0] == 1 << 26);
+    CHECK_EQ(scene->textures[2].repeat[1], 894784853); /* 2^28/0.3 */
 }
 
 TEST(spheres)

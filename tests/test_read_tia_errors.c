@@ -77,9 +77,9 @@ TEST(looks)
                   "1:30: '3' is nothing that a checker has, expected repeat, scale, offset, even or odd");
     check_refused("texture t checker repeat 2 scale 3",
                   "1:35: the line ends here, expected either repeat or scale, not both");
-    check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1024 to 1024");
+    check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1048576 to 1048576");
     check_refused("texture t checker offset 1",
-                  "1:27: the line ends here, expected a number from -32768 to below 32768");
+                  "1:27: the line ends here, expected a number below 2147483648");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");
     check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");
 }
@@ -198,7 +198,8 @@ TEST(faults_of_the_scene)
                   "below 32768");
     check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
                   "4:1: triangle: must not be on one line");
-    check_refused("texture a checker\ntexture t checker repeat 0", "2:19: texture: repeat: must be in 1/1024..1024");
+    check_refused("texture a checker\ntexture t checker repeat 0",
+                  "2:27: the line ends here, expected a repeat of 1/1048576 to 1048576");
     check_refused("texture a checker\nmaterial m texture a opacity a",
                   "2:22: material: opacity: must be 0 or the number of an opacity texture");
     check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",

@@ -92,11 +92,14 @@ struct tia_material {
 
 enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY };
 
+#define TIA_TEXTURE_BITS_MIN (-8)
+#define TIA_TEXTURE_BITS_MAX 12
+
 /* Its value at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see shape.h. */
 struct tia_texture {
     enum tia_texture_kind kind;
-    tia_q16 repeat[2]; /* of u and v, TIA_Q16(1/1024)..TIA_Q16(1024) */
-    tia_q16 offset[2]; /* where on the surface the texture's (0, 0) lies */
+    tia_q16 repeat[2]; /* of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
+    tia_q16 offset[2]; /* where on the surface the texture's (0, 0) lies, times 2^-offset_bits */
 
     /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */
     struct tia_rgb cells[2];
@@ -106,6 +109,8 @@ struct tia_texture {
     bool bilinear;          /* false: nearest texel */
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
     const uint8_t *texels;  /* row by row: red, green, blue, or of TIA_OPACITY one byte; 255 is 1.0 */
+
+    int8_t repeat_bits, offset_bits; /* TIA_TEXTURE_BITS_MIN..TIA_TEXTURE_BITS_MAX */
 };
 
 #define TIA_TEXTURE_MAX 16384

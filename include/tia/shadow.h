@@ -45,8 +45,8 @@ const char *tia_shadows_name(unsigned technique);
 
 /* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
  * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
- * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that many
- * times half the view's width or height off its middle. */
+ * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that
+ * many times half the view's width or height off its middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* The same of a light: the first of these for the scene that is too far away, in a view that tia_view_init or
@@ -99,12 +99,14 @@ enum tia_filter {
 #define TIA_MAP_SIZE_MIN 64
 #define TIA_MAP_SIZE_MAX 4096
 #define TIA_SHADOW_AMOUNT TIA_Q16(2)
+#define TIA_AMOUNT_BITS_MAX 12
 #define TIA_SPOT_MAP 60
 
 struct tia_shadow_map {
-    uint16_t size; /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE */
+    uint16_t size;       /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE */
+    uint8_t amount_bits; /* of TIA_BIAS_CONSTANT, 0..TIA_AMOUNT_BITS_MAX; 0 of others */
     enum tia_bias bias;
-    tia_q16 amount; /* at least 0 */
+    tia_q16 amount; /* times 2^-amount_bits; at least 0 */
     enum tia_filter filter;
 };
 

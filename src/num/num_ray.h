@@ -8,8 +8,8 @@
  *
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
  *   num_fine(n)                  n 2^-32, see struct tia_fine
- *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits; `fine`: that has it
- *   num_coarser(x, bits)         2^bits x, less a multiple of 2^17, at most 2^17 in size; bits in 0..16
+ *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits: 2^-13, in larger units
+ *                                2^-13 of the file's or 2^-26, the larger; `fine`: 2^-26, in a scene that has it
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
  *   num_product(x, y)            x y, must be below 2^17; num_product_within(x, y): clamped to 2^17, x, y >= 0
@@ -26,7 +26,8 @@
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; num_area_sign, num_barycentric: see there
  *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16; num_power_length(d, e): as num_length, faster
  *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
- *   num_repeat(x, n, &cell)      n x - floor(n x), and floor(n x) in cell; n in Q16.16, at most 1024
+ *   num_repeat(x, bits, p, &cell)   y - floor(y), and floor(y) modulo 2^31 in cell, for y = n (2^bits x - o) by the
+ *                                pattern p; bits in -16..16
  *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length
  *   num_reciprocal(d)            1/d clamped to +-2^20, for num_slab(x, reciprocal), the distance x/d in a coarse
  *                                format that only box tests use
@@ -41,6 +42,12 @@
 #define TIA_NUM_NUM_RAY_H
 
 #include "num.h"
+
+/* n and o along an axis of a texture, in Q16.16 times 2^-bits, see there. */
+struct num_pattern {
+    tia_q16 repeat, offset;
+    int repeat_bits, offset_bits;
+};
 
 #if defined TIA_NUM_F64 || defined TIA_NUM_F32
 #include "num_ray_real.h"

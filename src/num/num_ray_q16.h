@@ -33,13 +33,9 @@ static inline num_length num_fine(int16_t digits)
 
 static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
-    (void)scale_bits;
-    return fine ? NUM_LENGTH_BIAS >> 13 : NUM_LENGTH_BIAS;
-}
+    int down = fine || scale_bits < -13 ? 13 : scale_bits < 0 ? -scale_bits : 0;
 
-static inline num_length num_coarser(num_length x, int bits)
-{
-    return (num_length)((uint64_t)x << (bits + 1)) >> 1;
+    return NUM_LENGTH_BIAS >> down;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)
@@ -87,14 +83,19 @@ static inline num_length num_product_within(num_length a, num_length b)
     return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-static inline num_length num_repeat(num_length x, tia_q16 n, int32_t *cell)
+/* n x and n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is shifted, by at most 53
+ * bits; down is -8 or more. */
+static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
 {
-    wide product = wide_product(x, n);
-    int64_t floor = wide_down(product, 61);
+    int down = 16 + p->repeat_bits - bits;
+    wide offset = wide_up(wide_product(p->offset, p->repeat), (unsigned)(29 - bits - p->offset_bits));
+    wide y = wide_difference(wide_product(x, p->repeat), offset);
 
-    NUM_CHECK(floor < INT32_MAX && floor > -INT32_MAX);
-    *cell = (int32_t)floor;
-    return (num_length)(wide_low(product) & ((UINT64_C(1) << 61) - 1)) >> 16;
+    y = wide_up(y, down < 0 ? (unsigned)-down : 0);
+    down = down < 0 ? 0 : down;
+    *cell = (int32_t)(wide_down(y, (unsigned)down + 45) & INT32_MAX);
+    uint64_t part = down ? (uint64_t)wide_down(y, (unsigned)down) : wide_low(y);
+    return (num_length)(part & ((UINT64_C(1) << 45) - 1));
 }
 
 static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_unit bx, num_unit by, num_unit bz)

@@ -35,16 +35,10 @@ static inline num_length num_scene_bias(bool fine, int scale_bits)
     (void)fine;
     return NUM_LENGTH_BIAS * (num_real)((int32_t)1 << (scale_bits > 0 ? scale_bits : 0));
 #else
-    (void)scale_bits;
-    return fine ? NUM_LENGTH_BIAS / 8192 : NUM_LENGTH_BIAS;
+    int down = fine || scale_bits < -13 ? 13 : scale_bits < 0 ? -scale_bits : 0;
+
+    return NUM_LENGTH_BIAS / (num_real)((int32_t)1 << down);
 #endif
-}
-
-static inline num_length num_coarser(num_length x, int bits)
-{
-    num_real scaled = x * (num_real)((int32_t)1 << bits), periods = scaled / 131072;
-
-    return scaled - (num_real)(int64_t)(periods < 0 ? periods - (num_real)0.5 : periods + (num_real)0.5) * 131072;
 }
 
 static inline num_unit num_unit_of(tia_q30 q)
@@ -89,12 +83,21 @@ static inline num_length num_product_within(num_length a, num_length b)
     return a * b < NUM_LENGTH_MAX ? a * b : NUM_LENGTH_MAX;
 }
 
-static inline num_length num_repeat(num_length x, tia_q16 n, int32_t *cell)
+/* 2^bits, -31..31 */
+static inline num_real num_two_to(int bits)
 {
-    num_real product = x * ((num_real)n / 65536);
+    return bits < 0 ? 1 / (num_real)((int64_t)1 << -bits) : (num_real)((int64_t)1 << bits);
+}
 
-    *cell = num_floor(product);
-    return product - (num_real)*cell;
+static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
+{
+    num_real offset = (num_real)p->offset * num_two_to(-16 - p->offset_bits);
+    num_real y = (x * num_two_to(bits) - offset) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
+    num_real times = y / 2147483648;
+
+    y -= (num_real)num_floor(times) * 2147483648; /* exact: a multiple of y's last digit, no larger */
+    *cell = num_floor(y);
+    return y - (num_real)*cell;
 }
 
 static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_unit bx, num_unit by, num_unit bz)

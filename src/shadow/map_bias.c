@@ -19,7 +19,7 @@ void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene)
     }
     if (look->bias == TIA_BIAS_CONSTANT)
         look->amount = tia_round_shift(look->amount * (INT64_C(1) << (TIA_WORLD_BITS - 16 + TIA_SCALE_BITS_MAX)),
-                                       (unsigned)(TIA_SCALE_BITS_MAX - scene->scale_bits));
+                                       (unsigned)(TIA_SCALE_BITS_MAX - scene->scale_bits + map->amount_bits));
     look->filter = map->filter == TIA_FILTER_DEFAULT ? TIA_FILTER_3X3 : map->filter;
 }
 

@@ -52,7 +52,7 @@ static inline void frames_map(struct frames_canvas *c, enum tia_filter filter, e
 
     corpus_random_flat(&scene, 565, index);
     scene.scene.shadows = TIA_SHADOWS_MAP;
-    scene.scene.shadow_map = (struct tia_shadow_map){size, bias, amount, filter};
+    scene.scene.shadow_map = (struct tia_shadow_map){.size = size, .bias = bias, .amount = amount, .filter = filter};
     (void)snprintf(name, sizeof name, "flat-%u-48x36-map-%u-%s-%s", index, size, tia_bias_name(bias),
                    tia_filter_name(filter));
     frames_scene(c, &scene.scene, 48, 36, false, name);

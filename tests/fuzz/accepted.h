@@ -61,8 +61,10 @@ static inline void make_texture(struct bytes *b, struct made *m, struct tia_text
 
     t->kind = kind & 1 ? TIA_IMAGE : TIA_CHECKER;
     t->bilinear = kind & 2;
-    t->repeat[0] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
-    t->repeat[1] = take_within(b, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+    t->repeat[0] = take_within(b, TIA_Q16_ONE / 1024, INT32_MAX);
+    t->repeat[1] = take_within(b, TIA_Q16_ONE / 1024, INT32_MAX);
+    t->repeat_bits = (int8_t)take_within(b, TIA_TEXTURE_BITS_MIN, TIA_TEXTURE_BITS_MAX);
+    t->offset_bits = (int8_t)take_within(b, TIA_TEXTURE_BITS_MIN, TIA_TEXTURE_BITS_MAX);
     t->offset[0] = kind & 16 ? INT32_MIN : kind & 32 ? TIA_Q16(0.3) : 0;
     t->offset[1] = kind & 64 ? INT32_MAX : kind & 128 ? TIA_Q16(-0.3) : 0;
     t->cells[0] = take_colour(b, TIA_Q30_ONE);

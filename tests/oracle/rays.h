@@ -4,12 +4,16 @@
 #ifndef TESTS_ORACLE_RAYS_H
 #define TESTS_ORACLE_RAYS_H
 
+#include <math.h>
+
 #include "shape.h"
 
 /* Between a surface and the rays that start there. */
 static inline double oracle_bias(const struct tia_scene *scene)
 {
-    return scene->fine ? 1.0 / 67108864 : 1.0 / 8192;
+    double own = scene->scale_bits < 0 ? ldexp(1.0 / 8192, scene->scale_bits) : 1.0 / 8192;
+
+    return scene->fine || own < 1.0 / 67108864 ? 1.0 / 67108864 : own;
 }
 
 /* Whether a scene asks for general rays, see tia/scene.h. */

@@ -44,8 +44,10 @@ static struct colour bilinear(const struct tia_texture *texture, double x, doubl
 
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell)
 {
-    u = q16(texture->repeat[0]) * (u - q16(texture->offset[0]));
-    v = q16(texture->repeat[1]) * (v - q16(texture->offset[1]));
+    const double repeat = ldexp(1, -texture->repeat_bits), offset = ldexp(1, -texture->offset_bits);
+
+    u = q16(texture->repeat[0]) * repeat * (u - q16(texture->offset[0]) * offset);
+    v = q16(texture->repeat[1]) * repeat * (v - q16(texture->offset[1]) * offset);
     if (texture->kind == TIA_CHECKER) {
         *cell = fmod(floor(u) + floor(v), 2.0) != 0;
         return rgb(texture->cells[*cell]);

@@ -39,6 +39,8 @@ static void write_texture(struct unit *unit, uint32_t index)
     field_number(unit, "repeat[1]", t->repeat[1]);
     field_number(unit, "offset[0]", t->offset[0]);
     field_number(unit, "offset[1]", t->offset[1]);
+    field_number(unit, "repeat_bits", t->repeat_bits);
+    field_number(unit, "offset_bits", t->offset_bits);
     field_rgb(unit, "cells[0]", t->cells[0]);
     field_rgb(unit, "cells[1]", t->cells[1]);
     if (t->kind != TIA_CHECKER) {

@@ -109,6 +109,7 @@ static void write_shadows(struct unit *unit)
     field_unsigned(unit, "shadow_map.size", map->size);
     field_unsigned(unit, "shadow_map.bias", (uint32_t)map->bias);
     field_number(unit, "shadow_map.amount", map->amount);
+    field_number(unit, "shadow_map.amount_bits", map->amount_bits);
     field_unsigned(unit, "shadow_map.filter", (uint32_t)map->filter);
 }
 

@@ -1,5 +1,6 @@
 #include "pov.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,9 +35,12 @@ static const struct tia_texture *opacity_of(const struct pov *pov, uint32_t mate
 /* Where the unit square of a texture's pattern lies in u, v. */
 static void write_place(struct pov *pov, const struct tia_texture *t)
 {
-    text_word(&pov->text, "scale <%.10g, %.10g, 1>", 1 / pov_q16(t->repeat[0]), 1 / pov_q16(t->repeat[1]));
+    const double once = ldexp(1, t->repeat_bits), offset = ldexp(1, -t->offset_bits);
+
+    text_word(&pov->text, "scale <%.10g, %.10g, 1>", once / pov_q16(t->repeat[0]), once / pov_q16(t->repeat[1]));
     if (t->offset[0] != 0 || t->offset[1] != 0)
-        pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]), pov_q16(t->offset[1]), 0});
+        pov_triple(pov, "translate",
+                   (struct point){pov_q16(t->offset[0]) * offset, pov_q16(t->offset[1]) * offset, 0});
 }
 
 /* Writes the picture for a material: the texels times its colour, 16 bits per channel; of an opacity there is one. */
@@ -136,9 +140,7 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
 
 static bool closes(const struct tia_texture *t)
 {
-    int32_t period = t->kind == TIA_CHECKER ? 2 * TIA_Q16_ONE : TIA_Q16_ONE;
-
-    return t->repeat[0] % period == 0;
+    return fmod(pov_q16(t->repeat[0]) * ldexp(1, -t->repeat_bits), t->kind == TIA_CHECKER ? 2 : 1) == 0;
 }
 
 bool pov_closes(const struct pov *pov, uint32_t material)

@@ -163,6 +163,7 @@ static int load_map(struct options *options)
     map->size = given->size ? given->size : map->size;
     map->filter = given->filter ? given->filter : map->filter;
     map->amount = given->bias ? given->amount : map->amount;
+    map->amount_bits = given->bias ? given->amount_bits : map->amount_bits;
     map->bias = given->bias ? given->bias : map->bias;
     return EXIT_FINE;
 }

@@ -9,15 +9,17 @@ static void set_sphere(struct sure_object *o, struct num_point centre, num_lengt
     o->radius = sure_length(radius);
 }
 
-static void set_flat(struct sure_object *o, enum sure_kind kind, const struct prepared_plane *plane)
+static void set_flat(struct sure_object *o, enum sure_kind kind, const struct shape *shape)
 {
+    const struct prepared_plane *plane = &shape->plane;
+
     o->kind = kind;
     sure_point(o->at, plane->point);
     sure_dir(o->normal, plane->normal);
     sure_dir(o->axes[0], plane->tangents[0]);
     sure_dir(o->axes[1], plane->tangents[1]);
     o->radius = sure_length(plane->radius);
-    o->unit = kind == SURE_PLANE ? sure_cosine(plane->unit) * (double)(INT32_C(1) << plane->coarser) : 1;
+    o->unit = sure_two_to(shape->uv_bits);
 }
 
 static void set_round(struct sure_object *o, struct sure_round *to, const struct prepared_cone *from)
@@ -52,10 +54,10 @@ static void set_kind(const struct sure_scene *s, struct sure_object *o, const st
         set_sphere(o, shape->sphere.centre, shape->sphere.radius);
         break;
     case TIA_PLANE:
-        set_flat(o, SURE_PLANE, &shape->plane);
+        set_flat(o, SURE_PLANE, shape);
         break;
     case TIA_DISC:
-        set_flat(o, SURE_DISC, &shape->plane);
+        set_flat(o, SURE_DISC, shape);
         break;
     case TIA_CYLINDER:
     case TIA_CONE:

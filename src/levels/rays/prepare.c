@@ -178,8 +178,8 @@ static void set_material(struct sure_material *to, const struct tia_material *m,
     *to = (struct sure_material){.known = !m->opacity, .texture = t};
     for (int i = 0; i < 2 && t; i++) {
         sure_rgb(to->cells[i], &t->cells[i]);
-        to->repeat[i] = (double)t->repeat[i] * SURE_2(16);
-        to->offset[i] = (double)t->offset[i] * SURE_2(16);
+        to->repeat[i] = (double)t->repeat[i] * sure_two_to(-16 - t->repeat_bits);
+        to->offset[i] = (double)t->offset[i] * sure_two_to(-16 - t->offset_bits);
     }
     sure_rgb(to->column + SURE_COLOUR, &m->colour);
     sure_rgb(to->column + SURE_SPECULAR, &m->specular);

@@ -19,9 +19,9 @@ struct slabs {
  * The integers' point may be eo from ours, but it lies on their surface: what they round by puts it off that by no more
  * than some 2^-30 (a face is 2^-48 of its distance off the plane of its corners, a sphere's point 2^-43 of its own; a
  * unit of a placed shape's axes is 2^-35 at most, as scales are 2^10 at most), and b is 2^-26 at least: samples' rays
- * and those of scenes with fine digits start that far off, others 2^-13. A ray that goes on straight starts b behind
- * the point along itself; it must move away by 2^-2 of its length, or where b is 2^-13 by 2^-6, which leaves 2^-28 and
- * 2^-19. So their ray does not meet the same plane or face, nor, from outside, the same convex solid; from inside it
+ * and those of scenes with fine digits start that far off, others 2^-13 or, in larger units, less. A ray that goes on
+ * straight starts b behind the point along itself; it must move away by 2^-2 of its length, or where b is 2^-20 or more
+ * by 2^-6, which leaves 2^-28 and 2^-26. So their ray does not meet the same plane or face, nor, from outside, the same convex solid; from inside it
  * meets that where it leaves. Without this, nothing would be sure once eo is b.
  *
  * Where a normal is interpolated a mirrored ray may go into its face: the height that it comes from is known far better

@@ -208,6 +208,12 @@ static inline double sure_length(num_length x)
     return (double)x * SURE_UNIT;
 }
 
+/* 2^bits, -28..31 */
+static inline double sure_two_to(int bits)
+{
+    return bits < 0 ? 1 / (double)(INT64_C(1) << -bits) : (double)(INT64_C(1) << bits);
+}
+
 static inline double sure_cosine(num_unit d)
 {
     return (double)d * SURE_2(62);

@@ -116,6 +116,18 @@ int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count)
     return status;
 }
 
+static int read_longs(struct tia_text *t, int64_t *out, const struct tia_field *field)
+{
+    int status = TIA_OK;
+
+    for (unsigned i = 0; i < field->count && !status; i++)
+        if (i && field->max && !tia_text_has_number(t))
+            out[i] = out[0];
+        else
+            status = tia_text_long(t, &out[i], 32);
+    return status;
+}
+
 static int read_wholes(struct tia_text *t, uint16_t *out, const struct tia_field *field)
 {
     int64_t value = 0;
@@ -139,6 +151,8 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
         return tia_text_vector(t, out);
     case TIA_SPREAD:
         return tia_spread(t, out, field->count);
+    case TIA_LONGS:
+        return read_longs(t, out, field);
     case TIA_COLOUR:
         return tia_colour(t, out);
     case TIA_EMISSION:

@@ -12,6 +12,7 @@ enum tia_field_kind {
     TIA_LENGTHS,    /* the same, in the scene's unit of length, see length.h */
     TIA_VECTOR,     /* a tia_vec3 whose length does not matter */
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
+    TIA_LONGS,      /* `count` int64_t below 2^63 with 32 bits behind the point; with `max` 1 as TIA_SPREAD */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
     TIA_EMISSION,   /* a struct tia_emission: below 16384 */
     TIA_FADING,     /* a struct tia_fading: three numbers */

@@ -1,5 +1,6 @@
 /* materials.c - materials and textures. */
 #include "job.h"
+#include "math/integer.h"
 
 struct material_line {
     struct tia_material material;
@@ -89,18 +90,19 @@ int tia_line_material(struct tia_job *job)
     return status;
 }
 
+/* Numbers with 32 bits behind the point. */
 struct texture_line {
     struct tia_texture texture;
-    tia_q16 scale[2];
+    int64_t repeat[2], scale[2], offset[2];
 };
 
 /* What every texture begins with. */
 enum { REPEAT_FIELD, SCALE_FIELD };
 #define LYING                                                                                                          \
-    {.word = "repeat", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct texture_line, texture.repeat)},       \
-        {.word = "scale", .kind = TIA_SPREAD, .count = 2, .offset = offsetof(struct texture_line, scale)},             \
+    {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
+        {.word = "scale", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, scale)},    \
     {                                                                                                                  \
-        .word = "offset", .kind = TIA_NUMBERS, .count = 2, .offset = offsetof(struct texture_line, texture.offset)     \
+        .word = "offset", .kind = TIA_LONGS, .count = 2, .offset = offsetof(struct texture_line, offset)               \
     }
 
 static const struct tia_field checker_fields[] = {
@@ -114,21 +116,63 @@ static const struct tia_field image_fields[] = {
     {.word = "bilinear", .kind = TIA_FLAG, .offset = offsetof(struct texture_line, texture.bilinear)},
 };
 
-/* `scale` is 1/`repeat`. */
-static int set_repeat(struct tia_text *t, struct texture_line *line, uint32_t given)
+/* 2^64/x to nearest, x in 2..2^63: 2^64 = (2^64 - 1) + 1. */
+static uint64_t inverse(uint64_t x)
 {
+    uint64_t quotient = UINT64_MAX / x, rest = UINT64_MAX % x + 1;
+
+    return quotient + (rest >= x - x / 2);
+}
+
+#define NUMBERS_MOST ((INT64_C(1) << 55) - (INT64_C(1) << 23)) /* INT32_MAX, rounded, with TIA_TEXTURE_BITS_MIN */
+
+static bool is_exact(const int64_t numbers[2])
+{
+    return !((numbers[0] | numbers[1]) & 0xffff);
+}
+
+/* Both numbers as Q16.16 times 2^-bits: none where that has them, else as many as there is room for. False: even the
+ * fewest are too many. */
+static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
+{
+    int64_t a = numbers[0] < 0 ? -numbers[0] : numbers[0], b = numbers[1] < 0 ? -numbers[1] : numbers[1];
+    int64_t most = a > b ? a : b;
+    int n = is_exact(numbers) ? 0 : TIA_TEXTURE_BITS_MAX;
+
+    if (most >= NUMBERS_MOST)
+        return false;
+    while (tia_round_shift(most, (unsigned)(16 - n)) > INT32_MAX)
+        n--;
+    for (int i = 0; i < 2; i++)
+        out[i] = (tia_q16)tia_round_shift(numbers[i], (unsigned)(16 - n));
+    *bits = (int8_t)n;
+    return true;
+}
+
+/* From 1/1024 in a unit of length that is 1024 times as small to 1024 in one that is as much larger. */
+#define REPEAT_LEAST (INT64_C(1) << 12)
+#define REPEAT_MOST (INT64_C(1) << 52)
+
+/* `scale` is 1/`repeat`. */
+static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t given)
+{
+    bool scaled = has(given, SCALE_FIELD);
+    struct tia_texture *texture = &line->texture;
     struct tia_word end;
 
-    if (!has(given, SCALE_FIELD))
-        return TIA_OK;
     (void)tia_text_peek(t, &end);
-    if (has(given, REPEAT_FIELD))
+    if (scaled && has(given, REPEAT_FIELD))
         return tia_text_error(t, &end, "", "either repeat or scale, not both");
     for (int i = 0; i < 2; i++) {
-        if (line->scale[i] < TIA_SCALE_MIN || line->scale[i] > TIA_SCALE_MAX)
-            return tia_text_error(t, &end, "", "a scale of 1/1024 to 1024");
-        line->texture.repeat[i] = (tia_q16)(((INT64_C(1) << 33) / line->scale[i] + 1) >> 1);
+        int64_t *number = scaled ? &line->scale[i] : &line->repeat[i];
+        if (*number < REPEAT_LEAST || *number > REPEAT_MOST)
+            return tia_text_error(t, &end, "",
+                                  scaled ? "a scale of 1/1048576 to 1048576" : "a repeat of 1/1048576 to 1048576");
+        line->repeat[i] = scaled ? (int64_t)inverse((uint64_t)*number) : *number;
     }
+    (void)set_numbers(line->repeat, texture->repeat, &texture->repeat_bits);
+    if (!set_numbers(line->offset, texture->offset, &texture->offset_bits))
+        return tia_text_error(t, &end, "", "an offset below 8388608");
     return TIA_OK;
 }
 
@@ -172,7 +216,7 @@ static int read_image(struct tia_job *job, struct texture_line *line, enum tia_t
     line->texture.kind = kind;
     if (!status)
         status = tia_fields(&job->text, "an image", image_fields, TIA_COUNT_OF(image_fields), line, &given);
-    status = status ? status : set_repeat(&job->text, line, given);
+    status = status ? status : set_pattern(&job->text, line, given);
     return status ? status : fetch_image(job, &file, &line->texture);
 }
 
@@ -182,12 +226,12 @@ static int read_checker(struct tia_job *job, struct texture_line *line)
 
     line->texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
     int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
-    return status ? status : set_repeat(&job->text, line, given);
+    return status ? status : set_pattern(&job->text, line, given);
 }
 
 int tia_line_texture(struct tia_job *job)
 {
-    struct texture_line line = {.texture = {.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}}};
+    struct texture_line line = {.repeat = {INT64_C(1) << 32, INT64_C(1) << 32}};
     struct tia_word kind;
     int status = tia_job_define(job, TIA_NAMED_TEXTURE, tia_job_count(job, TIA_OF_TEXTURES));
 

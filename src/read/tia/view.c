@@ -1,6 +1,8 @@
 /* view.c - the statements camera, samples, background, depth, shadows, and those of integrators. */
 #include "job.h"
 
+#include "math/integer.h"
+
 #define EYE                                                                                                            \
     {.word = "eye", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_camera, eye)},                      \
         {.word = "look", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_camera, reference)},           \
@@ -117,6 +119,21 @@ static int map_size(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
+/* A length in a file with a large unit has few digits in Q16.16. */
+static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
+{
+    int64_t amount;
+    int status = tia_text_long(t, &amount, 32);
+    unsigned bits = 0;
+
+    while (!status && bits < TIA_AMOUNT_BITS_MAX && amount & ((INT64_C(1) << (16 - bits)) - 1) &&
+           amount < INT64_C(1) << (32 - bits))
+        bits++;
+    map->amount = status ? 0 : (tia_q16)tia_round_shift(amount, 16 - bits);
+    map->amount_bits = (uint8_t)bits;
+    return status;
+}
+
 static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
 {
     unsigned bias;
@@ -127,8 +144,14 @@ static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
     if (status || bias == TIA_BIAS_NONE)
         return status;
     (void)tia_text_peek(t, &word);
+    struct tia_text again = *t;
     status = tia_text_q16(t, &map->amount);
-    return status || map->amount >= 0 ? status : tia_text_error(t, &word, "is below 0", "0 or more");
+    if (!status && map->amount < 0)
+        status = tia_text_error(t, &word, "is below 0", "0 or more");
+    map->amount_bits = 0;
+    if (!status && bias == TIA_BIAS_CONSTANT)
+        status = amount_digits(&again, map);
+    return status;
 }
 
 static int map_filter(struct tia_text *t, struct tia_shadow_map *map)

@@ -16,27 +16,17 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return is_near(p.x) && is_near(p.y) && is_near(p.z);
 }
 
-/* In the file's units. Where they are many to one of the scene's, less some multiple of 2^17 of them: textures repeat
- * n 2^-16 times a unit, so that is a multiple of two of their periods. */
-static num_length in_file(const struct prepared_plane *plane, num_length x)
-{
-    return plane->coarser ? num_coarser(x, plane->coarser) : num_times(x, plane->unit);
-}
-
 static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     (void)element;
     flat_uv(&shape->plane, point, uv);
-    uv[0] = in_file(&shape->plane, uv[0]);
-    uv[1] = in_file(&shape->plane, uv[1]);
 }
 
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
     flat_prepare(&shape->plane, given->plane.point, given->plane.normal);
     shape->plane.radius = 0;
-    shape->plane.coarser = scene->scale_bits < 0 ? -scene->scale_bits : 0;
-    shape->plane.unit = num_scene_unit(scene->scale_bits + shape->plane.coarser);
+    shape->uv_bits = (int8_t)-scene->scale_bits;
 }
 
 const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at};

@@ -7,6 +7,7 @@ void shape_prepare(struct shape *shape, const struct tia_scene *scene, const str
 #undef ENTRY
 
     shape->kind = kinds[given->kind];
+    shape->uv_bits = 0;
     shape->kind->prepare(shape, scene, given);
 }
 

@@ -88,8 +88,6 @@ struct prepared_plane {
     struct num_point point; /* of a disc its centre */
     struct num_dir normal, tangents[2];
     num_length radius; /* of a disc */
-    num_unit unit;     /* of an infinite plane: the scene's unit of length in the file's, */
-    int coarser;       /* times 2^coarser */
 };
 
 /* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */
@@ -134,6 +132,7 @@ struct shape {
     uint32_t material;
     enum inside inside; /* of shapes that refract */
     bool layered;       /* it has an opacity texture */
+    int8_t uv_bits;     /* of its coordinates u, v, which are 2^uv_bits times as many of those of its textures */
     union {
         struct prepared_sphere sphere;
         struct prepared_plane plane; /* of discs too */

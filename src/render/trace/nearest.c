@@ -186,18 +186,19 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
     }
 }
 
-void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2])
+int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2])
 {
     const struct tia_scene *scene = view->scene;
 
     if (hit->object < scene->sphere_count) {
         sphere_uv(ray_sphere_centre(scene, hit->object), point, uv);
-        return;
+        return 0;
     }
     const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
     if (shape->instance)
         point = instance_point(shape->instance, point);
     shape->kind->uv(shape, point, hit->element, uv);
+    return shape->uv_bits;
 }
 
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element)

@@ -47,11 +47,17 @@ static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v,
     return (uint32_t)(found - t->texels) / channels_of(t);
 }
 
-uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], num_length value[])
+static num_length place(const struct tia_texture *t, int axis, num_length x, int bits, int32_t *cell)
+{
+    const struct num_pattern pattern = {t->repeat[axis], t->offset[axis], t->repeat_bits, t->offset_bits};
+
+    return num_repeat(x, bits, &pattern, cell);
+}
+
+uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], int bits, num_length value[])
 {
     int32_t cell[2];
-    num_length u = num_repeat(uv[0] - num_length_of(t->offset[0]), t->repeat[0], &cell[0]);
-    num_length v = num_repeat(uv[1] - num_length_of(t->offset[1]), t->repeat[1], &cell[1]);
+    num_length u = place(t, 0, uv[0], bits, &cell[0]), v = place(t, 1, uv[1], bits, &cell[1]);
 
     if (t->kind == TIA_CHECKER)
         return checker(t, cell, value);

@@ -94,7 +94,7 @@ enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
 /* The surface of a hit object in the world's axes; its coordinates, for textures; its material. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-void ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
+int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 
 #endif

@@ -75,8 +75,8 @@ static void cross(const struct ray_view *view, struct crossing *crossing, const 
     if (!crossing->opaque)
         ray_rgb(&m->transmission, factor);
     if (m->opacity) {
-        ray_uv(view, hit, point, uv);
-        (void)ray_texture(&view->scene->textures[m->opacity - 1], uv, &opacity);
+        int bits = ray_uv(view, hit, point, uv);
+        (void)ray_texture(&view->scene->textures[m->opacity - 1], uv, bits, &opacity);
         for (int c = 0; c < 3; c++)
             factor[c] = num_product(factor[c], opacity) + NUM_LENGTH_ONE - opacity;
     }

@@ -62,6 +62,8 @@ static int check_map(struct check *check)
             "shadow_map.size", "must be 64, 128, 256, 512, 1024, 2048 or 4096");
     REQUIRE(map->bias == TIA_BIAS_DEFAULT || tia_bias_name((unsigned)map->bias), "shadow_map.bias", "must be a bias");
     REQUIRE(map->amount >= 0, "shadow_map.amount", "must be at least 0");
+    REQUIRE(map->amount_bits <= (map->bias == TIA_BIAS_CONSTANT ? TIA_AMOUNT_BITS_MAX : 0), "shadow_map.amount_bits",
+            "must be in 0..12 of a constant bias, or 0");
     REQUIRE(map->filter == TIA_FILTER_DEFAULT || tia_filter_name((unsigned)map->filter), "shadow_map.filter",
             "must be a filter");
     return TIA_OK;

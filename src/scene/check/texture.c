@@ -9,7 +9,12 @@ bool tia_check_has_texture(const struct check *check, uint32_t number, bool opac
 
 static bool is_repeat(tia_q16 x)
 {
-    return tia_check_is_between(x, TIA_Q16_ONE / 1024, 1024 * TIA_Q16_ONE);
+    return x >= TIA_Q16_ONE / 1024;
+}
+
+static bool is_bits(int8_t bits)
+{
+    return bits >= TIA_TEXTURE_BITS_MIN && bits <= TIA_TEXTURE_BITS_MAX;
 }
 
 int tia_check_texture(const struct check *check)
@@ -18,7 +23,9 @@ int tia_check_texture(const struct check *check)
 
     REQUIRE(t->kind == TIA_CHECKER || t->kind == TIA_IMAGE || t->kind == TIA_OPACITY, "kind",
             "must be a checker, an image or an opacity");
-    REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be in 1/1024..1024");
+    REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be 1/1024 or more");
+    REQUIRE(is_bits(t->repeat_bits), "repeat_bits", "must be in -8..12");
+    REQUIRE(is_bits(t->offset_bits), "offset_bits", "must be in -8..12");
     if (t->kind == TIA_CHECKER) {
         REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
     } else {
