@@ -93,11 +93,12 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
 {
     num_real offset = (num_real)p->offset * num_two_to(-16 - p->offset_bits);
     num_real y = (x * num_two_to(bits) - offset) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
-    num_real times = y / 2147483648;
 
-    y -= (num_real)num_floor(times) * 2147483648; /* exact: a multiple of y's last digit, no larger */
-    *cell = num_floor(y);
-    return y - (num_real)*cell;
+    if (y >= 1073741824 || y <= -1073741824) /* then what is left has the digits that y has: it is exact */
+        y -= (num_real)num_floor(y / 2147483648) * 2147483648;
+    int32_t floor = num_floor(y);
+    *cell = floor & INT32_MAX;
+    return y - (num_real)floor;
 }
 
 static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_unit bx, num_unit by, num_unit bz)
