@@ -1,15 +1,9 @@
 /* options.c - the command line: any bytes, a newline between arguments. What is accepted keeps its
  * limits. */
-#include <getopt.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "bytes.h"
 #include "tia/arguments.h"
 #include "tia/fail.h"
 #include "tia/film.h"
-
-#define ARGUMENTS 24
+#include "words.h"
 
 static void must_keep_limits(const struct options *o)
 {
@@ -41,24 +35,16 @@ static void must_plan(struct options *o)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    char *text = malloc(size + 1), *argv[ARGUMENTS + 2] = {"tia"};
+    struct words words = take_words("tia", data, size);
     struct options options;
-    int argc = 1, status;
+    int status = arguments_parse(&options, words.argc, words.argv);
 
-    MUST(text);
-    if (size)
-        memcpy(text, data, size);
-    text[size] = '\0';
-    for (char *word = strtok(text, "\n"); word && argc <= ARGUMENTS; word = strtok(NULL, "\n"))
-        argv[argc++] = word;
-    optind = 0; /* glibc: start anew */
-    status = arguments_parse(&options, argc, argv);
     MUST(status == EXIT_FINE || status == EXIT_USAGE || status == EXIT_DISPLAY || status == EXIT_RUNNING);
     if (status == EXIT_FINE && options.action != ACTION_HELP && options.action != ACTION_VERSION)
         must_keep_limits(&options);
     if (status == EXIT_FINE && !options.scene_path && options.action <= ACTION_DRAW)
         must_plan(&options);
     arguments_free(&options);
-    free(text);
+    free(words.text);
     return 0;
 }

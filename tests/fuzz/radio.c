@@ -1,17 +1,12 @@
 /* radio.c - the command line of tia-radio: any bytes, a newline between arguments. What is accepted keeps its
  * limits. */
-#include <getopt.h>
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "bytes.h"
 #include "common/image/image.h"
 #include "tia-radio/arguments.h"
 #include "tia-radio/fail.h"
 #include "tia-radio/materials.h"
-
-#define ARGUMENTS 24
+#include "words.h"
 
 static void must_be_material(const struct naming *naming)
 {
@@ -48,21 +43,13 @@ static void must_keep_limits(const struct options *o)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    char *text = malloc(size + 1), *argv[ARGUMENTS + 2] = {"tia-radio"};
+    struct words words = take_words("tia-radio", data, size);
     static struct options options;
-    int argc = 1;
+    int status = arguments_parse(&options, words.argc, words.argv);
 
-    MUST(text);
-    if (size)
-        memcpy(text, data, size);
-    text[size] = '\0';
-    for (char *word = strtok(text, "\n"); word && argc <= ARGUMENTS; word = strtok(NULL, "\n"))
-        argv[argc++] = word;
-    optind = 0; /* glibc: start anew */
-    int status = arguments_parse(&options, argc, argv);
     MUST(status == FINE || status == REFUSED || status == FAILED || status == -1);
     if (status == FINE)
         must_keep_limits(&options);
-    free(text);
+    free(words.text);
     return 0;
 }
