@@ -167,6 +167,7 @@ static void draw_all(void)
         reading.scene.integration.spp = 8;
         with_hierarchy(&reading.scene, draw_large, i);
     }
+    read_end(&reading);
     for (unsigned i = 0; i < 24; i++) {
         corpus_random_rays(&rays, 9, i);
         rays.scene.integration.integrator = (enum tia_integrator)(i % 3);
