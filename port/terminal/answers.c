@@ -10,6 +10,7 @@
 #include "clock.h"
 #include "console/guardian.h"
 #include "descriptor.h"
+#include "signals.h"
 #include "typed.h"
 
 #define ESC 0x1b
@@ -93,7 +94,7 @@ static void read_answers(int fd, struct answers *answers)
 
 static bool say(int fd, const char *text)
 {
-    return write(fd, text, strlen(text)) == (ssize_t)strlen(text);
+    return terminal_write(fd, text, strlen(text)) == (ssize_t)strlen(text);
 }
 
 bool answers_multiplexer(const char *term)
@@ -145,8 +146,10 @@ enum pictures answers_ask(int fd, const char *term)
 
     if (both < 0)
         return PICTURES_HALF_BLOCKS;
+    terminal_signals_begin();
     if (tcgetpgrp(both) == getpgrp())
         ask_raw(both, term, &answers);
+    terminal_signals_end();
     (void)close(both);
     return best(&answers);
 }

@@ -25,6 +25,34 @@ bool descriptor_in_front(int fd)
     return front <= 0 || front == getpgrp();
 }
 
+/* Other signals than those of signals.h. */
+static bool is_signal_pending(void)
+{
+    sigset_t pending;
+
+    if (sigpending(&pending) != 0)
+        return false;
+    (void)sigdelset(&pending, SIGCONT);
+    (void)sigdelset(&pending, SIGWINCH);
+    return sigisemptyset(&pending) == 0;
+}
+
+/* tcsetattr stops a process in the background. The kernel begins it anew after SIGCONT, and so stops the process again,
+ * unless a signal's handler has run. */
+bool descriptor_await_front(int fd)
+{
+    struct termios own;
+    sigset_t none, before;
+
+    if (descriptor_in_front(fd) || is_signal_pending() || tcgetattr(fd, &own) != 0)
+        return descriptor_in_front(fd);
+    (void)sigemptyset(&none);
+    (void)pthread_sigmask(SIG_SETMASK, &none, &before);
+    (void)tcsetattr(fd, TCSANOW, &own);
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return descriptor_in_front(fd);
+}
+
 /* SIGTTOU would stop a process in the background here. */
 void descriptor_drop_output(int fd)
 {

@@ -14,6 +14,9 @@ int descriptor_copy(int fd, int access);
 /* False when another process group has the terminal in front: a shell has its own modes and its own screen then. */
 bool descriptor_in_front(int fd);
 
+/* Stops a process in the background until its terminal is in front, or a signal comes. Returns descriptor_in_front. */
+bool descriptor_await_front(int fd);
+
 /* Drops what the kernel has not yet passed to the terminal. */
 void descriptor_drop_output(int fd);
 

@@ -242,9 +242,8 @@ static bool has_window(struct terminal *t)
 {
     if (!output_is_taken(&t->output))
         return true;
-    if (!descriptor_in_front(t->output.fd))
+    if (!output_take(&t->output))
         return false;
-    output_take(&t->output);
     t->clear = t->fresh = true;
     t->encoding = false;
     return true;

@@ -11,6 +11,7 @@
 #include "signals.h"
 
 #define LAST_WRITE_MS 150 /* how long output_leave waits for a terminal that accepts nothing */
+#define NEVER_TAKEN (-1)
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
  * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
@@ -27,7 +28,7 @@ static const char *leaving(const struct output *output)
 
 static bool is_put_back(const struct output *output)
 {
-    return output->put_back != guardian_put_back();
+    return output->resumes == NEVER_TAKEN || output->put_back != guardian_put_back();
 }
 
 bool output_is_taken(const struct output *output)
@@ -40,20 +41,28 @@ static void forget(struct output *output)
     output->sent = output->text.count = 0;
 }
 
-void output_take(struct output *output)
+/* What is read first tells of a stop after it. */
+bool output_take(struct output *output)
 {
-    output->resumes = terminal_resumes_now();
-    output->put_back = guardian_put_back();
+    int resumes = terminal_resumes_now();
+    unsigned put_back = guardian_put_back();
+
+    if (!descriptor_in_front(output->fd))
+        return false;
+    output->resumes = resumes;
+    output->put_back = put_back;
     (void)guardian_keep_text(output->fd, leaving(output));
     guardian_sync();
     forget(output);
     text_add(&output->text, enter_text);
+    return true;
 }
 
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output_take(output);
+    output->resumes = NEVER_TAKEN;
+    (void)output_take(output);
     output->entered = true;
 }
 
@@ -62,12 +71,12 @@ bool output_is_left(const struct output *output)
     return output->sent < output->text.count;
 }
 
-int output_send(struct output *output, int timeout_ms)
+static int send_unless(bool (*is_lost)(const struct output *output), struct output *output, int timeout_ms)
 {
     uint64_t end = clock_now_us() + (uint64_t)(timeout_ms < 0 ? 0 : timeout_ms) * 1000;
 
-    while (output_is_left(output) && !is_put_back(output)) {
-        ssize_t n = write(output->fd, output->text.bytes + output->sent, output->text.count - output->sent);
+    while (output_is_left(output) && !is_lost(output)) {
+        ssize_t n = terminal_write(output->fd, output->text.bytes + output->sent, output->text.count - output->sent);
         struct pollfd ready = {.fd = output->fd, .events = POLLOUT};
         if (n >= 0)
             output->sent += (size_t)n;
@@ -80,6 +89,11 @@ int output_send(struct output *output, int timeout_ms)
     return TIA_OK;
 }
 
+int output_send(struct output *output, int timeout_ms)
+{
+    return send_unless(output_is_taken, output, timeout_ms);
+}
+
 /* Without the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
 static void send_last(struct output *output)
 {
@@ -90,7 +104,7 @@ static void send_last(struct output *output)
     forget(output);
     text_add(&output->text, leaving(output));
     do /* a signal ends a wait, too */
-        (void)output_send(output, clock_left_ms(end));
+        (void)send_unless(is_put_back, output, clock_left_ms(end));
     while (output_is_left(output) && clock_left_ms(end) > 0);
 }
 

@@ -12,27 +12,28 @@ struct output {
     size_t sent;
 
     /* Private. */
-    int resumes;       /* of signals.h, when the window was last taken */
+    int resumes;       /* of signals.h, when the window was last taken; -1: never */
     unsigned put_back; /* of guardian.h, then */
 };
 
-/* Adds the text that takes the window, and has the guardian give it back if this process dies or is stopped. */
+/* Takes the window if it is in front, and has the guardian give it back if this process dies or is stopped. */
 void output_enter(struct output *output);
 
 /* Gives the window back, if it is ours: within 150 ms, or later by the guardian if the terminal accepts nothing. What
  * is still to be sent is dropped. */
 void output_leave(struct output *output);
 
-/* Whether the shell has had the window since, because of a stop. */
+/* Whether the shell has or had the window, because of a stop. */
 bool output_is_taken(const struct output *output);
 
-/* Takes it again: nothing that was to be sent before matters any more, and it shows what the shell wrote. */
-void output_take(struct output *output);
+/* Takes it again: nothing that was to be sent before matters any more, and it shows what the shell wrote. False in the
+ * background. */
+bool output_take(struct output *output);
 
 bool output_is_left(const struct output *output);
 
-/* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal, and while the window is
- * ours. */
+/* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal, and drops it once the
+ * window is taken. */
 int output_send(struct output *output, int timeout_ms);
 
 void output_free(struct output *output);

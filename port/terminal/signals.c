@@ -1,10 +1,15 @@
 /* signals.c - SIGWINCH and SIGCONT, for the display and the keyboard of one terminal. */
 #include "signals.h"
 
+#include <errno.h>
+#include <setjmp.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <unistd.h>
 
-static volatile sig_atomic_t resumes;
+static volatile sig_atomic_t resumes, writing;
+static sigjmp_buf before_write;
 static unsigned users;
 static sigset_t mask_before;
 static struct sigaction winch_before, cont_before;
@@ -18,6 +23,10 @@ static void on_cont(int number)
 {
     (void)number;
     resumes++;
+    if (!writing)
+        return;
+    writing = false;
+    siglongjmp(before_write, 1);
 }
 
 /* Blocked except in console_wait: otherwise a signal just before the wait would be missed. */
@@ -61,13 +70,40 @@ int terminal_resumes(void)
     return resumes;
 }
 
-int terminal_resumes_now(void)
+static void let_in_resume(sigset_t *before)
 {
-    sigset_t one, before;
+    sigset_t one;
 
     (void)sigemptyset(&one);
     (void)sigaddset(&one, SIGCONT);
-    (void)pthread_sigmask(SIG_UNBLOCK, &one, &before);
+    (void)pthread_sigmask(SIG_UNBLOCK, &one, before);
+}
+
+int terminal_resumes_now(void)
+{
+    sigset_t before;
+
+    let_in_resume(&before);
     (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
     return resumes;
+}
+
+/* Without the jump, the kernel would begin a write anew that a stop has kept from writing. Of one that has written the
+ * count is lost. */
+ssize_t terminal_write(int fd, const void *bytes, size_t count)
+{
+    sigset_t before;
+
+    if (sigsetjmp(before_write, 1) != 0) {
+        errno = EINTR;
+        return -1;
+    }
+    writing = true;
+    let_in_resume(&before);
+    ssize_t n = write(fd, bytes, count);
+    int error = errno;
+    writing = false;
+    (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
+    errno = error;
+    return n;
 }

@@ -2,6 +2,8 @@
 #ifndef PORT_TERMINAL_SIGNALS_H
 #define PORT_TERMINAL_SIGNALS_H
 
+#include <sys/types.h>
+
 /* From now on SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the
  * last terminal_signals_end undoes the first terminal_signals_begin. */
 void terminal_signals_begin(void);
@@ -13,5 +15,9 @@ int terminal_resumes(void);
 
 /* The same, with one that is pending. */
 int terminal_resumes_now(void);
+
+/* write(2) to a terminal, between begin and end. A process that is stopped just before it writes, and continues, fails
+ * with EINTR instead: the terminal may be the shell's by then. */
+ssize_t terminal_write(int fd, const void *bytes, size_t count);
 
 #endif

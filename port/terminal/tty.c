@@ -105,20 +105,28 @@ static int make_raw(struct tty *tty)
 /* False when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung up. */
 static bool send(const struct tty *tty, const char *text)
 {
-    ssize_t n = write(tty->fd, text, strlen(text));
+    ssize_t n = terminal_write(tty->fd, text, strlen(text));
 
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
+}
+
+static bool is_put_back(const struct tty *tty)
+{
+    return tty->put_back != guardian_put_back();
+}
+
+static bool is_taken(const struct tty *tty)
+{
+    return tty->resumes != terminal_resumes() || is_put_back(tty);
 }
 
 /* After a stop that put all this back the terminal is the shell's. */
 static void make_cooked(const struct tty *tty)
 {
-    bool is_back = tty->put_back != guardian_put_back();
-
     /* If it cannot be sent now, the guardian sends it later. */
-    if (is_back || send(tty, tty->off))
+    if (is_put_back(tty) || send(tty, tty->off))
         guardian_forget_text(tty->fd, tty->off);
-    if (!is_back) {
+    if (!is_put_back(tty)) {
         (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
         (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
     }
@@ -150,7 +158,8 @@ static int tty_open(void *ctx)
         tty_close(tty);
         return status;
     }
-    (void)send(tty, tty->on);
+    if (!is_taken(tty))
+        (void)send(tty, tty->on);
     tty->controlling = tcgetpgrp(tty->fd) != -1;
     tty->decoder = (struct decoder){0};
     tty->next = tty->count = 0;
@@ -201,16 +210,11 @@ static uint16_t next_key(struct tty *tty)
     return key;
 }
 
-/* After a stop the shell has set its own modes. In the background the first call stops the process once more, until the
- * terminal is its own; what it sets is not more than there is. */
+/* After a stop the shell has set its own modes. */
 static void after_stop(struct tty *tty)
 {
-    struct termios own;
-
-    if (tty->resumes == terminal_resumes() && tty->put_back == guardian_put_back())
+    if (!is_taken(tty) || !descriptor_await_front(tty->fd))
         return;
-    if (!descriptor_in_front(tty->fd) && tcgetattr(tty->fd, &own) == 0)
-        (void)tcsetattr(tty->fd, TCSANOW, &own);
     tty->resumes = terminal_resumes_now();
     tty->put_back = guardian_put_back();
     guardian_keep_again(tty->fd);
