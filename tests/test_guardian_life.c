@@ -269,6 +269,38 @@ TEST(both_killed_at_once)
     }
 }
 
+/* In place of libc's: the process dies just before it has a child, or just after. */
+static enum { LIVES, DIES_BEFORE, DIES_AFTER } at_fork;
+
+pid_t fork(void)
+{
+    if (at_fork == DIES_BEFORE)
+        (void)kill(getpid(), SIGKILL);
+    pid_t child = _Fork();
+    if (at_fork == DIES_AFTER && child > 0)
+        (void)kill(getpid(), SIGKILL);
+    return child;
+}
+
+/* While the next guardian is made, which the spare does not wait for in vain. */
+TEST(killed_after_its_guardian)
+{
+    for (int i = 0; i < 10; i++) {
+        if (!open_terminal())
+            return;
+        pid_t child = fork();
+        if (child == 0) {
+            keep_and_make_raw();
+            at_fork = i % 2 ? DIES_BEFORE : DIES_AFTER;
+            (void)kill(child_of(getpid()), SIGKILL);
+            (void)pause();
+        }
+        (void)waitpid(child, NULL, 0);
+        CHECK_MSG(cooked_again(), "still raw in try %d", i);
+        close_terminal();
+    }
+}
+
 /* Writes this process's own oom_score_adj: a higher one always, a lower one not for everybody. */
 static bool set_score(const char *value)
 {
@@ -332,6 +364,7 @@ int main(void)
     RUN(stopped_and_continued_at_once);
     RUN(another_guardian_stands_in);
     RUN(both_killed_at_once);
+    RUN(killed_after_its_guardian);
     RUN(is_no_choice_when_memory_is_short);
     RUN(ends_with_a_stopped_guardian);
     return check_status();

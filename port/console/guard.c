@@ -327,11 +327,13 @@ static void put_all_back(void)
     finish();
 }
 
-void guard(int line, pid_t parent, pid_t group)
+void guard(int line, pid_t parent, pid_t group, unsigned before)
 {
     process = parent;
     process_group = group;
     go_away(line);
+    if (!kept_take_over(before))
+        _exit(0);
     process_end = (int)syscall(SYS_pidfd_open, parent, 0u);
     spare_start(process_end, put_all_back);
     listen_until_the_end();

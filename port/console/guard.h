@@ -16,7 +16,8 @@
 #define GUARD_READY 'r'
 
 /* For a new process with all signals blocked: handles the messages on the socket `line` from the process `parent`, of
- * the process group `group`, until that dies; then puts back what is in the table, and exits. */
-void guard(int line, pid_t parent, pid_t group);
+ * the process group `group`, until that dies; then puts back what is in the table, and exits. It is the guardian after
+ * number `before`, or, if that one's spare has taken over meanwhile, does nothing. */
+_Noreturn void guard(int line, pid_t parent, pid_t group, unsigned before);
 
 #endif

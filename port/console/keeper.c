@@ -79,10 +79,10 @@ static int start_process(void)
         return -1;
     (void)sigfillset(&all);
     (void)pthread_sigmask(SIG_BLOCK, &all, &old);
-    (void)kept_next_guardian();
+    unsigned before = kept_guardian();
     guardian.process = fork();
     if (guardian.process == 0)
-        guard(ends[1], parent, group);
+        guard(ends[1], parent, group, before);
     if (guardian.process > 0)
         (void)setpgid(guardian.process, guardian.process);
     (void)pthread_sigmask(SIG_SETMASK, &old, NULL);

@@ -64,14 +64,14 @@ unsigned kept_put_back(void)
     return shared ? atomic_load(&shared->put_back) : 0;
 }
 
-unsigned kept_next_guardian(void)
-{
-    return shared ? atomic_fetch_add(&shared->guardian, 1) + 1 : 0;
-}
-
 unsigned kept_guardian(void)
 {
     return shared ? atomic_load(&shared->guardian) : 0;
+}
+
+bool kept_take_over(unsigned before)
+{
+    return !shared || atomic_compare_exchange_strong(&shared->guardian, &before, before + 1);
 }
 
 void kept_finish(void)

@@ -53,9 +53,10 @@ bool kept_nothing(void);
  * how often a stop has put terminals back. Second, the guardian's answer to a SYNC message: the other process forgets
  * old ones before it sends that, and then waits timeout_ms at most. */
 void kept_share(void);
-/* Third, which guardian it is: each is the next; and the last one that has left nothing to do. */
-unsigned kept_next_guardian(void);
+/* Third, the number of the guardian in charge; and of the last one that has left nothing to do. The one after `before`
+ * takes over, unless another process has: then false. */
 unsigned kept_guardian(void);
+bool kept_take_over(unsigned before);
 void kept_finish(void);
 bool kept_is_finished(unsigned guardian);
 void kept_count_put_back(void);

@@ -29,14 +29,13 @@ static void take_table(void)
         kept[i].fd = -1;
 }
 
-static _Noreturn void stand_by(int first, int process, void (*put_back)(void))
+static _Noreturn void stand_by(unsigned guardian, int first, int process, void (*put_back)(void))
 {
-    unsigned guardian = kept_guardian();
     struct pollfd end = {.fd = process, .events = POLLIN};
 
     (void)setpgid(0, 0);
     await_end(first);
-    if (!kept_is_finished(guardian) && poll(&end, 1, PATIENCE_MS) > 0 && kept_guardian() == guardian) {
+    if (!kept_is_finished(guardian) && poll(&end, 1, PATIENCE_MS) > 0 && kept_take_over(guardian)) {
         take_table();
         put_back();
     }
@@ -53,11 +52,12 @@ void spare_start(int process, void (*put_back)(void))
     if (process < 0 || page == MAP_FAILED || pipe(ends) != 0)
         return;
     table = page;
+    unsigned guardian = kept_guardian();
     spare_follow();
     if (fork() == 0) {
         (void)close(STDIN_FILENO);
         (void)close(ends[1]);
-        stand_by(ends[0], process, put_back);
+        stand_by(guardian, ends[0], process, put_back);
     }
     (void)close(ends[0]);
 }

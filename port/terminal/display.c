@@ -21,6 +21,7 @@
 #include "pictures.h"
 #include "pixels/canvas.h"
 #include "place.h"
+#include "signals.h"
 #include "symbols.h"
 #include "terminal.h"
 #include "utf8.h"
@@ -249,7 +250,8 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* A frame that is not encoded yet waits until all of the one before is sent. */
+/* A frame that is not encoded yet waits until all of the one before is sent. One that a stop has cut is shown again when
+ * the viewer has looked for keys: the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {
     struct terminal *t = ctx;
@@ -261,6 +263,10 @@ static int terminal_go_on(void *ctx)
             return failed_with(t, errno);
         if (output_is_left(&t->output) || clock_left_ms(end) == 0)
             return TIA_BUSY;
+        if (output_is_taken(&t->output)) {
+            terminal_resume_again();
+            return TIA_OK;
+        }
         if (!t->encoding && !t->fresh)
             return TIA_OK;
         status = encode(t);

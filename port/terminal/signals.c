@@ -88,6 +88,11 @@ int terminal_resumes_now(void)
     return resumes;
 }
 
+void terminal_resume_again(void)
+{
+    (void)raise(SIGCONT);
+}
+
 /* Without the jump, the kernel would begin a write anew that a stop has kept from writing. Of one that has written the
  * count is lost. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count)

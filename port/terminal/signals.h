@@ -16,6 +16,9 @@ int terminal_resumes(void);
 /* The same, with one that is pending. */
 int terminal_resumes_now(void);
 
+/* Leaves one pending: the next console_wait ends at once. */
+void terminal_resume_again(void);
+
 /* write(2) to a terminal, between begin and end. A process that is stopped just before it writes, and continues, fails
  * with EINTR instead: the terminal may be the shell's by then. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count);

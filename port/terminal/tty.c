@@ -29,6 +29,8 @@
  * 50 ms allow for a network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
+#define BEHIND_MS 100 /* between two looks at whether the terminal is in front */
+
 /* Bracketed paste: pasted text can be distinguished from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
@@ -262,14 +264,21 @@ static int tty_poll(void *ctx, struct tia_event *event)
     return key != 0;
 }
 
-/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape. */
+static int smaller(int limit_ms, int timeout_ms)
+{
+    return timeout_ms < 0 || limit_ms < timeout_ms ? limit_ms : timeout_ms;
+}
+
+/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape; no longer than until the
+ * terminal is taken again either, whose signal has come already. */
 static int limit_ms(const struct tty *tty, int timeout_ms)
 {
+    if (is_taken(tty))
+        timeout_ms = smaller(descriptor_in_front(tty->fd) ? 0 : BEHIND_MS, timeout_ms);
     if (!decode_pending(&tty->decoder))
         return timeout_ms;
     uint64_t end = tty->last_us + SILENCE_US, now = clock_now_us();
-    int left = end > now ? (int)((end - now + 999) / 1000) : 0;
-    return timeout_ms < 0 || left < timeout_ms ? left : timeout_ms;
+    return smaller(end > now ? (int)((end - now + 999) / 1000) : 0, timeout_ms);
 }
 
 static int tty_wait(void *ctx, int timeout_ms)
