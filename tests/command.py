@@ -172,6 +172,15 @@ def read_bmp(data):
     return width, height, pixels
 
 
+def floats(name):
+    """The numbers of a .pfm file, bottom row first."""
+    with open(name, "rb") as file:
+        magic, size, _, data = file.read().split(b"\n", 3)
+    same(magic, b"PF", f"the first line of {name}")
+    width, height = map(int, size.split())
+    return struct.unpack(f"<{width * height * 3}f", data)
+
+
 def png_chunks(data):
     same(data[:8], b"\x89PNG\r\n\x1a\n", "the signature of the .png")
     at = 8
