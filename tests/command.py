@@ -122,13 +122,27 @@ def as_somebody():
         os.setuid(65534)
 
 
+def has_sanitizer(*kinds):
+    with open(TIA, "rb") as file:
+        program = file.read()
+    return any(f"__{kind}_init".encode() in program for kind in kinds)
+
+
+def preloaded(source, **more):
+    """The environment of a command that calls the functions of a C source instead of libc's; and more variables."""
+    if has_sanitizer("asan"):
+        raise Skip("a sanitizer wants to be loaded first")
+    with open("preloaded.c", "w", encoding="ascii") as file:
+        file.write(source)
+    subprocess.run([*os.environ.get("CC", "cc").split(), "-shared", "-fPIC", "-o", "preloaded.so", "preloaded.c", "-ldl"],
+                   check=True, timeout=LIMIT_S)
+    return {**os.environ, "LD_PRELOAD": os.path.abspath("preloaded.so"), **more}
+
+
 def limited(**limits):
     """For preexec_fn: limited(DATA=1 << 20) sets RLIMIT_DATA."""
-    if "DATA" in limits:
-        with open(TIA, "rb") as file:
-            program = file.read()
-            if b"__asan_init" in program or b"__tsan_init" in program:
-                raise Skip("a sanitizer's own memory leaves no room for a limit")
+    if "DATA" in limits and has_sanitizer("asan", "tsan"):
+        raise Skip("a sanitizer's own memory leaves no room for a limit")
     def apply():
         for name, value in limits.items():
             resource.setrlimit(getattr(resource, "RLIMIT_" + name), (value, value))

@@ -5,6 +5,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "signals.h"
+
 int descriptor_open(const char *path, int access)
 {
     return open(path, access | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -25,18 +27,6 @@ bool descriptor_in_front(int fd)
     return front <= 0 || front == getpgrp();
 }
 
-/* Other signals than those of signals.h. */
-static bool is_signal_pending(void)
-{
-    sigset_t pending;
-
-    if (sigpending(&pending) != 0)
-        return false;
-    (void)sigdelset(&pending, SIGCONT);
-    (void)sigdelset(&pending, SIGWINCH);
-    return sigisemptyset(&pending) == 0;
-}
-
 /* tcsetattr stops a process in the background. The kernel begins it anew after SIGCONT, and so stops the process again,
  * unless a signal's handler has run. */
 bool descriptor_await_front(int fd)
@@ -44,8 +34,10 @@ bool descriptor_await_front(int fd)
     struct termios own;
     sigset_t none, before;
 
-    if (descriptor_in_front(fd) || is_signal_pending() || tcgetattr(fd, &own) != 0)
-        return descriptor_in_front(fd);
+    if (descriptor_in_front(fd))
+        return true;
+    if (terminal_has_other_signal() || tcgetattr(fd, &own) != 0)
+        return false;
     (void)sigemptyset(&none);
     (void)pthread_sigmask(SIG_SETMASK, &none, &before);
     (void)tcsetattr(fd, TCSANOW, &own);

@@ -241,7 +241,7 @@ static int encode(struct terminal *t)
 /* After a stop the shell has had the window: the last frame is shown again. False in the background. */
 static bool has_window(struct terminal *t)
 {
-    if (!output_is_taken(&t->output))
+    if (!output_is_lost(&t->output))
         return true;
     if (!output_take(&t->output))
         return false;
@@ -250,8 +250,8 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* A frame that is not encoded yet waits until all of the one before is sent. One that a stop has cut is shown again when
- * the viewer has looked for keys: the terminal may have hung up. */
+/* A frame that is not encoded yet waits until all of the one before is sent. One that a stop has cut is shown again
+ * when the viewer has looked for keys: the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {
     struct terminal *t = ctx;
@@ -263,7 +263,7 @@ static int terminal_go_on(void *ctx)
             return failed_with(t, errno);
         if (output_is_left(&t->output) || clock_left_ms(end) == 0)
             return TIA_BUSY;
-        if (output_is_taken(&t->output)) {
+        if (output_is_lost(&t->output)) {
             terminal_resume_again();
             return TIA_OK;
         }
@@ -290,7 +290,7 @@ static int terminal_mode(void *ctx, struct tia_mode *mode)
     int status = fit_window(t);
 
     describe(t, mode);
-    bool again = t->output.entered && output_is_taken(&t->output) && descriptor_in_front(t->output.fd);
+    bool again = t->output.entered && output_is_lost(&t->output) && descriptor_in_front(t->output.fd);
     return !status && again ? TIA_BUSY : status;
 }
 

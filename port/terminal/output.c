@@ -8,10 +8,8 @@
 #include "console/console.h"
 #include "console/guardian.h"
 #include "descriptor.h"
-#include "signals.h"
 
 #define LAST_WRITE_MS 150 /* how long output_leave waits for a terminal that accepts nothing */
-#define NEVER_TAKEN (-1)
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
  * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
@@ -26,14 +24,9 @@ static const char *leaving(const struct output *output)
     return output->kitty ? leave_kitty : leave_text;
 }
 
-static bool is_put_back(const struct output *output)
+bool output_is_lost(const struct output *output)
 {
-    return output->resumes == NEVER_TAKEN || output->put_back != guardian_put_back();
-}
-
-bool output_is_taken(const struct output *output)
-{
-    return output->resumes != terminal_resumes() || is_put_back(output);
+    return terminal_is_lost(&output->since);
 }
 
 static void forget(struct output *output)
@@ -41,16 +34,14 @@ static void forget(struct output *output)
     output->sent = output->text.count = 0;
 }
 
-/* What is read first tells of a stop after it. */
+/* The counts are read before the check, so that a stop between the two is noticed later. */
 bool output_take(struct output *output)
 {
-    int resumes = terminal_resumes_now();
-    unsigned put_back = guardian_put_back();
+    struct terminal_stops now = terminal_stops_now();
 
     if (!descriptor_in_front(output->fd))
         return false;
-    output->resumes = resumes;
-    output->put_back = put_back;
+    output->since = now;
     (void)guardian_keep_text(output->fd, leaving(output));
     guardian_sync();
     forget(output);
@@ -61,7 +52,7 @@ bool output_take(struct output *output)
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output->resumes = NEVER_TAKEN;
+    output->since.put_back = guardian_put_back() - 1; /* lost, in the background */
     (void)output_take(output);
     output->entered = true;
 }
@@ -71,11 +62,11 @@ bool output_is_left(const struct output *output)
     return output->sent < output->text.count;
 }
 
-static int send_unless(bool (*is_lost)(const struct output *output), struct output *output, int timeout_ms)
+static int send_unless(bool (*is_gone)(const struct terminal_stops *since), struct output *output, int timeout_ms)
 {
     uint64_t end = clock_now_us() + (uint64_t)(timeout_ms < 0 ? 0 : timeout_ms) * 1000;
 
-    while (output_is_left(output) && !is_lost(output)) {
+    while (output_is_left(output) && !is_gone(&output->since)) {
         ssize_t n = terminal_write(output->fd, output->text.bytes + output->sent, output->text.count - output->sent);
         struct pollfd ready = {.fd = output->fd, .events = POLLOUT};
         if (n >= 0)
@@ -91,7 +82,7 @@ static int send_unless(bool (*is_lost)(const struct output *output), struct outp
 
 int output_send(struct output *output, int timeout_ms)
 {
-    return send_unless(output_is_taken, output, timeout_ms);
+    return send_unless(terminal_is_lost, output, timeout_ms);
 }
 
 /* Without the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
@@ -104,13 +95,13 @@ static void send_last(struct output *output)
     forget(output);
     text_add(&output->text, leaving(output));
     do /* a signal ends a wait, too */
-        (void)send_unless(is_put_back, output, clock_left_ms(end));
+        (void)send_unless(terminal_is_put_back, output, clock_left_ms(end));
     while (output_is_left(output) && clock_left_ms(end) > 0);
 }
 
 void output_leave(struct output *output)
 {
-    if (is_put_back(output))
+    if (terminal_is_put_back(&output->since))
         forget(output);
     else
         send_last(output);

@@ -3,6 +3,7 @@
 #define PORT_TERMINAL_OUTPUT_H
 
 #include "encode.h"
+#include "signals.h"
 
 struct output {
     int fd;           /* -1: closed */
@@ -11,9 +12,7 @@ struct output {
     struct text text; /* what is to be sent: [sent, text.count) */
     size_t sent;
 
-    /* Private. */
-    int resumes;       /* of signals.h, when the window was last taken; -1: never */
-    unsigned put_back; /* of guardian.h, then */
+    struct terminal_stops since; /* when the window was last taken */
 };
 
 /* Takes the window if it is in front, and has the guardian give it back if this process dies or is stopped. */
@@ -23,8 +22,8 @@ void output_enter(struct output *output);
  * is still to be sent is dropped. */
 void output_leave(struct output *output);
 
-/* Whether the shell has or had the window, because of a stop. */
-bool output_is_taken(const struct output *output);
+/* True if the shell has or had the window, because of a stop. */
+bool output_is_lost(const struct output *output);
 
 /* Takes it again: nothing that was to be sent before matters any more, and it shows what the shell wrote. False in the
  * background. */
@@ -33,7 +32,7 @@ bool output_take(struct output *output);
 bool output_is_left(const struct output *output);
 
 /* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal, and drops it once the
- * window is taken. */
+ * window is lost. */
 int output_send(struct output *output, int timeout_ms);
 
 void output_free(struct output *output);

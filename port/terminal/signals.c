@@ -4,9 +4,10 @@
 #include <errno.h>
 #include <setjmp.h>
 #include <signal.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <unistd.h>
+
+#include "console/guardian.h"
 
 static volatile sig_atomic_t resumes, writing;
 static sigjmp_buf before_write;
@@ -29,6 +30,15 @@ static void on_cont(int number)
     siglongjmp(before_write, 1);
 }
 
+static void unblock(int number, sigset_t *before)
+{
+    sigset_t one;
+
+    (void)sigemptyset(&one);
+    (void)sigaddset(&one, number);
+    (void)pthread_sigmask(SIG_UNBLOCK, &one, before);
+}
+
 /* Blocked except in console_wait: otherwise a signal just before the wait would be missed. */
 void terminal_signals_begin(void)
 {
@@ -47,12 +57,8 @@ void terminal_signals_begin(void)
 
 static void let_in(int number)
 {
-    sigset_t one;
-
-    (void)sigemptyset(&one);
-    (void)sigaddset(&one, number);
     if (!sigismember(&mask_before, number))
-        (void)pthread_sigmask(SIG_UNBLOCK, &one, NULL);
+        unblock(number, NULL);
 }
 
 void terminal_signals_end(void)
@@ -65,32 +71,39 @@ void terminal_signals_end(void)
     let_in(SIGCONT);
 }
 
-int terminal_resumes(void)
-{
-    return resumes;
-}
-
-static void let_in_resume(sigset_t *before)
-{
-    sigset_t one;
-
-    (void)sigemptyset(&one);
-    (void)sigaddset(&one, SIGCONT);
-    (void)pthread_sigmask(SIG_UNBLOCK, &one, before);
-}
-
-int terminal_resumes_now(void)
+struct terminal_stops terminal_stops_now(void)
 {
     sigset_t before;
 
-    let_in_resume(&before);
+    unblock(SIGCONT, &before);
     (void)pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return resumes;
+    return (struct terminal_stops){resumes, guardian_put_back()};
+}
+
+bool terminal_is_put_back(const struct terminal_stops *since)
+{
+    return since->put_back != guardian_put_back();
+}
+
+bool terminal_is_lost(const struct terminal_stops *since)
+{
+    return since->resumes != resumes || terminal_is_put_back(since);
 }
 
 void terminal_resume_again(void)
 {
     (void)raise(SIGCONT);
+}
+
+bool terminal_has_other_signal(void)
+{
+    sigset_t pending;
+
+    if (sigpending(&pending) != 0)
+        return false;
+    (void)sigdelset(&pending, SIGWINCH);
+    (void)sigdelset(&pending, SIGCONT);
+    return sigisemptyset(&pending) == 0;
 }
 
 /* Without the jump, the kernel would begin a write anew that a stop has kept from writing. Of one that has written the
@@ -104,7 +117,7 @@ ssize_t terminal_write(int fd, const void *bytes, size_t count)
         return -1;
     }
     writing = true;
-    let_in_resume(&before);
+    unblock(SIGCONT, &before);
     ssize_t n = write(fd, bytes, count);
     int error = errno;
     writing = false;

@@ -2,6 +2,7 @@
 #ifndef PORT_TERMINAL_SIGNALS_H
 #define PORT_TERMINAL_SIGNALS_H
 
+#include <stdbool.h>
 #include <sys/types.h>
 
 /* From now on SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the
@@ -9,18 +10,30 @@
 void terminal_signals_begin(void);
 void terminal_signals_end(void);
 
-/* How often the process has continued after a stop. Others may have written on the screen and changed the terminal's
- * modes meanwhile. */
-int terminal_resumes(void);
+/* Counts of what has happened to the process when a terminal was taken. */
+struct terminal_stops {
+    int resumes;       /* SIGCONT */
+    unsigned put_back; /* guardian_put_back */
+};
 
-/* The same, with one that is pending. */
-int terminal_resumes_now(void);
+/* Today's counts, with a SIGCONT that is pending, which no longer ends a console_wait. */
+struct terminal_stops terminal_stops_now(void);
 
-/* Leaves one pending: the next console_wait ends at once. */
+/* True if the guardian has put the terminal back since: it is the shell's, or was. */
+bool terminal_is_put_back(const struct terminal_stops *since);
+
+/* True if the process has continued since as well: others may have written on the screen and changed the terminal's
+ * modes. */
+bool terminal_is_lost(const struct terminal_stops *since);
+
+/* Leaves a SIGCONT pending: the next console_wait ends at once. */
 void terminal_resume_again(void);
 
-/* write(2) to a terminal, between begin and end. A process that is stopped just before it writes, and continues, fails
- * with EINTR instead: the terminal may be the shell's by then. */
+/* True if a signal other than SIGWINCH and SIGCONT is pending. */
+bool terminal_has_other_signal(void);
+
+/* write(2) to a terminal, between begin and end. Fails with EINTR when the process is stopped just before it writes,
+ * and continues: the terminal may be the shell's by then. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count);
 
 #endif

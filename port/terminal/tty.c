@@ -45,8 +45,7 @@ struct tty {
     bool controlling;     /* it is the process's, which the display may have asked */
     bool raw;             /* `before` holds what close puts back */
     struct termios before, now;
-    int resumes;       /* of signals.h, when `now` was last set */
-    unsigned put_back; /* of guardian.h, then */
+    struct terminal_stops since; /* when `now` was last set */
     struct decoder decoder;
     uint64_t last_us;          /* when the last byte came */
     uint8_t bytes[TYPED_MOST]; /* read and not yet decoded: [next, count) */
@@ -93,11 +92,10 @@ static int make_raw(struct tty *tty)
     raw->c_cflag |= CS8;
     raw->c_cc[VMIN] = 1;
     raw->c_cc[VTIME] = 0;
-    tty->put_back = guardian_put_back();
+    terminal_signals_begin();
+    tty->since = terminal_stops_now();
     (void)guardian_keep_terminal(tty->fd, raw);
     (void)guardian_keep_text(tty->fd, tty->off);
-    terminal_signals_begin();
-    tty->resumes = terminal_resumes();
     tty->raw = true;
     if (tcsetattr(tty->fd, TCSANOW, raw) != 0)
         return failed(tty, name_of(tty), node_error(errno, text));
@@ -112,23 +110,13 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
-static bool is_put_back(const struct tty *tty)
-{
-    return tty->put_back != guardian_put_back();
-}
-
-static bool is_taken(const struct tty *tty)
-{
-    return tty->resumes != terminal_resumes() || is_put_back(tty);
-}
-
 /* After a stop that put all this back the terminal is the shell's. */
 static void make_cooked(const struct tty *tty)
 {
     /* If it cannot be sent now, the guardian sends it later. */
-    if (is_put_back(tty) || send(tty, tty->off))
+    if (terminal_is_put_back(&tty->since) || send(tty, tty->off))
         guardian_forget_text(tty->fd, tty->off);
-    if (!is_put_back(tty)) {
+    if (!terminal_is_put_back(&tty->since)) {
         (void)tcflush(tty->fd, TCIFLUSH); /* keys typed for the picture are not for the shell */
         (void)tcsetattr(tty->fd, TCSANOW, &tty->before);
     }
@@ -160,8 +148,7 @@ static int tty_open(void *ctx)
         tty_close(tty);
         return status;
     }
-    if (!is_taken(tty))
-        (void)send(tty, tty->on);
+    (void)send(tty, tty->on);
     tty->controlling = tcgetpgrp(tty->fd) != -1;
     tty->decoder = (struct decoder){0};
     tty->next = tty->count = 0;
@@ -215,10 +202,9 @@ static uint16_t next_key(struct tty *tty)
 /* After a stop the shell has set its own modes. */
 static void after_stop(struct tty *tty)
 {
-    if (!is_taken(tty) || !descriptor_await_front(tty->fd))
+    if (!terminal_is_lost(&tty->since) || !descriptor_await_front(tty->fd))
         return;
-    tty->resumes = terminal_resumes_now();
-    tty->put_back = guardian_put_back();
+    tty->since = terminal_stops_now();
     guardian_keep_again(tty->fd);
     (void)guardian_keep_text(tty->fd, tty->off);
     guardian_sync();
@@ -269,11 +255,11 @@ static int smaller(int limit_ms, int timeout_ms)
     return timeout_ms < 0 || limit_ms < timeout_ms ? limit_ms : timeout_ms;
 }
 
-/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape; no longer than until the
- * terminal is taken again either, whose signal has come already. */
+/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape. A lost terminal is taken again
+ * soon: the SIGCONT that would end the wait may have been counted already. */
 static int limit_ms(const struct tty *tty, int timeout_ms)
 {
-    if (is_taken(tty))
+    if (terminal_is_lost(&tty->since))
         timeout_ms = smaller(descriptor_in_front(tty->fd) ? 0 : BEHIND_MS, timeout_ms);
     if (!decode_pending(&tty->decoder))
         return timeout_ms;
