@@ -134,7 +134,7 @@ unless_lean = $(if $(LEAN),$(if $(filter-out $(wildcard $(1)),$(1)),,$(1)),$(1))
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c)))
 CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/no_coherence.c src/viewer/no_refine.c,$(call c_below,src))
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
-include src/levels/levels.mk
+include src/simd/simd.mk
 # Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
 LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster shadow radio sampling tone denoise read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
              $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/axes.c scene/lightfield.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c lightfield.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pass.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
@@ -154,7 +154,7 @@ LIBSPHERES := $(BUILD)/libtia-spheres.a
 LIBDEVICES := $(BUILD)/libtia-ports.a
 LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
-LIBLEVELS := $(BUILD)/libtia-levels.a
+LIBSIMD := $(BUILD)/libtia-simd.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 TIA_F64 := $(call unless_lean,$(LIBF64))
 TIA_WATCHED := $(call unless_lean,$(LIBWATCHED))
@@ -163,7 +163,7 @@ LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
 
 .PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
+all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
@@ -177,15 +177,15 @@ endif
 COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
 made_with_core := $(COMPILER) $(CORE) $(CFLAGS)
 made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS)
-made_with_parts := $(HAVE_LEVELS) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
-made_with_levels := $(COMPILER) $(CORE) $(foreach l,$(LEVEL_NAMES),$(flags_$(l))) $(CFLAGS)
+made_with_parts := $(HAVE_SIMD) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
+made_with_simd := $(COMPILER) $(CORE) $(foreach l,$(SIMD_NAMES),$(flags_$(l))) $(CFLAGS)
 made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
 same = $(and $(findstring x$(1)x,x$(2)x),$(findstring x$(2)x,x$(1)x))
 define made_with_file
 $(BUILD)/made-with/$(1): $(if $(call same,$(strip $(file <$(BUILD)/made-with/$(1))),$(strip $(made_with_$(1)))),,FORCE)
 	@mkdir -p $$(@D) && printf '%s\n' '$$(subst ','\'',$$(strip $$(made_with_$(1))))' >$$@
 endef
-$(foreach m,core host levels parts link,$(eval $(call made_with_file,$(m))))
+$(foreach m,core host simd parts link,$(eval $(call made_with_file,$(m))))
 
 # $(call compile,WHAT,options): where one source makes several objects, WHAT names the arithmetic.
 define compile
@@ -202,12 +202,12 @@ $(BUILD)/watched/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC obs,$(CORE) -DTIA_WATCHED)
 $(BUILD)/f32/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
-# Of a file of src/levels/.
-level_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
-$(BUILD)/levels/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
-	$(call compile,CC,$(call level_flags,$*))
-$(BUILD)/levels/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
-	$(call compile,CC,$(HOSTED) $(HAVE_LEVELS))
+# Of a file of src/simd/.
+simd_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
+$(BUILD)/simd/src/simd/%.o: src/simd/%.c $(BUILD)/made-with/simd
+	$(call compile,CC,$(call simd_flags,$*))
+$(BUILD)/simd/port/simd/%.o: port/simd/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
+	$(call compile,CC,$(HOSTED) $(HAVE_SIMD))
 $(BUILD)/host/%.o: %.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED))
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/made-with/host
@@ -229,7 +229,7 @@ $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(LIBWATCHED): $(call obj,watched,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 # What is common to all levels is there even where there is none: tests ask it.
-$(LIBLEVELS): $(call obj,levels,$(LEVELS_SRC) port/levels/best.c)
+$(LIBSIMD): $(call obj,simd,$(SIMD_SRC) port/simd/best.c)
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
@@ -239,7 +239,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 
 # A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -257,7 +257,7 @@ $(BUILD)/tia: LIBS := $(TIA_WATCHED) $(LIBTIA) $(LIBS)
 $(BUILD)/tests/test_observe: $(LIBWATCHED)
 $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(BUILD)/made-with/link
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 
 # Scenes as const tables: for a test, and for boards without files.
@@ -274,7 +274,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-levels check-denoise check-threads check-rays-billion check-mutants fuzz
+.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -287,8 +287,8 @@ check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
 check-matrix: all
 	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
-check-levels: $(addprefix $(BUILD)/tests/test_,span_levels ray_levels ray_bounds)
-	@LEVEL_SCENES=100000 $(run_tests) tests/slow/levels
+check-simd: $(addprefix $(BUILD)/tests/test_,simd_spans simd_rays ray_bounds)
+	@SIMD_SCENES=100000 $(run_tests) tests/slow/simd
 check-denoise: all
 	@DENOISE_FULL=yes $(run_tests) tests/slow/denoise
 check-threads: all
@@ -376,7 +376,7 @@ help:
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-accuracy check-arch check-matrix check-levels check-denoise check-threads check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
 	@echo "check-exhaustive check-mutants                 longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"

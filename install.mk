@@ -11,12 +11,12 @@ LIBDIR  ?= lib
 # Of its symbols those are seen that libtia.map lists: what the installed headers declare.
 $(BUILD)/pic/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC pic,$(CORE) $(PIC))
-$(BUILD)/pic/src/levels/%.o: src/levels/%.c $(BUILD)/made-with/levels
-	$(call compile,CC pic,$(call level_flags,$*) $(PIC))
-$(BUILD)/pic/port/levels/%.o: port/levels/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
-	$(call compile,CC pic,$(HOSTED) $(HAVE_LEVELS) $(PIC))
+$(BUILD)/pic/src/simd/%.o: src/simd/%.c $(BUILD)/made-with/simd
+	$(call compile,CC pic,$(call simd_flags,$*) $(PIC))
+$(BUILD)/pic/port/simd/%.o: port/simd/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts
+	$(call compile,CC pic,$(HOSTED) $(HAVE_SIMD) $(PIC))
 PIC := -fPIC -fno-semantic-interposition
-$(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(LEVELS_SRC) port/levels/best.c) libtia.map $(BUILD)/made-with/link
+$(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(SIMD_SRC) port/simd/best.c) libtia.map $(BUILD)/made-with/link
 	$(call say,LD,$@)$(CC) -shared $(CFLAGS) $(LDFLAGS) -Wl,-soname,$(notdir $@) -Wl,--version-script,libtia.map -Wl,-z,defs \
 	    -o $@ $(filter %.o,$^) -lm
 
@@ -36,7 +36,7 @@ Libs.private: $(3)
 endef
 # A static library that another one needs, and that needs it, stands twice.
 $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
-	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-levels -ltia -lm)))@:
+	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
 $(BUILD)/tia-spheres.pc: install.mk include/tia/tia.h FORCE
 	$(file >$@,$(call PC,tia-spheres,integer-only ray tracer for scenes of spheres alone,))@:
 
@@ -70,7 +70,7 @@ arduino: tools/generate/amalgamation.py $(SPHERES_SRC) $(wildcard include/tia/*.
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
     644:man/tia-scene.5:share/man/man5/tia-scene.5 \
-    $(foreach l,$(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBLEVELS)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
+    $(foreach l,$(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
     $(if $(BARE),,644:$(LIBSHARED):$(LIBDIR)/libtia.so.$(VERSION)) \
     $(foreach n,tia tia-spheres,644:$(BUILD)/$(n).pc:$(LIBDIR)/pkgconfig/$(n).pc) \
     $(foreach n,$(wildcard package/cmake/*.cmake),644:$(BUILD)/$(notdir $(n)):$(LIBDIR)/cmake/tia/$(notdir $(n))) \

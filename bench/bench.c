@@ -1,24 +1,24 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
  * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
- * ray-levels, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; of ray-levels, only scenes whose
+ * simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; of simd-rays, only scenes whose
  * name contains a second argument. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tia.h>
 
-#include "levels.h"
 #include "lightfield.h"
 #include "milliseconds.h"
 #include "paths.h"
 #include "plain.h"
 #include "radio.h"
 #include "raster.h"
-#include "ray_levels.h"
 #include "rays.h"
 #include "shadow_frames.h"
 #include "shadows.h"
+#include "simd.h"
+#include "simd_rays.h"
 #include "tinygl.h"
 #include "two_threads.h"
 
@@ -108,10 +108,10 @@ static const struct part {
     const char *name;
     void (*run)(void);
 } parts[] = {{"thesis", measure_frames},
-             {"levels", bench_levels},
+             {"levels", bench_simd},
              {"threads", bench_threads},
              {"rays", bench_rays},
-             {"ray-levels", bench_ray_levels},
+             {"simd-rays", bench_simd_rays},
              {"paths", bench_paths},
              {"radio", bench_radio},
              {"raster", bench_raster},

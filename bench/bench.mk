@@ -20,13 +20,13 @@ $(BUILD)/host/bench/embree/draw.o: HOSTED += -march=native -fno-math-errno
 
 # The float loops that levels are measured against: there where the level is, with its flags.
 LANES_SRC := $(wildcard bench/lanes_*.c)
-BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(LEVELS_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
+BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(SIMD_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
 $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
 $(BUILD)/host/bench/float_lanes.o: $(BUILD)/made-with/parts
-$(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_LEVELS)
+$(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_SIMD)
 $(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/raster.c)) \
-          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBLEVELS) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
+          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
 	$(link)
 $(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 # FORCE: another TINYGL may be meant than the last time.

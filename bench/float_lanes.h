@@ -6,8 +6,8 @@
 #include <tia/scene.h>
 
 /* Draws a scene of two spheres and one light, each object as the ray meets it, with the instructions of a level. False
- * where this program has no loop for it; whether the processor has them is for tia_level_called. */
-bool float_lanes_render(const struct tia_scene *scene, const char *level, int width, int height, tia_rgb565 *pixels);
+ * where this program has no loop for it; whether the processor has them is for tia_simd_named. */
+bool float_lanes_render(const struct tia_scene *scene, const char *simd, int width, int height, tia_rgb565 *pixels);
 
 /* What of the scene a pixel needs: spheres, then the light. */
 struct lanes_world {
@@ -17,7 +17,7 @@ struct lanes_world {
     tia_rgb565 sky[16];
 };
 
-#define FLOAT_LANES(level) float_lanes_##level(const struct lanes_world *, int width, int height, tia_rgb565 *pixels)
+#define FLOAT_LANES(simd) float_lanes_##level(const struct lanes_world *, int width, int height, tia_rgb565 *pixels)
 void FLOAT_LANES(sse41);
 void FLOAT_LANES(avx2);
 void FLOAT_LANES(avx512);

@@ -49,7 +49,7 @@ class InGuest:
         self.tap, self.drawn = guest.tap, self.session.frames_drawn
 
     def start(self, scene):
-        self.session.run(*self.session.display, *ARGUMENTS, *scene, wrap="env -u TIA_LEVEL ")
+        self.session.run(*self.session.display, *ARGUMENTS, *scene, wrap="env -u TIA_SIMD ")
         self.session.wait_grabbed(1)
 
     def end(self):
@@ -109,7 +109,7 @@ def measure(where, name, options):
     complete = type_keys(where, ("left", "right") if name == BUILT_IN else "hl", name in PLAY, options)
     stats = json.loads(where.end().splitlines()[-1])
     figures = [said(stats[which][p]) for which in ("input_to_coarse_ms", "input_to_flip_ms") for p in ("p50", "p95")]
-    return "| %s | %s | %d | %s |" % (name, " | ".join(figures), complete, stats["level"])
+    return "| %s | %s | %d | %s |" % (name, " | ".join(figures), complete, stats["simd"])
 
 
 def main():

@@ -30,12 +30,12 @@ static void must(int status)
 }
 
 /* Processor time of one picture, by a level or plain C. */
-static double draw(const struct tia_scene *scene, const struct tia_level *level, uint16_t width, uint16_t height)
+static double draw(const struct tia_scene *scene, const struct tia_simd *simd, uint16_t width, uint16_t height)
 {
     const struct tia_tile all = {0, 0, width, height};
     size_t size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(scene, all);
-    size_t level_size = tia_level_size(level, scene, scene->light_count, 1);
-    void *of_view = memory(size), *of_hits = memory(hits_size), *of_level = memory(level_size);
+    size_t simd_size = tia_simd_size(simd, scene, scene->light_count, 1);
+    void *of_view = memory(size), *of_hits = memory(hits_size), *of_simd = memory(simd_size);
     tia_rgb565 *pixels = memory((size_t)width * height * sizeof *pixels);
     const struct tia_surface surface = {pixels, 2, 2 * width};
     struct tia_view *view;
@@ -43,19 +43,19 @@ static double draw(const struct tia_scene *scene, const struct tia_level *level,
 
     double start = cpu_milliseconds();
     must(tia_view_init(&view, of_view, size, scene, scene->light_count, width, height));
-    must(tia_view_set_level(view, level, of_level, level_size));
+    must(tia_view_set_simd(view, simd, of_simd, simd_size));
     must(tia_hits_init(&hits, of_hits, hits_size, view, all));
     must(tia_render(view, hits, all, &surface, NULL));
     double ms = cpu_milliseconds() - start;
     free(of_view);
     free(of_hits);
-    free(of_level);
+    free(of_simd);
     free(pixels);
     return ms;
 }
 
 static void measure(const char *name, const struct tia_scene *scene, const struct tia_light_field *field,
-                    const struct tia_level *level, unsigned width, unsigned height)
+                    const struct tia_simd *simd, unsigned width, unsigned height)
 {
     struct tia_scene drawn = *scene;
     double ms = 0, rays = (double)width * height;
@@ -64,7 +64,7 @@ static void measure(const char *name, const struct tia_scene *scene, const struc
     if (field && field->kind == TIA_LENTICULAR && field->lens.subpixels != TIA_SUBPIXELS_NONE)
         rays *= 3;
     for (int i = 0; i < ROUNDS; i++)
-        keep_least(&ms, draw(&drawn, level, (uint16_t)width, (uint16_t)height));
+        keep_least(&ms, draw(&drawn, simd, (uint16_t)width, (uint16_t)height));
     printf("| %s | %.0f | %.0f | %.2f |\n", name, rays, ms, ms / rays * 1000);
 }
 
@@ -75,7 +75,7 @@ static void measure_all(const struct tia_scene *scene)
     char name[60];
 
     measure("a view", scene, NULL, NULL, WIDTH, HEIGHT);
-    measure("the same by vector units", scene, NULL, tia_level_best(), WIDTH, HEIGHT);
+    measure("the same by vector units", scene, NULL, tia_simd_best(), WIDTH, HEIGHT);
     for (unsigned i = 0; i < sizeof columns / sizeof *columns; i++) {
         field.quilt = (struct tia_quilt){columns[i], columns[i]};
         (void)snprintf(name, sizeof name, "a quilt of %u views of %ux%u", columns[i] * columns[i], WIDTH / 4,

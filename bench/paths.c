@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <tia/levels.h>
+#include <tia/simd.h>
 #include <tia/tia.h>
 
 #include "common/scene/scene.h"
@@ -15,7 +15,7 @@ enum { SIDE = 128, SPP = 16, ROUNDS = 2, LEVELS = 8 };
 
 /* Who draws: samples of processor time, of all rounds the least, and the picture's mean. */
 struct run {
-    const char *level;
+    const char *simd;
     double ms, mean[3];
 };
 
@@ -28,20 +28,19 @@ static void must(int status)
 }
 
 /* `level` NULL: plain C. */
-static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_level *level,
+static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_simd *simd,
                       const struct tia_scene *scene, struct run *run)
 {
     static struct tia_sum sums[SIDE * SIDE];
-    size_t size = core->view_size(scene, scene->light_count),
-           more = tia_level_size(level, scene, scene->light_count, 1);
-    void *memory = malloc(size), *level_memory = malloc(more + 1);
+    size_t size = core->view_size(scene, scene->light_count), more = tia_simd_size(simd, scene, scene->light_count, 1);
+    void *memory = malloc(size), *simd_memory = malloc(more + 1);
     struct tia_view *view;
 
-    must(memory && level_memory ? TIA_OK : TIA_ERR_MEMORY);
+    must(memory && simd_memory ? TIA_OK : TIA_ERR_MEMORY);
     must(core->view_init(&view, memory, size, scene, scene->light_count, SIDE, SIDE));
-    if (level)
-        must(tia_view_set_level(view, level, level_memory, more));
-    run->level = tia_view_level(view);
+    if (simd)
+        must(tia_view_set_simd(view, simd, simd_memory, more));
+    run->simd = tia_view_simd(view);
     memset(sums, 0, sizeof sums);
     double start = cpu_milliseconds();
     must(estimator->sample(view, (struct tia_tile){0, 0, SIDE, SIDE}, 0, SPP, sums, SIDE));
@@ -49,7 +48,7 @@ static void draw_sums(const struct tia_core *core, const struct tia_estimator *e
     memset(run->mean, 0, sizeof run->mean);
     for (unsigned i = 0; i < SIDE * SIDE * 3; i++)
         run->mean[i % 3] += (double)sums[i / 3].rgb[i % 3] / 16777216 / SPP / SIDE / SIDE;
-    free(level_memory);
+    free(simd_memory);
     free(memory);
 }
 
@@ -105,17 +104,17 @@ static void measure(const char *path)
     for (int i = 0; i < ROUNDS; i++) {
         rays = (double)draw_floats(paths, &floats);
         draw_sums(&tia_core_q16, &tia_estimator_q16, NULL, &file.scene, &q16);
-        for (unsigned k = 0; k < LEVELS && tia_level_at(k); k++)
-            draw_sums(&tia_core_q16, &tia_estimator_q16, tia_level_at(k), &file.scene, &levels[k]);
+        for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++)
+            draw_sums(&tia_core_q16, &tia_estimator_q16, tia_simd_at(k), &file.scene, &levels[k]);
 #ifdef TIA_HAVE_F64
         draw_sums(&tia_core_f64, &tia_estimator_f64, NULL, &file.scene, &f64);
 #endif
     }
     printf("| `%s`, %.2f rays a sample |", path, rays / SIDE / SIDE / SPP);
     print("q16", &q16, rays);
-    for (unsigned k = 0; k < LEVELS && tia_level_at(k); k++) {
+    for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++) {
         printf("| |");
-        print(levels[k].level, &levels[k], rays);
+        print(levels[k].simd, &levels[k], rays);
     }
     if (f64.ms > 0) {
         printf("| |");

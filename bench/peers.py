@@ -4,7 +4,7 @@
     taskset -c 1 bench/peers.py [BUILD [NAME ...]]      scenes whose name contains NAME
 
 Needs `make BUILD/bench BUILD/tia-pov`, libembree-dev when that was made, and povray; what is missing is said, and its
-column left out. One thread each. Embree and the levels are measured by `bench ray-levels`, in turns; POV-Ray, between
+column left out. One thread each. Embree and the levels are measured by `bench simd-rays`, in turns; POV-Ray, between
 two runs of that, by the CPU time that it reports for tracing, of scenes that tia-pov wrote. Of all runs the least
 counts. In the last lines: how many times as fast as tia's plain C, and as Embree, in the geometric mean.
 """
@@ -29,7 +29,7 @@ def output(*command, **options):
 
 def by_bench(name):
     """{who: ms} for a scene."""
-    rows = re.findall(rf"^\| {name}\.nff \S+ \| ([^|]+) \| ([0-9.]+) \|", output(f"{BUILD}/bench", "ray-levels", name),
+    rows = re.findall(rf"^\| {name}\.nff \S+ \| ([^|]+) \| ([0-9.]+) \|", output(f"{BUILD}/bench", "simd-rays", name),
                       re.MULTILINE)
     return {who: float(ms) for who, ms in rows if "threads" not in who}
 

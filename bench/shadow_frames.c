@@ -52,9 +52,9 @@ struct shown {
 static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     f->area = (struct tia_tile){0, 0, width, height};
-    const struct tia_level *level = tia_level_best();
+    const struct tia_simd *simd = tia_simd_best();
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
-                       tia_level_size(level, scene, scene->light_count, 1)};
+                       tia_simd_size(simd, scene, scene->light_count, 1)};
     for (int i = 0; i < 3; i++) {
         f->memory[i] = malloc(sizes[i] + 1); /* a level may need none */
         shadow_must(f->memory[i] != NULL);
@@ -62,7 +62,7 @@ static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t 
     f->surface = (struct tia_surface){malloc((size_t)width * height * 2), 2, 2 * width};
     shadow_must(f->surface.pixels &&
                 !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height));
-    shadow_must(!tia_view_set_level(f->view, level, f->memory[2], sizes[2]));
+    shadow_must(!tia_view_set_simd(f->view, simd, f->memory[2], sizes[2]));
     shadow_must(!tia_hits_init(&f->hits, f->memory[1], sizes[1], f->view, f->area));
 }
 

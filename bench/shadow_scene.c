@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <tia/levels.h>
+#include <tia/simd.h>
 
 #define Q(x) ((tia_q16)lrint((x)*65536))
 
@@ -50,9 +50,9 @@ static void make_solid(struct shadow_scene *s, int i)
     s->shapes[i] = (struct tia_shape){TIA_MESH, .mesh = (uint32_t)i};
 }
 
-void shadow_scene_make(struct shadow_scene *s, int level)
+void shadow_scene_make(struct shadow_scene *s, int simd)
 {
-    bench_mesh(&s->mesh, level);
+    bench_mesh(&s->mesh, simd);
     for (uint32_t i = 0; i < 3 * s->mesh.count; i++) {
         const struct point *p = &s->mesh.corner[i / 3][i % 3];
         s->points[i] = (struct tia_vec3){Q(p->x), Q(p->y), Q(p->z)};
@@ -92,7 +92,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
                 !tia_raster_init(&p->target, p->memory[1], size, &p->flat.lattice, all, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
-    p->target.runs = tia_level_raster(tia_level_best());
+    p->target.runs = tia_simd_raster(tia_simd_best());
 }
 
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)

@@ -33,21 +33,21 @@ static void *checked(void *memory)
 }
 
 /* Memory as tia takes it. */
-static void set(struct stage *s, const struct tia_level *level)
+static void set(struct stage *s, const struct tia_simd *simd)
 {
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
 
     *s = (struct stage){.scene = tia_thesis_scene};
     s->scene.lights = &tia_thesis_scene.bindings[0].state;
     s->scene.light_count = 1;
-    size_t view = tia_view_size(&s->scene, 1), more = tia_level_size(level, &s->scene, 1, 2);
+    size_t view = tia_view_size(&s->scene, 1), more = tia_simd_size(simd, &s->scene, 1, 2);
     size_t hits = tia_hits_size(&s->scene, all);
     s->part[0] = checked(malloc(view));
     s->part[1] = checked(malloc(more + 1));
     s->part[2] = checked(pages_alloc(hits));
     s->part[3] = checked(pages_alloc_cleared((size_t)WIDTH * HEIGHT * sizeof(tia_rgb565)));
     if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, WIDTH, HEIGHT) ||
-        tia_view_set_level(s->view, level, s->part[1], more) || tia_hits_init(&s->hits, s->part[2], hits, s->view, all))
+        tia_view_set_simd(s->view, simd, s->part[1], more) || tia_hits_init(&s->hits, s->part[2], hits, s->view, all))
         exit(1);
 }
 
@@ -114,7 +114,7 @@ static void take(struct threads *pool, struct stage *s, bool relit, struct cost 
 }
 
 /* One thread and two in turns, so that a change of the machine's speed meets both. */
-static void measure_frames(const struct tia_level *level)
+static void measure_frames(const struct tia_simd *simd)
 {
     struct threads *pool[2] = {checked(threads_create(1)), checked(threads_create(2))};
     struct cost full[2] = {{0, 0}}, relit[2] = {{0, 0}};
@@ -122,18 +122,18 @@ static void measure_frames(const struct tia_level *level)
     cpu_set_t before;
     struct stage s;
 
-    set(&s, level);
+    set(&s, simd);
     (void)sched_getaffinity(0, sizeof before, &before);
     threads_workers.run(pool[1], settle, &settled, 2);
-    for (int i = 0; i < (level ? ROUNDS : ROUNDS / 5); i++)
+    for (int i = 0; i < (simd ? ROUNDS : ROUNDS / 5); i++)
         for (int k = 0; k < 2; k++) {
             take(pool[k], &s, false, &full[k]);
             take(pool[k], &s, true, &relit[k]);
         }
     for (int k = 0; k < 2; k++)
-        printf("| %s | %u | %.3f | %.3f | %.3f | %.3f | %.2f | %.2f |\n", tia_view_level(s.view),
-               threads_count(pool[k]), full[k].wall, full[k].cpu, relit[k].wall, relit[k].cpu,
-               full[0].wall / full[k].wall, relit[0].wall / relit[k].wall);
+        printf("| %s | %u | %.3f | %.3f | %.3f | %.3f | %.2f | %.2f |\n", tia_view_simd(s.view), threads_count(pool[k]),
+               full[k].wall, full[k].cpu, relit[k].wall, relit[k].cpu, full[0].wall / full[k].wall,
+               relit[0].wall / relit[k].wall);
     (void)fflush(stdout);
     (void)sched_setaffinity(0, sizeof before, &before);
     strike(&s);
@@ -154,7 +154,7 @@ static double median(double values[STARTS])
 }
 
 /* New memory and a new pool each time. */
-static void measure_start(const struct tia_level *level)
+static void measure_start(const struct tia_simd *simd)
 {
     double memory[STARTS], first[STARTS], tenth[STARTS];
     const char *name = "";
@@ -163,9 +163,9 @@ static void measure_start(const struct tia_level *level)
         struct stage s;
         double start = milliseconds();
         struct threads *pool = checked(threads_create(2));
-        set(&s, level);
+        set(&s, simd);
         memory[i] = milliseconds() - start;
-        name = tia_view_level(s.view);
+        name = tia_view_simd(s.view);
         for (int frame = 1; frame <= 10; frame++) {
             start = milliseconds();
             draw(pool, &s, false);
@@ -181,17 +181,17 @@ static void measure_start(const struct tia_level *level)
 
 void bench_threads(void)
 {
-    const struct tia_level *level = tia_level_best();
+    const struct tia_simd *simd = tia_simd_best();
 
     (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* what is taken again comes from the system again */
     printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", WIDTH, HEIGHT);
     printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
     measure_frames(NULL);
-    if (level)
-        measure_frames(level);
+    if (simd)
+        measure_frames(simd);
     printf("\n| %ux%u, 2 threads | memory, ms | first frame, ms | tenth | first/tenth |\n", WIDTH, HEIGHT);
     printf("|---|--:|--:|--:|--:|\n");
     measure_start(NULL);
-    if (level)
-        measure_start(level);
+    if (simd)
+        measure_start(simd);
 }

@@ -1,7 +1,7 @@
 /* float_modes.h - floating-point environments that a program may have when it calls a level: rounding other than to
  * nearest, and, where a processor can, subnormal numbers that become 0, and traps.
  *
- * A program with this header runs in the mode that the variable LEVEL_MODE names: tests/slow/levels runs tests of
+ * A program with this header runs in the mode that the variable SIMD_MODE names: tests/slow/simd runs tests of
  * levels in each. */
 #ifndef TESTS_FLOAT_MODES_H
 #define TESTS_FLOAT_MODES_H
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "levels/environment.h"
+#include "simd/environment.h"
 
 struct float_mode {
     const char *name;
@@ -57,7 +57,7 @@ static inline void float_mode_set(const struct float_mode *mode)
 }
 
 /* What an entry of a level does: for tests of what is behind it. */
-static inline void float_mode_of_level(void)
+static inline void float_mode_of_simd(void)
 {
     struct environment caller;
 
@@ -67,7 +67,7 @@ static inline void float_mode_of_level(void)
 
 __attribute__((constructor)) static void float_mode_asked_for(void)
 {
-    const char *name = getenv("LEVEL_MODE");
+    const char *name = getenv("SIMD_MODE");
 
     for (size_t i = 0; name && i < FLOAT_MODES; i++)
         if (strcmp(float_modes[i].name, name) == 0)

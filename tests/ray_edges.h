@@ -8,7 +8,7 @@
 #include "random.h"
 #include "reading.h"
 
-#include "levels/rays/one.h"
+#include "simd/rays/one.h"
 
 static struct reading reading;
 static struct tia_view *prepared;
@@ -113,7 +113,7 @@ static void open_world(const struct world *world)
     memory[1] = malloc(size);
     memory[2] = malloc(more);
     CHECK_EQ(tia_view_init(&prepared, memory[1], size, s, s->light_count, 64, 64), TIA_OK);
-    prepared->level_memory = memory[2];
+    prepared->simd_memory = memory[2];
     view = prepared->prepared;
     tia_sure_prepare(prepared);
     tia_sure_set_lights(prepared);

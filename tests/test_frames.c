@@ -2,7 +2,7 @@
  * tests/slow/arch does the same for others. */
 #include <stdlib.h>
 
-#include <tia/levels.h>
+#include <tia/simd.h>
 
 #include "arch/frames.h"
 #include "check.h"
@@ -45,21 +45,21 @@ TEST(pinned_frames)
 }
 
 /* The same frames by each level of vector units: a core that gives its views one. */
-static const struct tia_level *level;
-static void *level_memory[1000];
-static size_t memory_count, level_count;
+static const struct tia_simd *simd;
+static void *simd_memory[1000];
+static size_t memory_count, simd_count;
 
-static int view_init_with_level(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                                uint32_t light_capacity, unsigned width, unsigned height)
+static int view_init_with_simd(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                               uint32_t light_capacity, unsigned width, unsigned height)
 {
-    size_t more = tia_level_size(level, scene, light_capacity, 1);
+    size_t more = tia_simd_size(simd, scene, light_capacity, 1);
     int status = tia_view_init(view, memory, size, scene, light_capacity, width, height);
 
-    if (status || memory_count == sizeof level_memory / sizeof *level_memory)
+    if (status || memory_count == sizeof simd_memory / sizeof *simd_memory)
         return status;
-    void *constants = level_memory[memory_count++] = malloc(more + 1);
-    status = tia_view_set_level(*view, level, constants, more);
-    level_count += strcmp(tia_view_level(*view), "plain") != 0;
+    void *constants = simd_memory[memory_count++] = malloc(more + 1);
+    status = tia_view_set_simd(*view, simd, constants, more);
+    simd_count += strcmp(tia_view_simd(*view), "plain") != 0;
     return status;
 }
 
@@ -67,20 +67,20 @@ TEST(pinned_frames_by_a_level)
 {
     struct tia_core core = tia_core_q16;
 
-    core.view_init = view_init_with_level;
-    frame_count = memory_count = level_count = 0;
+    core.view_init = view_init_with_simd;
+    frame_count = memory_count = simd_count = 0;
     frames_all(&core, compare, NULL);
     CHECK_EQ(frame_count, pinned_count);
-    CHECK(level_count > 5);
+    CHECK(simd_count > 5);
     while (memory_count > 0)
-        free(level_memory[--memory_count]);
+        free(simd_memory[--memory_count]);
 }
 
 int main(void)
 {
     read_pinned();
     RUN(pinned_frames);
-    for (unsigned i = 0; (level = tia_level_at(i)); i++)
+    for (unsigned i = 0; (simd = tia_simd_at(i)); i++)
         RUN(pinned_frames_by_a_level);
     return check_status();
 }

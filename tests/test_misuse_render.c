@@ -11,9 +11,9 @@ TEST(misuse_of_view_sizes)
     misuse_read();
     GIVES(SIZE_MAX, (intmax_t)tia_view_size(NULL, 1));
     GIVES(SIZE_MAX, (intmax_t)tia_hits_size(NULL, misuse_frame));
-    GIVES(SIZE_MAX, (intmax_t)tia_level_size(NULL, NULL, 1, 1));
-    GIVES(SIZE_MAX, (intmax_t)tia_level_size(tia_level_best(), NULL, 1, 1));
-    GIVES(0, tia_level_size(NULL, &misuse_scene, 1, 1));
+    GIVES(SIZE_MAX, (intmax_t)tia_simd_size(NULL, NULL, 1, 1));
+    GIVES(SIZE_MAX, (intmax_t)tia_simd_size(tia_simd_best(), NULL, 1, 1));
+    GIVES(0, tia_simd_size(NULL, &misuse_scene, 1, 1));
     GIVES(1, tia_view_size(&misuse_scene, UINT32_MAX) > UINT32_MAX);
     GIVES(1, tia_hits_size(&misuse_scene, TILE(0, 0, 65535, 65535)) > UINT32_MAX);
     GIVES(0, tia_draws_by_pixel(NULL));
@@ -229,30 +229,30 @@ TEST(misuse_of_hits_of_spans)
 
 TEST(misuse_of_levels)
 {
-    const struct tia_level *level = tia_level_best();
-    size_t need = tia_level_size(level, &misuse_scene, MISUSE_LIGHTS, 1);
+    const struct tia_simd *simd = tia_simd_best();
+    size_t need = tia_simd_size(simd, &misuse_scene, MISUSE_LIGHTS, 1);
 
     misuse_prepare();
-    REFUSES(tia_view_set_level(NULL, level, misuse_memory, sizeof misuse_memory));
-    GIVES(0, strcmp(tia_view_level(NULL), "plain"));
-    GIVES(TIA_OK, tia_view_set_level(misuse_view, NULL, NULL, 0));
+    REFUSES(tia_view_set_simd(NULL, simd, misuse_memory, sizeof misuse_memory));
+    GIVES(0, strcmp(tia_view_simd(NULL), "plain"));
+    GIVES(TIA_OK, tia_view_set_simd(misuse_view, NULL, NULL, 0));
     if (need) {
-        REFUSES(tia_view_set_level(misuse_view, level, NULL, need));
-        REFUSES(tia_view_set_level(misuse_view, level, MISALIGNED(misuse_memory), sizeof misuse_memory - 8));
-        GIVES(TIA_ERR_MEMORY, tia_view_set_level(misuse_view, level, misuse_memory, need - 1));
-        GIVES(1, tia_level_size(level, &misuse_scene, UINT32_MAX, 1) > UINT32_MAX);
-        CHECK_EQ(tia_view_set_level(misuse_view, level, misuse_memory, sizeof misuse_memory), TIA_OK);
+        REFUSES(tia_view_set_simd(misuse_view, simd, NULL, need));
+        REFUSES(tia_view_set_simd(misuse_view, simd, MISALIGNED(misuse_memory), sizeof misuse_memory - 8));
+        GIVES(TIA_ERR_MEMORY, tia_view_set_simd(misuse_view, simd, misuse_memory, need - 1));
+        GIVES(1, tia_simd_size(simd, &misuse_scene, UINT32_MAX, 1) > UINT32_MAX);
+        CHECK_EQ(tia_view_set_simd(misuse_view, simd, misuse_memory, sizeof misuse_memory), TIA_OK);
         REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
         GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, MISUSE_W, 0));
         /* What the level has traced is not in the hits. */
-        REFUSES(tia_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_level(misuse_view, NULL, NULL, 0)
+        REFUSES(tia_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_simd(misuse_view, NULL, NULL, 0)
                     ? 1
                     : tia_light_tile(misuse_view, misuse_hits, misuse_frame, &misuse_surface, NULL));
     }
-    GIVES(0, tia_level_at(UINT_MAX) != NULL);
-    REFUSES(tia_level_called(NULL, &level));
-    REFUSES(tia_level_called("plain", NULL));
-    GIVES(0, tia_level_raster(NULL) != NULL);
+    GIVES(0, tia_simd_at(UINT_MAX) != NULL);
+    REFUSES(tia_simd_named(NULL, &simd));
+    REFUSES(tia_simd_named("plain", NULL));
+    GIVES(0, tia_simd_raster(NULL) != NULL);
     misuse_end();
 }
 

@@ -173,7 +173,7 @@ TEST(misuse_of_a_viewer)
     REFUSES((changed = viewer(), changed.rate[0] = 1, changed.rate[1] = UINT32_MAX, run(changed)));
     REFUSES((changed = viewer(), changed.pace[0] = UINT32_MAX, changed.pace[1] = 1, run(changed)));
     GIVES(TIA_OK, WITH(gaze, ((struct tia_gaze){1, 1, INT32_MIN, UINT32_MAX, UINT32_MAX, true})));
-    GIVES(TIA_OK, WITH(level, tia_level_best()));
+    GIVES(TIA_OK, WITH(simd, tia_simd_best()));
     misuse_end();
 }
 

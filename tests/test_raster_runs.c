@@ -1,6 +1,6 @@
 /* The rasteriser's runs by each level of vector units against plain C: every nearness, face and count. */
 #include <stdlib.h>
-#include <tia/levels.h>
+#include <tia/simd.h>
 
 #include "raster_random.h"
 
@@ -35,7 +35,7 @@ static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const
 }
 
 /* A part of a target, beside which nothing may change. */
-static void compare(const struct tia_level *level, enum tia_projection projection, uint64_t *drawn)
+static void compare(const struct tia_simd *simd, enum tia_projection projection, uint64_t *drawn)
 {
     struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};
     static struct random_polygon polygons[POLYGONS];
@@ -50,7 +50,7 @@ static void compare(const struct tia_level *level, enum tia_projection projectio
         whole[i] = target_of(&lattice, all, BUFFERS, POLYGONS, &memory[i]);
         CHECK_EQ(tia_raster_part(&part[i], &whole[i], area), TIA_OK);
     }
-    part[1].runs = tia_level_raster(level);
+    part[1].runs = tia_simd_raster(simd);
     CHECK(part[1].runs != NULL);
     for (uint32_t i = 0; i < 2 * POLYGONS; i++) {
         if (i < POLYGONS) {
@@ -70,15 +70,15 @@ static void compare(const struct tia_level *level, enum tia_projection projectio
 
 TEST(every_level_draws_what_plain_c_draws)
 {
-    const struct tia_level *level;
+    const struct tia_simd *simd;
 
-    for (unsigned i = 0; (level = tia_level_at(i)); i++) {
+    for (unsigned i = 0; (simd = tia_simd_at(i)); i++) {
         uint64_t drawn = 0;
-        for (int round = 0; round < 600 && tia_level_raster(level); round++)
-            compare(level, round % 3 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, &drawn);
-        CHECK(!tia_level_raster(level) || drawn > 100000);
+        for (int round = 0; round < 600 && tia_simd_raster(simd); round++)
+            compare(simd, round % 3 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, &drawn);
+        CHECK(!tia_simd_raster(simd) || drawn > 100000);
     }
-    CHECK(tia_level_raster(NULL) == NULL);
+    CHECK(tia_simd_raster(NULL) == NULL);
 }
 
 int main(void)

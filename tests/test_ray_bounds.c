@@ -1,8 +1,8 @@
-/* The bounds of src/levels/rays: the integers' ray is traced beside each of ours, and how much of each bound is used is
+/* The bounds of src/simd/rays: the integers' ray is traced beside each of ours, and how much of each bound is used is
  * measured. None may be exceeded; the largest part of each is told.
  *
  *     test_ray_bounds            as many scenes as seconds allow
- *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/levels)
+ *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/simd)
  *     test_ray_bounds --rays N [PASS]    the gallery, the databases and random scenes, larger with each pass, until N
  * rays, shadow rays among them, are compared: make check-rays-billion */
 #include <math.h>
@@ -16,7 +16,7 @@
 #include "with_hierarchy.h"
 
 #define SURE_CHECK
-#include "levels/rays/one.h"
+#include "simd/rays/one.h"
 
 static unsigned random_scenes = 150;
 
@@ -154,8 +154,8 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     struct sure_block b;
 
     CHECK_EQ(tia_view_init(&prepared, memory, size, scene, scene->light_count, width, height), TIA_OK);
-    prepared->level_memory = constants;
-    if (prepared->renderer->part != LEVEL_RAYS) {
+    prepared->simd_memory = constants;
+    if (prepared->renderer->part != SIMD_RAYS) {
         free(constants);
         free(memory);
         return;
@@ -287,7 +287,7 @@ TEST(many_rays)
 
 int main(int argc, char **argv)
 {
-    float_mode_of_level();
+    float_mode_of_simd();
     if (argc > 2 && strcmp(argv[1], "--rays") == 0) {
         rays_asked = strtoull(argv[2], NULL, 10);
         first_pass = argc > 3 ? (unsigned)strtoul(argv[3], NULL, 10) : 0;

@@ -1,4 +1,4 @@
-/* src/levels/rays, a ray at a time, where its bounds are put to use: at the edges of shapes, with the integers' ray
+/* src/simd/rays, a ray at a time, where its bounds are put to use: at the edges of shapes, with the integers' ray
  * elsewhere by as much as the bounds say. In pictures it hardly ever is: there no test would miss most of a bound.
  *
  * A ray of the integers, chosen by halving between two that meet different things, is moved by up to eo and turned by
@@ -282,7 +282,7 @@ TEST(edges)
 
 int main(void)
 {
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(edges);
     return check_status();
 }

@@ -1,4 +1,4 @@
-/* src/levels/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
+/* src/simd/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
  * hardly meet at the end of a bound, and coordinates of textures, against the integers; how bright a ray can be, and
  * which hits are still shaded. */
 #include "ray_edges.h"
@@ -351,7 +351,7 @@ int main(void)
     (void)edge_ray;
     (void)moved;
     (void)random_size;
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(rays);
     RUN(coordinates);
     RUN(blends);

@@ -1,5 +1,5 @@
-/* src/levels/rays, faces in floats: what the areas of a pair's edges are off by, of their bound. */
-#include "levels/rays/one.h"
+/* src/simd/rays, faces in floats: what the areas of a pair's edges are off by, of their bound. */
+#include "simd/rays/one.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"
@@ -107,7 +107,7 @@ TEST(areas)
 int main(void)
 {
     (void)trace;
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(areas);
     return check_status();
 }

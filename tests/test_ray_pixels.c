@@ -1,14 +1,14 @@
-/* src/levels/rays, pixels by every level of vector units: what samples and their errors are in RGB565, close to where
+/* src/simd/rays, pixels by every level of vector units: what samples and their errors are in RGB565, close to where
  * levels change. What is sure must be what the integers make of theirs, which are off by all that the errors allow. */
 #include <math.h>
-#include <tia/levels.h>
+#include <tia/simd.h>
 
 #include "check.h"
 #include "float_modes.h"
-#include "levels/level.h"
-#include "levels/rays/sure.h"
 #include "random.h"
 #include "render/dither.h"
+#include "simd/rays/sure.h"
+#include "simd/simd.h"
 
 #define WITHIN .9999 /* of what a bound allows */
 
@@ -123,19 +123,19 @@ static void try_block(const struct sure_kernels *kernels)
 
 TEST(pixels)
 {
-    for (unsigned i = 0; tia_level_at(i); i++) {
+    for (unsigned i = 0; tia_simd_at(i); i++) {
         sure = open = wrong = 0;
         for (int k = 0; k < 2000; k++)
-            try_block(tia_level_at(i)->sure);
-        printf("# %s: %lu sure, %lu open\n", tia_level_at(i)->name, sure, open);
-        CHECK_MSG(wrong == 0, "%s: %lu of %lu pixels are not the integers'", tia_level_at(i)->name, wrong, sure);
+            try_block(tia_simd_at(i)->sure);
+        printf("# %s: %lu sure, %lu open\n", tia_simd_at(i)->name, sure, open);
+        CHECK_MSG(wrong == 0, "%s: %lu of %lu pixels are not the integers'", tia_simd_at(i)->name, wrong, sure);
         CHECK(sure > open / 16);
     }
 }
 
 int main(void)
 {
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(pixels);
     return check_status();
 }

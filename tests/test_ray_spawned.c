@@ -1,10 +1,10 @@
-/* Surfaces, what they send and the rays that they give rise to, in src/levels/rays: each step by itself, at the far end
+/* Surfaces, what they send and the rays that they give rise to, in src/simd/rays: each step by itself, at the far end
  * of its bound (see ray_steps.h). */
-#include "levels/rays/one.h"
+#include "simd/rays/one.h"
 
 #include "float_modes.h"
-#include "levels/rays/walk_paths.h"
 #include "ray_steps.h"
+#include "simd/rays/walk_paths.h"
 
 enum { TRIES = 20000 };
 #define WITHIN .9999L /* of what a bound allows */
@@ -392,7 +392,7 @@ int main(void)
     (void)trace;
     (void)occlude;
     (void)walk_paths;
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(surfaces);
     RUN(colours);
     RUN(bounces);

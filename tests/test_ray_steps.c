@@ -1,6 +1,6 @@
-/* What lights do to a point, and the rays that it gives rise to, in src/levels/rays: each step by itself, at the far
+/* What lights do to a point, and the rays that it gives rise to, in src/simd/rays: each step by itself, at the far
  * end of its bound (see ray_steps.h). */
-#include "levels/rays/one.h"
+#include "simd/rays/one.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"
@@ -338,7 +338,7 @@ TEST(samples)
 int main(void)
 {
     (void)trace;
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(spots);
     RUN(attenuation);
     RUN(areas);

@@ -1,4 +1,4 @@
-/* src/levels/rays, cylinders: where lines meet the side when they are moved by all that the bound allows, by formula;
+/* src/simd/rays, cylinders: where lines meet the side when they are moved by all that the bound allows, by formula;
  * and by the integers where there is nothing but what either side rounds by. */
 #include "float_modes.h"
 #include "ray_edges.h"
@@ -228,7 +228,7 @@ int main(void)
     (void)moved;
     (void)random_size;
     (void)worlds;
-    float_mode_of_level();
+    float_mode_of_simd();
     RUN(moved_rays);
     RUN(roundings);
     return check_status();

@@ -128,7 +128,7 @@ struct tia_raster_target {
     struct tia_raster_plane *planes;
     uint32_t face_count, pitch;         /* pitch: pixels from one row to the next */
     bool planes_known;                  /* the planes are the caller's, made by tia_raster_plane_init, and only read */
-    const struct tia_raster_runs *runs; /* NULL: plain C; see tia_level_raster */
+    const struct tia_raster_runs *runs; /* NULL: plain C; see tia_simd_raster */
     uint32_t exact;                     /* how often the filter was unsure which of two is nearer */
 };
 

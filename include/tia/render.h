@@ -132,7 +132,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 /* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to
  * bottom. `options` may be NULL. Errors as for tia_trace, and TIA_ERR_ARGUMENT when nothing of the hits is traced, or
  * the surface has no pixels or is not aligned. Once a tile is traced it is not noticed that others are not: all pixels
- * of `tile` must be. A level, see levels.h, needs no hits. */
+ * of `tile` must be. A level, see simd.h, needs no hits. */
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
@@ -152,8 +152,8 @@ bool tia_draws_by_pixel(const struct tia_scene *scene);
 int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                         uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
-/* What draws with a processor's vector units, see tia/levels.h. */
-struct tia_level;
+/* What draws with a processor's vector units, see tia/simd.h. */
+struct tia_simd;
 
 /* These functions in one arithmetic. A program can link several and choose at run time. */
 struct tia_core {
@@ -169,9 +169,9 @@ struct tia_core {
                  const struct tia_options *);
     int (*view_init_until)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned,
                            bool (*)(void *), void *);
-    size_t (*level_size)(const struct tia_level *, const struct tia_scene *, uint32_t, unsigned);
-    int (*set_level)(struct tia_view *, const struct tia_level *, void *, size_t);
-    const char *(*level_name)(const struct tia_view *);
+    size_t (*simd_size)(const struct tia_simd *, const struct tia_scene *, uint32_t, unsigned);
+    int (*set_simd)(struct tia_view *, const struct tia_simd *, void *, size_t);
+    const char *(*simd_name)(const struct tia_view *);
     int (*render)(const struct tia_view *, struct tia_hits *, struct tia_tile, const struct tia_surface *,
                   const struct tia_options *);
     bool (*draws_by_pixel)(const struct tia_scene *);

@@ -12,7 +12,7 @@
  *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
- *   levels.h  vector units
+ *   simd.h    vector units
  *   raster.h  polygons: depth, stencil and colour buffers
  *   radio.h   paths of radio waves
  *   port.h    display, input and clock, as a board or an OS provides them
@@ -28,12 +28,12 @@
 
 #include <tia/bvh.h>
 #include <tia/denoise.h>
-#include <tia/levels.h>
 #include <tia/motion.h>
 #include <tia/orbit.h>
 #include <tia/radio.h>
 #include <tia/raster.h>
 #include <tia/read.h>
+#include <tia/simd.h>
 #include <tia/text.h>
 #include <tia/viewer.h>
 

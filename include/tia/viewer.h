@@ -65,7 +65,7 @@ struct tia_frame {
     uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
                                  0 when there was none, its time is unknown, or the frame is not shown yet; of the
                                  coarse pictures of a frame only the first has it */
-    const char *level;        /* the level that drew it, see tia_view_level */
+    const char *simd;         /* the level that drew it, see tia_view_simd */
 };
 
 /* What an event does. */
@@ -104,7 +104,7 @@ struct tia_viewer_state {
 
 struct tia_viewer {
     const struct tia_core *core;           /* NULL: tia_core_q16 */
-    const struct tia_level *level;         /* NULL: plain C; see tia/levels.h */
+    const struct tia_simd *simd;           /* NULL: plain C; see tia/simd.h */
     const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come. Others are ignored */
     const struct tia_scene *scene;
     struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */

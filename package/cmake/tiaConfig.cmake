@@ -28,10 +28,10 @@ endfunction()
 
 tia_library(tia SHARED "${tia_libdir}/libtia.so.0" IMPORTED_SONAME libtia.so.0)
 tia_library(spheres STATIC "${tia_libdir}/libtia-spheres.a")
-if(EXISTS "${tia_libdir}/libtia-levels.a")
+if(EXISTS "${tia_libdir}/libtia-simd.a")
     # The levels need the core, too.
     tia_library(static STATIC "${tia_libdir}/libtia.a"
-        INTERFACE_LINK_LIBRARIES "${tia_libdir}/libtia-levels.a;${tia_libdir}/libtia.a;m")
+        INTERFACE_LINK_LIBRARIES "${tia_libdir}/libtia-simd.a;${tia_libdir}/libtia.a;m")
 else()
     tia_library(static STATIC "${tia_libdir}/libtia.a")
 endif()

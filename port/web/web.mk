@@ -29,15 +29,15 @@ $(WEB_O)/tools/%.o: %.c
 	$(call say,WASM,$<)$(WASM_TOOL) -c -o $@ $<
 
 # Vector units: that level alone.
-WASM_LEVELS := $(filter-out $(foreach l,$(filter-out wasm,$(LEVEL_NAMES)),src/levels/$(l).c src/levels/rays/$(l).c),$(call c_below,src/levels))
-$(WEB_O)/levels/%.o: %.c
+WASM_SIMD := $(filter-out $(foreach l,$(filter-out wasm,$(SIMD_NAMES)),src/simd/$(l).c src/simd/rays/$(l).c),$(call c_below,src/simd))
+$(WEB_O)/simd/%.o: %.c
 	@mkdir -p $(@D)
-	$(call say,WASM,$<)$(WASM_TOOL) -iquote src -fno-math-errno -ffp-contract=$(if $(filter src/levels/rays/%,$<),fast,off) -DTIA_HAVE_WASM \
+	$(call say,WASM,$<)$(WASM_TOOL) -iquote src -fno-math-errno -ffp-contract=$(if $(filter src/simd/rays/%,$<),fast,off) -DTIA_HAVE_WASM \
 	    $(if $(filter %/wasm.c,$<),$(flags_wasm)) -c -o $@ $<
 
 # What a thread of a page needs of stack: paths and Whitted's rays keep theirs in arrays of fixed size.
 WEB_STACK := 1048576
-$(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,levels,$(WASM_LEVELS) port/levels/best.c) \
+$(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \
     $(call web_obj,tools,$(WEB_TOOLS))
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \

@@ -21,9 +21,9 @@
 #define tia_light_tile NAMES(light_tile)
 #define tia_render NAMES(render)
 #define tia_view_init_until NAMES(view_init_until)
-#define tia_level_size NAMES(level_size)
-#define tia_view_set_level NAMES(view_set_level)
-#define tia_view_level NAMES(view_level)
+#define tia_simd_size NAMES(simd_size)
+#define tia_view_set_simd NAMES(view_set_simd)
+#define tia_view_simd NAMES(view_simd)
 #define tia_draws_by_pixel NAMES(draws_by_pixel)
 #endif
 

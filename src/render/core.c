@@ -1,7 +1,7 @@
 /* core.c - the renderer as a table. */
 #include "num/num.h"
 
-#include <tia/levels.h>
+#include <tia/simd.h>
 
 const struct tia_core NUM_CORE = {
     .name = NUM_NAME,
@@ -14,9 +14,9 @@ const struct tia_core NUM_CORE = {
     .trace = tia_trace,
     .light = tia_light_tile,
     .view_init_until = tia_view_init_until,
-    .level_size = tia_level_size,
-    .set_level = tia_view_set_level,
-    .level_name = tia_view_level,
+    .simd_size = tia_simd_size,
+    .set_simd = tia_view_set_simd,
+    .simd_name = tia_view_simd,
     .render = tia_render,
     .draws_by_pixel = tia_draws_by_pixel,
 };

@@ -62,7 +62,7 @@ uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 
     if (!hits || !hits->view || x > UINT16_MAX || y > UINT16_MAX || !hits_have(hits, hits->view, pixel))
         return TIA_NO_OBJECT;
-    if (hits->view->level)
+    if (hits->view->simd)
         return traced_object(hits->view, x, y);
     if (!hits_are_traced(hits))
         return TIA_NO_OBJECT;

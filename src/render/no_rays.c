@@ -18,7 +18,7 @@ static int prepare(struct tia_view *view)
 const struct renderer whitted_renderer = {
     .prepared_size = prepared_size,
     .prepare = prepare,
-    .part = LEVEL_PARTS,
+    .part = SIMD_PARTS,
 };
 
 const struct renderer *renderer_named(const struct tia_scene *scene)

@@ -15,9 +15,9 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 {
     if (!hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
-    if (!view->level) /* a level finds what is seen while it lights */
+    if (!view->simd) /* a level finds what is seen while it lights */
         view->renderer->trace(view, hits, tile);
-    return ended(view, hits, !view->level);
+    return ended(view, hits, !view->simd);
 }
 
 static const struct tia_options plain = {0};
@@ -25,19 +25,19 @@ static const struct tia_options plain = {0};
 /* Levels have no colours but RGB565, samples have sums. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
-    return !options->colours || !(view->level || view->renderer->sample || options->dither);
+    return !options->colours || !(view->simd || view->renderer->sample || options->dither);
 }
 
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options)
 {
-    if (!hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->level || hits_are_traced(hits)))
+    if (!hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->simd || hits_are_traced(hits)))
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
     if (!has_colours(view, options))
         return TIA_ERR_UNSUPPORTED;
-    if (view->level)
-        view->level->enter->light(view, tile, surface, options);
+    if (view->simd)
+        view->simd->enter->light(view, tile, surface, options);
     else
         view->renderer->light(view, hits, tile, surface, options);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
@@ -48,7 +48,7 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
 {
     if (!surface_is_usable(surface))
         return TIA_ERR_ARGUMENT;
-    if (hits_have(hits, view, tile) && !view->level && view->renderer->render) {
+    if (hits_have(hits, view, tile) && !view->simd && view->renderer->render) {
         options = options ? options : &plain;
         if (!has_colours(view, options))
             return TIA_ERR_UNSUPPORTED;

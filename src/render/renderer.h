@@ -10,12 +10,12 @@
 #include "num/num.h"
 #include "scene/asker.h"
 
-#include <tia/levels.h> /* after num.h, which may rename its functions */
+#include <tia/simd.h> /* after num.h, which may rename its functions */
 
 #include "math/tile.h"
 
-/* What a level may draw: LEVEL_PARTS of a renderer says nothing. */
-enum level_part { LEVEL_SPANS, LEVEL_RAYS, LEVEL_SAMPLES, LEVEL_PARTS };
+/* What a level may draw: SIMD_PARTS of a renderer says nothing. */
+enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
     /* Whether it can draw the scene, NULL: any. New lights for a view are asked about in a scene with nothing else. */
@@ -35,8 +35,8 @@ struct renderer {
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-    bool by_pixel;        /* see tia_draws_by_pixel */
-    enum level_part part; /* of a level, which may draw in its place */
+    bool by_pixel;       /* see tia_draws_by_pixel */
+    enum simd_part part; /* of a level, which may draw in its place */
 
     /* NULL, or an error if the view cannot have these lights: TIA_ERR_MEMORY when its memory is not enough for them,
      * TIA_ERR_RANGE when one is too far away. See tia_view_set_lights. */
@@ -52,8 +52,8 @@ struct renderer {
 };
 
 /* What draws in place of one renderer's plain C, on a processor with vector units: the same bits. */
-struct level_renderer {
-    /* Bytes behind view->level_memory, SIZE_MAX when there are too many. */
+struct simd_renderer {
+    /* Bytes behind view->simd_memory, SIZE_MAX when there are too many. */
     size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
 
     /* Whether it can draw the view, whatever the lights. Then `open`, unless NULL, prepares its memory once, and
@@ -64,7 +64,7 @@ struct level_renderer {
 
     /* Bytes that each of the following two needs as long as it is called: a thread's stack may be small. `room` is
      * aligned to 64. */
-    size_t (*room)(const struct tia_level *level);
+    size_t (*room)(const struct tia_simd *simd);
 
     /* As in struct renderer, but without hits: their buffer stays unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
@@ -78,9 +78,9 @@ struct level_renderer {
 /* How a view's level is called: as the functions above, which it calls in a floating-point environment of their own,
  * with room that no other thread uses. The caller's environment is put back. Where either cannot be had plain C draws.
  */
-struct level_entries {
+struct simd_entries {
     /* Bytes for the part's own memory and for as many workers; then these for a view whose level is set. */
-    size_t (*size)(const struct tia_level *level, const struct level_renderer *part, const struct tia_scene *scene,
+    size_t (*size)(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers);
     void (*open)(struct tia_view *view, void *memory, size_t size);
     void (*prepare)(struct tia_view *view);
@@ -90,23 +90,23 @@ struct level_entries {
                    const struct tia_gathered *gathered);
 };
 
-/* See tia/levels.h and src/levels. */
-struct tia_level {
+/* See tia/simd.h and src/simd. */
+struct tia_simd {
     const char *name;
-    const struct level_entries *enter;
-    const struct span_kernels *plain;                /* those whose bits it gives: one arithmetic's */
-    const struct level_renderer *parts[LEVEL_PARTS]; /* NULL: left to plain C */
-    const struct level_kernels *kernels;             /* of the spans */
-    const struct sure_kernels *sure;                 /* of the rays */
-    const struct tia_raster_runs *raster;            /* of the rasteriser; NULL: plain C */
+    const struct simd_entries *enter;
+    const struct span_kernels *plain;              /* those whose bits it gives: one arithmetic's */
+    const struct simd_renderer *parts[SIMD_PARTS]; /* NULL: left to plain C */
+    const struct simd_kernels *kernels;            /* of the spans */
+    const struct sure_kernels *sure;               /* of the rays */
+    const struct tia_raster_runs *raster;          /* of the rasteriser; NULL: plain C */
 };
 
 /* A scene prepared for one image size. */
 struct tia_view {
     const struct tia_scene *scene;
     const struct renderer *renderer;
-    const struct tia_level *level; /* NULL: plain C */
-    void *level_memory;
+    const struct tia_simd *simd; /* NULL: plain C */
+    void *simd_memory;
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;                            /* the renderer's */
     struct tia_light *lights;                  /* our copy */
@@ -117,10 +117,10 @@ struct tia_view {
 };
 
 /* What of a level draws the scenes of a renderer, or NULL. */
-static inline const struct level_renderer *level_renderer_for(const struct tia_level *level,
-                                                              const struct renderer *renderer)
+static inline const struct simd_renderer *simd_renderer_for(const struct tia_simd *simd,
+                                                            const struct renderer *renderer)
 {
-    return level && renderer->part < LEVEL_PARTS ? level->parts[renderer->part] : NULL;
+    return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
 }
 
 static inline bool view_stops(const struct tia_view *view)

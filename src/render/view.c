@@ -41,8 +41,8 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
         return TIA_ERR_MEMORY;
     v->scene = scene;
     v->renderer = renderer_for(scene);
-    v->level = NULL;
-    v->level_memory = NULL;
+    v->simd = NULL;
+    v->simd_memory = NULL;
     v->raster_runs = NULL;
     v->lights = (struct tia_light *)(void *)((char *)memory + ALIGN(sizeof *v));
     v->light_count = 0;
@@ -87,47 +87,47 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
     for (uint32_t i = 0; i < count; i++)
         view->lights[i] = lights[i];
     status = view->renderer->set_lights(view);
-    if (!status && view->level)
-        view->level->enter->prepare(view);
+    if (!status && view->simd)
+        view->simd->enter->prepare(view);
     return status;
 }
 
 /* NULL: plain C draws it, since the level does not, or is another arithmetic's. */
-static const struct level_renderer *drawn_by(const struct tia_level *level, const struct renderer *renderer)
+static const struct simd_renderer *drawn_by(const struct tia_simd *simd, const struct renderer *renderer)
 {
-    return level && level->plain == &span_kernels_plain ? level_renderer_for(level, renderer) : NULL;
+    return simd && simd->plain == &span_kernels_plain ? simd_renderer_for(simd, renderer) : NULL;
 }
 
-size_t tia_level_size(const struct tia_level *level, const struct tia_scene *scene, uint32_t light_capacity,
-                      unsigned workers)
+size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
+                     unsigned workers)
 {
     if (!scene)
         return SIZE_MAX;
-    const struct level_renderer *drawn = drawn_by(level, renderer_for(scene));
+    const struct simd_renderer *drawn = drawn_by(simd, renderer_for(scene));
 
-    return drawn ? level->enter->size(level, drawn, scene, light_capacity, workers) : 0;
+    return drawn ? simd->enter->size(simd, drawn, scene, light_capacity, workers) : 0;
 }
 
-int tia_view_set_level(struct tia_view *view, const struct tia_level *level, void *memory, size_t size)
+int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *memory, size_t size)
 {
     if (!view)
         return TIA_ERR_ARGUMENT;
-    const struct level_renderer *drawn = drawn_by(level, view->renderer);
+    const struct simd_renderer *drawn = drawn_by(simd, view->renderer);
 
-    view->level = NULL;
-    view->raster_runs = level ? level->raster : NULL;
+    view->simd = NULL;
+    view->raster_runs = simd ? simd->raster : NULL;
     if (!drawn || !drawn->draws(view))
         return TIA_OK;
     if (!memory_is_usable(memory))
         return TIA_ERR_ARGUMENT;
-    if (size < tia_level_size(level, view->scene, view->light_capacity, 1))
+    if (size < tia_simd_size(simd, view->scene, view->light_capacity, 1))
         return TIA_ERR_MEMORY;
-    view->level = level;
-    level->enter->open(view, memory, size);
+    view->simd = simd;
+    simd->enter->open(view, memory, size);
     return TIA_OK;
 }
 
-const char *tia_view_level(const struct tia_view *view)
+const char *tia_view_simd(const struct tia_view *view)
 {
-    return view && view->level ? view->level->name : "plain";
+    return view && view->simd ? view->simd->name : "plain";
 }

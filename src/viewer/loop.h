@@ -34,8 +34,8 @@ struct loop {
     struct tia_mode mode;
     struct tia_view *view;
     struct tia_hits *hits;
-    size_t view_size, hits_size, level_size;
-    void *hits_memory, *level_memory;
+    size_t view_size, hits_size, simd_size;
+    void *hits_memory, *simd_memory;
     int8_t *status;       /* of each tile */
     uint8_t *passes;      /* of each tile, how many are done */
     uint32_t *drawn;      /* of each tile, how many pixels are drawn */

@@ -26,7 +26,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
                              loop->view_size,
                              loop->tiles,
                              loop->core->hits_size(loop->base, hits),
-                             loop->level_size,
+                             loop->simd_size,
                              loop->tiles,
                              canvas,
                              (uint64_t)loop->tiles * sizeof *loop->drawn};
@@ -51,7 +51,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     loop->status = (int8_t *)parts[3];
     loop->hits_memory = parts[4];
     loop->hits_size = (size_t)sizes[4];
-    loop->level_memory = parts[5];
+    loop->simd_memory = parts[5];
     loop->passes = (uint8_t *)parts[6];
     loop->drawn = (uint32_t *)(void *)parts[8];
     tia_viewer_set_canvas(loop, parts[7], canvas);
@@ -86,10 +86,10 @@ int tia_viewer_prepare(struct loop *loop)
     for (unsigned i = 0; i < VIEWER_PASSES; i++)
         loop->pass_pixels[i] = 0;
     loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
-    loop->level_size = loop->viewer->level
-                           ? loop->core->level_size(loop->viewer->level, loop->base, loop->viewer->light_capacity,
-                                                    loop->viewer->worker_count)
-                           : 0;
+    loop->simd_size = loop->viewer->simd
+                          ? loop->core->simd_size(loop->viewer->simd, loop->base, loop->viewer->light_capacity,
+                                                  loop->viewer->worker_count)
+                          : 0;
     loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_move_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
@@ -101,8 +101,8 @@ int tia_viewer_prepare_view(struct loop *loop)
         loop->core->view_init_until(&loop->view, loop->view, loop->view_size, loop->scene, loop->viewer->light_capacity,
                                     loop->mode.width, loop->mode.height, tia_viewer_stops, loop);
 
-    if (!status && loop->viewer->level)
-        status = loop->core->set_level(loop->view, loop->viewer->level, loop->level_memory, loop->level_size);
+    if (!status && loop->viewer->simd)
+        status = loop->core->set_simd(loop->view, loop->viewer->simd, loop->simd_memory, loop->simd_size);
     if (!status && loop->whole)
         status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
     loop->view_ready = !status;

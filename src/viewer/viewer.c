@@ -76,7 +76,7 @@ static struct tia_frame new_frame(const struct loop *loop)
                               .moving = tia_viewer_is_moving(loop),
                               .relit = loop->traced == VIEWER_PASSES,
                               .shadows = loop->base->shadows,
-                              .level = loop->core->level_name ? loop->core->level_name(loop->view) : "plain"};
+                              .simd = loop->core->simd_name ? loop->core->simd_name(loop->view) : "plain"};
 }
 
 static int draw_frame(struct loop *loop)

@@ -1,6 +1,6 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
  * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
- * paths. Built with HASHER_LEVELS it draws by the level that TIA_LEVEL names, and fails where that is not to be had.
+ * paths. Built with HASHER_SIMD it draws by the level that TIA_SIMD names, and fails where that is not to be had.
  * Needs nothing but the libraries, so that it is built for any machine. */
 #include "frames.h"
 
@@ -22,41 +22,41 @@ static void print_sums(uint32_t first, uint32_t end)
     }
 }
 
-#ifdef HASHER_LEVELS
-#include <tia/levels.h>
+#ifdef HASHER_SIMD
+#include <tia/simd.h>
 
 #define LEAST_VIEWS 10 /* that it draws itself: scalar leaves spheres to plain C */
 
-static const struct tia_level *level;
-static unsigned level_count;
+static const struct tia_simd *simd;
+static unsigned simd_count;
 
 /* The level's memory is not freed: the program ends soon. */
-static int view_init_with_level(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                                uint32_t light_capacity, unsigned width, unsigned height)
+static int view_init_with_simd(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                               uint32_t light_capacity, unsigned width, unsigned height)
 {
-    size_t more = tia_level_size(level, scene, light_capacity, 1);
+    size_t more = tia_simd_size(simd, scene, light_capacity, 1);
     int status = tia_view_init(view, memory, size, scene, light_capacity, width, height);
 
     if (!status)
-        status = tia_view_set_level(*view, level, malloc(more + 1), more);
-    level_count += !status && strcmp(tia_view_level(*view), "plain") != 0;
+        status = tia_view_set_simd(*view, simd, malloc(more + 1), more);
+    simd_count += !status && strcmp(tia_view_simd(*view), "plain") != 0;
     return status;
 }
 
-static int hash_by_level(void)
+static int hash_by_simd(void)
 {
-    const char *name = getenv("TIA_LEVEL");
+    const char *name = getenv("TIA_SIMD");
     struct tia_core core = tia_core_q16;
 
-    if (!name || tia_level_called(name, &level) || !level) {
-        (void)fprintf(stderr, "error: no level %s here\n", name ? name : "is named by TIA_LEVEL");
+    if (!name || tia_simd_named(name, &simd) || !simd) {
+        (void)fprintf(stderr, "error: no level %s here\n", name ? name : "is named by TIA_SIMD");
         return 1;
     }
-    core.view_init = view_init_with_level;
+    core.view_init = view_init_with_simd;
     frames_all(&core, print, NULL);
-    if (level_count < LEAST_VIEWS)
-        (void)fprintf(stderr, "error: %s drew only %u views\n", name, level_count);
-    return level_count < LEAST_VIEWS;
+    if (simd_count < LEAST_VIEWS)
+        (void)fprintf(stderr, "error: %s drew only %u views\n", name, simd_count);
+    return simd_count < LEAST_VIEWS;
 }
 #endif
 
@@ -68,9 +68,9 @@ int main(int argc, char **argv)
         print_sums((uint32_t)strtoul(argv[2], NULL, 10), (uint32_t)strtoul(argv[3], NULL, 10));
         return 0;
     }
-#ifdef HASHER_LEVELS
+#ifdef HASHER_SIMD
     (void)core;
-    return hash_by_level();
+    return hash_by_simd();
 #else
 #ifdef TIA_HAVE_F32
     if (argc > 1 && !strcmp(argv[1], "f32"))

@@ -20,7 +20,7 @@ turn = 2 * (p1 + moved * p2);
 facing = (0.51 + 1b-13) * p1 + p2;
 relative = p1 + moved * p2;
 # lambert = r N.w/(r |w|), twice: r N.w; half of |w|^2's relative error, which is below 2^-5, with its second order, in
-# units of half of its bound; and 2^-26 for products (level_integer.g).
+# units of half of its bound; and 2^-26 for products (simd_integer.g).
 kernels = 1b-26 / 1b-COHERENCE_KERNELS;
 lambert = 2 * (p1 * (1 + 1b-5) + (1 + 0.75 * 1b-5) * p2 + kernels * p3);
 # A.w; |A'|^2 - R^2 of six errors; A'.w/|w|, |w| and the inverse root.

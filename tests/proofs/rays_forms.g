@@ -1,4 +1,4 @@
-# What doubles round by in src/levels/rays, as in level_forms.g: a factor 1 + e, |e| <= u, for each rounding of a term. A
+# What doubles round by in src/simd/rays, as in simd_forms.g: a factor 1 + e, |e| <= u, for each rounding of a term. A
 # sum's error is at most the largest factor's times the sum of its terms' sizes. Fused products round less often.
 #
 # L = C - O; L.D: a difference, a product, two sums

@@ -1,4 +1,4 @@
-# Factors that bounds of samples have in src/levels/rays: emitters.h, look.h, ends.h, scatter.h, direction.h. Each is by
+# Factors that bounds of samples have in src/simd/rays: emitters.h, look.h, ends.h, scatter.h, direction.h. Each is by
 # how much a quotient's error is larger than its parts' errors, where the code has made sure that those are small.
 #
 # pi d^2/(A c): (1 + x)^2/(1 - y) - 1 is x and y times these, x = ed/d and y = ec/c

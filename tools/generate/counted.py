@@ -253,7 +253,7 @@ def frames_of_levels(arch, plain):
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         if "avx512vl" not in file.read().split():
             return {}
-    levels = list(arch.level_builds())
+    levels = list(arch.simd_builds())
     usual = sum(build.usual() for build in plain + levels)
     return {"{} more builds draw with": (len(levels),), "takes {} of these {}.": (usual, len(plain + levels))}
 

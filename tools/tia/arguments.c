@@ -76,13 +76,13 @@ static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
                                       {NULL, 0, NULL, 0}};
 
 /* The widest level that there is and that the environment does not mask. */
-static int choose_level(struct options *options)
+static int choose_simd(struct options *options)
 {
-    const char *most = getenv("TIA_LEVEL");
+    const char *most = getenv("TIA_SIMD");
 
-    options->level = tia_level_best();
-    if (most && tia_level_called(most, &options->level))
-        return fail(EXIT_USAGE, "TIA_LEVEL '%.200s': not plain, scalar, sse41, avx2, avx512, neon or wasm", most);
+    options->simd = tia_simd_best();
+    if (most && tia_simd_named(most, &options->simd))
+        return fail(EXIT_USAGE, "TIA_SIMD '%.200s': not plain, scalar, sse41, avx2, avx512, neon or wasm", most);
     return EXIT_FINE;
 }
 
@@ -109,7 +109,7 @@ int arguments_parse(struct options *options, int argc, char **argv)
     options->format_of_scenes = options->scene_format;
     options->plain_core = options->core;
     int status = check(options);
-    return status ? status : choose_level(options);
+    return status ? status : choose_simd(options);
 }
 
 /* ---- loading the scene and its keys ---- */

@@ -96,7 +96,7 @@ static int print_stats(const struct drawing *drawing)
     stats.width = drawing->picture.rotation.width;
     stats.height = drawing->picture.rotation.height;
     stats.scale_bits = drawing->options->scene.scale_bits;
-    stats.level = view ? drawing->options->core->level_name(view) : "plain"; /* all was there already */
+    stats.simd = view ? drawing->options->core->simd_name(view) : "plain"; /* all was there already */
     stats.threads = threads_count(drawing->picture.pool);
     return stats_print(&stats) == 0 ? EXIT_FINE : EXIT_RUNNING;
 }

@@ -61,13 +61,13 @@ static int move_bvh(struct film_scene *film)
     return tia_bvh_move(&moved->bvh, film->bvh_memory, size, moved, &film->options->scene, film->stop, film->stop_ctx);
 }
 
-static int set_level(struct film_scene *film)
+static int set_simd(struct film_scene *film)
 {
     const struct options *options = film->options;
-    size_t size = options->core->level_size(options->level, film->scene, film->lights.capacity, options->threads);
-    if (!get_memory(&film->level_memory, &film->level_bytes, size))
+    size_t size = options->core->simd_size(options->simd, film->scene, film->lights.capacity, options->threads);
+    if (!get_memory(&film->simd_memory, &film->simd_bytes, size))
         return TIA_ERR_MEMORY;
-    return options->core->set_level(film->view, options->level, film->level_memory, size);
+    return options->core->set_simd(film->view, options->simd, film->simd_memory, size);
 }
 
 static int prepare_view(struct film_scene *film)
@@ -86,7 +86,7 @@ static int prepare_view(struct film_scene *film)
         fail_view_reason(
             film->why, PORT_WHY, status,
             &(struct fail_view){film->scene, lights->array, lights->count, rotation.width, rotation.height});
-    return !status ? set_level(film) : status;
+    return !status ? set_simd(film) : status;
 }
 
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why)
@@ -142,6 +142,6 @@ void film_scene_end(struct film_scene *film)
     free(film->arrays);
     free(film->bvh_memory);
     free(film->view_memory);
-    free(film->level_memory);
+    free(film->simd_memory);
     lights_free(&film->lights);
 }

@@ -16,8 +16,8 @@ struct film_scene {
     /* Private. */
     struct tia_scene moved, pictured; /* of a time; of a view or module then */
     struct tia_light_field field;     /* of a module */
-    void *arrays, *bvh_memory, *view_memory, *level_memory;
-    size_t arrays_bytes, bvh_bytes, view_bytes, level_bytes;
+    void *arrays, *bvh_memory, *view_memory, *simd_memory;
+    size_t arrays_bytes, bvh_bytes, view_bytes, simd_bytes;
     struct lights lights;
 };
 

@@ -194,7 +194,7 @@ static int choose_depth(struct options *options)
     if (options->depth_bits && !sampled && (options->resume || options->views.view || options->views.draws_rays))
         return fail(EXIT_USAGE, "--colour: --resume, --view and --draw-rays take 565 of whitted");
     if (options->depth_bits && !sampled)
-        options->level = NULL; /* levels have no colours but 565 */
+        options->simd = NULL; /* levels have no colours but 565 */
     if (options->colour_given && options->depth_bits && plain)
         return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {

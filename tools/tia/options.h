@@ -44,7 +44,7 @@ struct options {
     struct tia_gaze gaze; /* its angle 0: the default */
     bool gazes;
     const char *gaze_option;              /* one that needs a gaze; NULL: none is given */
-    const struct tia_level *level;        /* vector units; NULL: plain C */
+    const struct tia_simd *simd;          /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;
     const char *connector, *mode; /* NULL: not given */

@@ -37,7 +37,7 @@ static void add_stats(const struct overlay *overlay, const struct tia_frame *fra
     if (overlay->key_us != 0)
         add_line(lines, "key to picture %" PRIu64 ".%" PRIu64 " ms", overlay->key_us / 1000,
                  overlay->key_us % 1000 / 100);
-    add_line(lines, "%ux%u, %s, threads %u%s", overlay->width, overlay->height, frame->level, overlay->threads,
+    add_line(lines, "%ux%u, %s, threads %u%s", overlay->width, overlay->height, frame->simd, overlay->threads,
              frame->relit ? ", relit" : "");
     if (frame->block > 2 || (frame->block == 2 && frame->samples <= 1))
         add_line(lines, "blocks of %u", frame->block);

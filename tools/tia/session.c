@@ -140,7 +140,7 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
         moves_shown(&session->moves, frame);
     overlay_shown(&session->overlay, frame);
     session->stats.frames++;
-    session->stats.level = frame->level;
+    session->stats.simd = frame->simd;
     stats_add(&session->stats.draw, frame->draw_us);
     session->stats.pixels += frame->pixels;
     session->stats.all_pixels += (uint64_t)session->letterbox.rotation.width * session->letterbox.rotation.height;
@@ -183,7 +183,7 @@ static struct tia_viewer viewer_of(struct session *session)
     const struct options *options = session->options;
     bool paces = viewer_paces(options);
     return (struct tia_viewer){.core = options->core,
-                               .level = options->level,
+                               .simd = options->simd,
                                .estimator = arithmetic_estimator(options->core),
                                .scene = &options->scene,
                                .lights = session->lights.array,

@@ -98,9 +98,9 @@ int stats_print(struct stats *stats)
         print_drawn(stats);
     print_paced(&stats->paced);
     (void)fprintf(stderr,
-                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"level\": \"%s\", \"threads\": %u, "
+                  "\"display\": \"%s\", \"format\": \"%s\", \"size\": \"%ux%u\", \"simd\": \"%s\", \"threads\": %u, "
                   "\"scale_bits\": %d}\n",
-                  stats->display, stats->format, stats->width, stats->height, stats->level ? stats->level : "plain",
+                  stats->display, stats->format, stats->width, stats->height, stats->simd ? stats->simd : "plain",
                   stats->threads, stats->scale_bits);
     return fflush(stderr) != 0 || ferror(stderr) != 0 ? -1 : 0;
 }

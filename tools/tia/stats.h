@@ -26,7 +26,7 @@ struct stats {
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
     struct samples coarse;     /* and to the first picture of it, coarse or complete */
     bool answered;             /* a coarse picture of a key's frame was shown, and the complete one is to come */
-    const char *display, *format, *level;
+    const char *display, *format, *simd;
     unsigned width, height, threads;
     int scale_bits;              /* of the scene */
     uint64_t pixels, all_pixels; /* drawn, and those of all frames */

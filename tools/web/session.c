@@ -202,7 +202,7 @@ int web_run(int goes_on)
     session.state.goes_on = goes_on;
     const struct tia_core *core = seat_core();
     struct tia_viewer viewer = {.core = core,
-                                .level = seat.base == &tia_core_q16 ? tia_level_best() : NULL,
+                                .simd = seat.base == &tia_core_q16 ? tia_simd_best() : NULL,
                                 .scene = &session.scene,
                                 .lights = session.lights.array,
                                 .light_capacity = session.lights.capacity,

@@ -44,6 +44,6 @@ const struct renderer ao_renderer = {
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,
-    .part = LEVEL_SAMPLES,
+    .part = SIMD_SAMPLES,
     .sample = sample_tile,
 };

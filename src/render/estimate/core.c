@@ -15,8 +15,8 @@ static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t fi
         return TIA_ERR_UNSUPPORTED;
     if (!is_inside(view, tile) || !gathered || !gathered->sums || end > TIA_SPP_MAX || first > end)
         return TIA_ERR_ARGUMENT;
-    if (view->level)
-        view->level->enter->sample(view, tile, first, end, gathered);
+    if (view->simd)
+        view->simd->enter->sample(view, tile, first, end, gathered);
     else
         view->renderer->sample(view, tile, first, end, gathered);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;

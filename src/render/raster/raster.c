@@ -155,6 +155,6 @@ const struct renderer raster_renderer = {
     .buffer_size = buffer_size,
     .trace = raster_trace_tile,
     .light = raster_light_tile,
-    .part = LEVEL_PARTS,
+    .part = SIMD_PARTS,
     .refuses = refuses,
 };

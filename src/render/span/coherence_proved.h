@@ -12,7 +12,7 @@
 #define COHERENCE_TURN 2     /* two of |Q - P|^2 */
 #define COHERENCE_FACING 1   /* r N.(Q - P) */
 #define COHERENCE_RELATIVE 1 /* |Q - P|^2, relative */
-#define COHERENCE_KERNELS 26 /* 2^-this: the products of a cosine, see tests/proofs/level_integer.g */
+#define COHERENCE_KERNELS 26 /* 2^-this: the products of a cosine, see tests/proofs/simd_integer.g */
 #define COHERENCE_LAMBERT 3  /* two cosines */
 #define COHERENCE_TOWARD 1   /* A.w */
 #define COHERENCE_POWER 3    /* |A'|^2 - R^2 */

@@ -99,5 +99,5 @@ const struct renderer span_renderer = {
     .buffer_size = buffer_size,
     .trace = span_trace,
     .light = span_light,
-    .part = LEVEL_SPANS,
+    .part = SIMD_SPANS,
 };

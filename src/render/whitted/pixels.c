@@ -161,6 +161,6 @@ const struct renderer whitted_renderer = {
     .trace = ray_trace_tile,
     .light = light_tile,
     .by_pixel = true,
-    .part = LEVEL_RAYS,
+    .part = SIMD_RAYS,
     .render = render_tile,
 };

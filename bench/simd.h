@@ -1,0 +1,7 @@
+/* simd.h - the levels of vector units beside float loops without exactness. */
+#ifndef BENCH_SIMD_H
+#define BENCH_SIMD_H
+
+void bench_simd(void);
+
+#endif

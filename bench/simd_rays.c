@@ -1,0 +1,301 @@
+#include "simd_rays.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/scene/scene.h"
+#include "common/thread_pool.h"
+#include "embree/embree.h"
+#include "milliseconds.h"
+#include "ray_scenes.h"
+
+#define ROUNDS 5
+#define STRIP 16   /* rows that a thread draws at a time */
+#define DRAWERS 11 /* at most: plain C, the levels, the last of them in two threads, double precision, Embree */
+
+const char *bench_scene;
+
+/* Who draws: a core, by a level or without; or, without a core, Embree. */
+struct drawer {
+    const char *name;
+    const struct tia_core *core;
+    const struct tia_simd *simd;
+    unsigned threads;
+};
+
+/* Of the databases' scenes: how many times as fast as each drawer Embree is. */
+static struct against {
+    char name[32];
+    double logarithm; /* the sum of all */
+    unsigned scenes, lost;
+} against[DRAWERS];
+
+struct canvas {
+    const struct drawer *by;
+    const struct tia_scene *scene;
+    uint16_t width, height;
+    struct tia_view *view;
+    tia_rgb565 *pixels;
+    void *view_memory, *simd_memory, *hits_memory;
+    struct threads *pool;
+    struct tia_observer *observer;
+    struct embree *embree;
+    double wall, cpu; /* milliseconds, the least so far */
+};
+
+static void must(int status)
+{
+    if (status) {
+        (void)fprintf(stderr, "bench: status %d\n", status);
+        exit(1);
+    }
+}
+
+static size_t strip_hits(const struct canvas *c)
+{
+    struct tia_tile tile = {0, 0, c->width, STRIP};
+
+    return (c->by->core->hits_size(c->scene, tile) + 63) / 64 * 64;
+}
+
+static void begin_core(struct canvas *c)
+{
+    const struct drawer *by = c->by;
+    const struct tia_scene *scene = c->scene;
+    size_t size = by->core->view_size(scene, scene->light_count);
+    size_t more = tia_simd_size(by->simd, scene, scene->light_count, 1);
+
+    c->view_memory = ray_scene_memory(size);
+    c->simd_memory = ray_scene_memory(more);
+    c->hits_memory = ray_scene_memory(strip_hits(c) * (c->height / STRIP + 1u));
+    c->pool = threads_create(by->threads);
+    must(c->pool ? TIA_OK : TIA_ERR_MEMORY);
+    must(by->core->view_init(&c->view, c->view_memory, size, scene, scene->light_count, c->width, c->height));
+    if (by->simd)
+        must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
+}
+
+/* False: Embree does not draw it. */
+static bool begin(struct canvas *c, const struct drawer *by, const struct tia_scene *scene, uint16_t width,
+                  uint16_t height)
+{
+    *c = (struct canvas){.by = by, .scene = scene, .width = width, .height = height};
+    if (by->core)
+        begin_core(c);
+    else
+        c->embree = embree_open(scene);
+    c->pixels = ray_scene_memory(sizeof *c->pixels * width * height);
+    return by->core || c->embree;
+}
+
+static void end(struct canvas *c)
+{
+    threads_destroy(c->pool);
+    free(c->pixels);
+    free(c->hits_memory);
+    free(c->simd_memory);
+    free(c->view_memory);
+    embree_close(c->embree);
+}
+
+static void draw_strip(void *arg, unsigned index)
+{
+    const struct canvas *c = arg;
+    unsigned y = index * STRIP, left = c->height - y;
+    struct tia_tile tile = {0, (uint16_t)y, c->width, (uint16_t)(left < STRIP ? left : STRIP)};
+    struct tia_surface surface = {c->pixels + (size_t)y * c->width, sizeof *c->pixels,
+                                  (ptrdiff_t)(sizeof *c->pixels * c->width)};
+    const struct tia_options options = {.observer = c->observer};
+    struct tia_hits *hits;
+
+    must(c->by->core->hits_init(&hits, (char *)c->hits_memory + index * strip_hits(c), strip_hits(c), c->view, tile));
+    must(c->by->core->render(c->view, hits, tile, &surface, &options));
+}
+
+static void draw(struct canvas *c)
+{
+    double wall = milliseconds(), cpu = cpu_milliseconds();
+
+    if (c->embree)
+        embree_draw(c->embree, c->width, c->height, c->pixels);
+    else
+        threads_workers.run(c->pool, draw_strip, c, (c->height + STRIP - 1u) / STRIP);
+    keep_least(&c->wall, milliseconds() - wall);
+    keep_least(&c->cpu, cpu_milliseconds() - cpu);
+}
+
+static void count(void *ctx, const struct tia_traced *traced)
+{
+    (void)traced;
+    ++*(double *)ctx;
+}
+
+/* How many rays the picture takes, shadow rays included. */
+static double rays_of(const struct tia_scene *scene, uint16_t width, uint16_t height)
+{
+    static const struct drawer watched = {"watched", &tia_core_watched, NULL, 1};
+    double rays = 0;
+    struct tia_observer observer = {.traced = count, .ctx = &rays};
+    struct canvas c;
+
+    (void)begin(&c, &watched, scene, width, height);
+    c.observer = &observer;
+    draw(&c);
+    end(&c);
+    return rays;
+}
+
+static int find_drawers(struct drawer to[DRAWERS])
+{
+    const struct tia_simd *simd;
+    int n = 0;
+
+    to[n++] = (struct drawer){"plain", &tia_core_q16, NULL, 1};
+    for (unsigned i = 0; (simd = tia_simd_at(i)) && n < DRAWERS - 3; i++)
+        to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 1};
+    simd = to[n - 1].simd;
+    to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 2};
+#ifdef TIA_HAVE_F64
+    to[n++] = (struct drawer){"f64", &tia_core_f64, NULL, 1};
+#endif
+    to[n++] = (struct drawer){"Embree", NULL, NULL, 1};
+    return n;
+}
+
+/* Of all pixels, per mille, those that another program draws with a channel more than two levels of red off. */
+static double different(const struct canvas *a, const struct canvas *b)
+{
+    size_t count = (size_t)a->width * a->height, wrong = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        int red = (a->pixels[i] >> 11) - (b->pixels[i] >> 11), blue = (a->pixels[i] & 31) - (b->pixels[i] & 31);
+        int green = (a->pixels[i] >> 5 & 63) - (b->pixels[i] >> 5 & 63);
+        wrong += abs(red) > 2 || abs(green) > 4 || abs(blue) > 2;
+    }
+    return 1e3 * (double)wrong / (double)count;
+}
+
+static void name_of(const struct canvas *c, char name[32])
+{
+    (void)snprintf(name, 32, "%s%s", c->by->name ? c->by->name : tia_view_simd(c->view),
+                   c->by->threads > 1 ? ", 2 threads" : "");
+}
+
+static void print(const char *scene, const struct canvas *c, const struct canvas *plain, double rays)
+{
+    bool same = !memcmp(c->pixels, plain->pixels, sizeof *c->pixels * c->width * c->height);
+    char name[32];
+
+    name_of(c, name);
+    printf("| %s %ux%u | %s | %.1f | %.1f | %.0f | %.2f |", scene, c->width, c->height, name, c->cpu, c->wall,
+           c->cpu * 1e6 / rays, plain->cpu / c->cpu);
+    if (c->embree)
+        printf(" other pixels: %.1f of 1000", different(c, plain));
+    printf("%s\n", same || c->by->core != &tia_core_q16 ? "" : " OTHER PIXELS");
+}
+
+static void compare(struct against *to, const struct canvas *c, double embree)
+{
+    name_of(c, to->name);
+    to->logarithm += log(c->cpu / embree);
+    to->lost += c->cpu > embree;
+    to->scenes++;
+}
+
+static void print_against(void)
+{
+    if (!against[0].scenes)
+        return;
+    printf("\n| drawn by | time over Embree's, geometric mean of %u scenes | slower on |\n|---|--:|--:|\n",
+           against[0].scenes);
+    for (int i = 0; i < DRAWERS && against[i].scenes; i++)
+        printf("| %s | %.2f | %u |\n", against[i].name, exp(against[i].logarithm / against[i].scenes), against[i].lost);
+}
+
+/* All in turns, so that a change of the machine's speed meets all; the pictures must be the same. */
+static void measure(const char *name, const struct tia_scene *scene, uint16_t width, uint16_t height, bool database)
+{
+    struct drawer drawers[DRAWERS];
+    struct canvas canvas[DRAWERS];
+    int n = find_drawers(drawers);
+    double rays = rays_of(scene, width, height);
+
+    for (int i = 0; i < n; i++)
+        if (!begin(&canvas[i], &drawers[i], scene, width, height))
+            end(&canvas[n = i]);
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = 0; i < n; i++)
+            draw(&canvas[i]);
+    for (int i = 0; i < n; i++) {
+        print(name, &canvas[i], &canvas[0], rays);
+        if (database && canvas[n - 1].embree)
+            compare(&against[i], &canvas[i], canvas[n - 1].cpu);
+    }
+    (void)fflush(stdout);
+    for (int i = 0; i < n; i++)
+        end(&canvas[i]);
+}
+
+static bool wanted(const char *name)
+{
+    return !bench_scene || strstr(name, bench_scene);
+}
+
+static void measure_file(const char *path, uint16_t width, uint16_t height, bool database)
+{
+    const char *name = strrchr(path, '/') + 1;
+    struct scene_file file;
+
+    if (!wanted(name))
+        return;
+    if (scene_open(&file, path, scene_format_of(path), false)) {
+        (void)fprintf(stderr, "bench: %s\n", file.why);
+        exit(1);
+    }
+    measure(name, &file.scene, width, height, database);
+    scene_close(&file);
+}
+
+static void measure_made(const char *kind, void (*make)(struct ray_scene *, int), int level, uint32_t count)
+{
+    struct ray_scene s;
+    char name[64];
+
+    if (!wanted(kind))
+        return;
+    make(&s, level);
+    (void)snprintf(name, sizeof name, "%u %s", count, kind);
+    printf("| %s | hierarchy built in %.1f ms, by two threads in %.1f, %.1f MB |\n", name, s.built[0], s.built[1],
+           (double)s.memory_bytes * 1e-6);
+    measure(name, &s.scene, 320, 240, false);
+    ray_scene_free(&s);
+}
+
+void bench_simd_rays(void)
+{
+    static const char *const databases[] = {"balls_1",  "balls_2",   "balls_3", "balls_4", "gears_1",
+                                            "jacks_3",  "lattice_3", "mount_3", "rings_3", "shells_2",
+                                            "teapot_3", "tetra_4",   "tree_4"};
+    static const char *const gallery[] = {"castle", "chess", "flake", "glass", "orrery", "vase"};
+    char path[64];
+
+    if (!embree_is_there)
+        printf("\nbench: no Embree 3: measured without it (apt-get install libembree-dev)\n");
+    printf("\n| scene | drawn by | CPU, ms | wall, ms | CPU, ns a ray | plain/this |\n|---|---|--:|--:|--:|--:|\n");
+    for (size_t i = 0; i < sizeof databases / sizeof *databases; i++) {
+        (void)snprintf(path, sizeof path, "scenes/nff/%s.nff", databases[i]);
+        measure_file(path, 640, 480, true);
+    }
+    print_against();
+    printf("\n");
+    for (size_t i = 0; i < sizeof gallery / sizeof *gallery; i++) {
+        (void)snprintf(path, sizeof path, "scenes/%s.tia", gallery[i]);
+        measure_file(path, 160, 120, false);
+    }
+    for (uint32_t level = 1, n = 10; level <= 5; level++, n = 9 * n + 1)
+        measure_made("spheres", ray_scene_balls, (int)level, n);
+    for (uint32_t level = 2; level <= 7; level++)
+        measure_made("triangles", ray_scene_mesh, (int)level, (UINT32_C(84) << 2 * level) + 12);
+}

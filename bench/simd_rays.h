@@ -1,0 +1,10 @@
+/* simd_rays.h - general rays by each level of vector units, beside plain C and double precision. */
+#ifndef BENCH_SIMD_RAYS_H
+#define BENCH_SIMD_RAYS_H
+
+/* NULL, or only scenes whose name contains it are measured. */
+extern const char *bench_scene;
+
+void bench_simd_rays(void);
+
+#endif

@@ -1,7 +1,0 @@
-/* neon.c - 4 floats: NEON of AArch64. */
-#include "neon64.h"
-
-#include "kernel.h"
-#include "level.h"
-
-LEVEL(neon, NULL);

@@ -1,7 +1,0 @@
-/* neon32.c - 4 floats: NEON of ARMv7. */
-#include "neon32.h"
-
-#include "kernel.h"
-#include "level.h"
-
-LEVEL(neon, NULL);

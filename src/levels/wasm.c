@@ -1,7 +1,0 @@
-/* wasm.c - 4 floats: fixed-width SIMD of WebAssembly. */
-#include "wasm.h"
-
-#include "kernel.h"
-#include "level.h"
-
-LEVEL(wasm, NULL);

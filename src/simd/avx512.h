@@ -1,0 +1,73 @@
+/* avx512.h - 16 floats: AVX-512 F, BW, DQ and VL. See kernel.h for what each operation is. */
+#ifndef TIA_SIMD_AVX512_H
+#define TIA_SIMD_AVX512_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+#pragma GCC diagnostic ignored "-Wsign-conversion" /* intrinsics are macros at -O0 */
+
+#define N 16
+typedef __m512 F;
+typedef __mmask16 M;
+#define f_set(a) _mm512_set1_ps(a)
+#define f_load(p) _mm512_loadu_ps(p)
+#define f_store(p, a) _mm512_storeu_ps(p, a)
+#define f_whole(p) _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256((const void *)(p))))
+#define f_iota() _mm512_set_ps(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)
+#define f_add(a, b) _mm512_add_ps(a, b)
+#define f_sub(a, b) _mm512_sub_ps(a, b)
+#define f_mul(a, b) _mm512_mul_ps(a, b)
+#define f_min(a, b) _mm512_min_ps(a, b)
+#define f_max(a, b) _mm512_max_ps(a, b)
+#define f_abs(a) _mm512_abs_ps(a)
+#define f_round(a) _mm512_roundscale_ps(a, 0)
+#define f_fma(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define f_fnma(a, b, c) _mm512_fnmadd_ps(a, b, c)
+#define f_gt(a, b) _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ)
+#define f_ge(a, b) _mm512_cmp_ps_mask(a, b, _CMP_GE_OQ)
+#define m_and(a, b) ((M)((a) & (b)))
+#define m_or(a, b) ((M)((a) | (b)))
+#define m_not(a) _knot_mask16(a)
+#define m_any(a) ((a) != 0)
+#define m_bits(a) ((unsigned)(a))
+#define f_sel(m, a, b) _mm512_mask_mov_ps(b, m, a)
+
+static inline F f_rsqrt(F x)
+{
+    F y = _mm512_rsqrt14_ps(x), t = f_mul(f_mul(x, y), y);
+
+    return f_mul(y, f_fnma(f_set(.5f), t, f_set(1.5f)));
+}
+
+static inline F f_inverse(F x)
+{
+    F y = _mm512_rcp14_ps(x);
+
+    return f_mul(y, f_fnma(x, y, f_set(2)));
+}
+
+#define f_add_root(a, x) f_add(a, _mm512_sqrt_ps(x))
+#define f_over_root(a, x) f_mul(a, f_rsqrt(x))
+
+/* Whole numbers below 2^16: exact. */
+static inline void i_pack(F r, F g, F b, uint16_t *out)
+{
+    __m512i v = _mm512_cvtps_epi32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));
+
+    _mm256_storeu_si256((void *)out, _mm512_cvtepi32_epi16(v));
+}
+
+/* The places of bits that are not set, side by side: no branch for each. */
+#define NOTE_OPEN
+static inline int note_open(M sure, int at, int count, uint16_t *list, int n)
+{
+    const __m512i iota = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+    __mmask16 open = (__mmask16)(~(unsigned)sure & (count < N ? (1u << count) - 1 : 0xffffu));
+    __m512i places = _mm512_maskz_compress_epi32(open, _mm512_add_epi32(iota, _mm512_set1_epi32(at)));
+
+    _mm256_storeu_si256((void *)(list + n), _mm512_cvtepi32_epi16(places));
+    return n + __builtin_popcount(open);
+}
+
+#endif

@@ -1,0 +1,167 @@
+/* kept.c - bounds change little from row to row, and every one of them holds for all runs whose limits are no worse
+ * than those it was derived from (row.c and bounds.c ask for nothing else): so they are derived from limits that are
+ * worse by a tenth than a run's own, and kept while these suffice. */
+#include "kept.h"
+
+#include <math.h>
+
+#include "proved.h"
+
+#define WIDER 1.1
+
+enum { B_MOST, B_LEAST, SIZE, LEAST, SQUARE_MOST, SQUARE_LEAST, V_MOST, FORMS };
+#define FORMS_MOST (FORMS + SIMD_LIGHTS * (2 + 2 * SIMD_CASTS))
+
+static double size_of(const double form[2], const struct simd_place *place)
+{
+    return fabs(form[0]) + fabs(form[1]) * place->reach;
+}
+
+/* The limits of a run, in the order of the enumeration, then the sizes of the forms; how many. */
+static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
+{
+    const struct simd_place *place = &fine->place;
+    int n = FORMS;
+
+    limit[B_MOST] = fine->seen.b_most;
+    limit[B_LEAST] = -fine->seen.b_least;
+    limit[SIZE] = fine->seen.size;
+    limit[LEAST] = -fine->seen.least;
+    limit[SQUARE_MOST] = place->square_most;
+    limit[SQUARE_LEAST] = -place->square_least;
+    limit[V_MOST] = place->v_most;
+    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+        const struct simd_fine_light *light = &fine->light[l];
+        limit[n++] = size_of(light->g, place);
+        limit[n++] = size_of(light->q, place);
+        for (int j = 0; j < light->lamp->casts; j++) {
+            limit[n++] = size_of(light->cast[j].a + 1, place);
+            limit[n++] = size_of(light->cast[j].k + 1, place);
+        }
+    }
+    return n;
+}
+
+/* What of `fine` is taken from limits. */
+static void take_limits(const double limit[], struct simd_place *place, struct simd_seen *seen)
+{
+    seen->b_most = limit[B_MOST];
+    seen->b_least = -limit[B_LEAST];
+    seen->size = limit[SIZE];
+    seen->least = -limit[LEAST];
+    place->square_most = limit[SQUARE_MOST];
+    place->square_least = -limit[SQUARE_LEAST];
+    place->v_most = limit[V_MOST];
+}
+
+/* `limit` is that of the light's forms; where the next light's are. NULL: the bounds are too large. */
+static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
+                                  double unit, const double *limit)
+{
+    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
+    const struct simd_lamp *lamp = light->lamp;
+
+    tia_simd_bound_light(primary, lamp, place, &fine->depth, unit, limit[0], limit[1], &light->bounds);
+    if (!(light->bounds.lambert < .01))
+        return NULL;
+    limit += 2;
+    for (int j = 0; j < lamp->casts; j++, limit += 2) {
+        struct simd_fine_cast *cast = &light->cast[j];
+        tia_simd_bound_cast(primary, lamp, &lamp->cast[j], place, &fine->depth, &light->bounds, unit, limit[0],
+                            limit[1], &cast->bounds);
+    }
+    return limit;
+}
+
+/* A colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, SIMD_COLOUR
+ * units and 2^-30 a light and as many a caster; interpolating takes SIMD_LINE units more. max, min and the clamps only
+ * bring values nearer. A level: as many times that, and 6 units of 63 for scaling and rounding. */
+static bool derive(struct simd_fine *fine, double unit, double cut, const double *limit)
+{
+    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
+    double off[3] = {0, 0, 0}, step = SIMD_COLOUR * unit + 0x1p-30;
+    struct simd_place place = fine->place;
+    struct simd_seen seen = fine->seen;
+
+    take_limits(limit, &place, &seen);
+    tia_simd_depth(primary, fine->row, &place, simd_sphere_of(fine), &seen, unit, cut, &fine->depth);
+    if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < .01))
+        return false;
+    limit += FORMS;
+    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+        struct simd_fine_light *light = &fine->light[l];
+        limit = light_bounds(fine, light, &place, unit, limit);
+        if (!limit)
+            return false;
+        for (int c = 0; c < 3; c++)
+            off[c] +=
+                light->lamp->colour[c] * (light->bounds.lambert + SIMD_LINE * unit) + step * (1 + light->lamp->casts);
+    }
+    double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
+
+    fine->near31 = .5 - (31 * side + 31 * 6 * unit) * 1.01 - 6 * unit;
+    fine->near63 = .5 - (63 * green + 63 * 6 * unit) * 1.01 - 6 * unit;
+    return fine->near31 > .1 && fine->near63 > .1;
+}
+
+/* ---- kept ---- */
+
+static bool suffices(const struct simd_kept *kept, uint32_t sphere, const double *limit, int limits)
+{
+    bool good = kept->known && kept->sphere == sphere && kept->limits == limits;
+
+    for (int i = 0; good && i < limits; i++)
+        good = limit[i] <= kept->limit[i];
+    return good;
+}
+
+static void keep(const struct simd_fine *fine, struct simd_kept *kept)
+{
+    int n = 0;
+
+    kept->depth = fine->depth;
+    kept->near31 = fine->near31;
+    kept->near63 = fine->near63;
+    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+        kept->light[l] = fine->light[l].bounds;
+        for (int j = 0; j < fine->light[l].lamp->casts; j++)
+            kept->cast[n++] = fine->light[l].cast[j].bounds;
+    }
+}
+
+static void take_kept(const struct simd_kept *kept, struct simd_fine *fine)
+{
+    int n = 0;
+
+    fine->depth = kept->depth;
+    fine->near31 = kept->near31;
+    fine->near63 = kept->near63;
+    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+        fine->light[l].bounds = kept->light[l];
+        for (int j = 0; j < fine->light[l].lamp->casts; j++)
+            fine->light[l].cast[j].bounds = kept->cast[n++];
+    }
+}
+
+/* Bounds that are too large may be fine for the run's own limits: those are not kept. */
+bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_kept *kept)
+{
+    double limit[FORMS_MOST];
+    int limits = limits_of(fine, limit);
+
+    if (!kept || limits > SIMD_LIMITS)
+        return derive(fine, unit, cut, limit);
+    if (suffices(kept, fine->sphere, limit, limits)) {
+        take_kept(kept, fine);
+        return true;
+    }
+    kept->sphere = fine->sphere;
+    kept->limits = limits;
+    for (int i = 0; i < limits; i++)
+        kept->limit[i] = limit[i] > 0 ? limit[i] * WIDER : limit[i] / WIDER;
+    kept->known = derive(fine, unit, cut, kept->limit);
+    if (!kept->known)
+        return derive(fine, unit, cut, limit);
+    keep(fine, kept);
+    return true;
+}

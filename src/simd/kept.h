@@ -1,0 +1,39 @@
+/* kept.h - a run's bounds, kept for those of the next rows. */
+#ifndef TIA_SIMD_KEPT_H
+#define TIA_SIMD_KEPT_H
+
+#include "prepare.h"
+
+/* What bounds depend on from row to row, each so that more is worse. */
+#define SIMD_LIMITS 16
+
+struct simd_kept {
+    bool known;
+    uint32_t sphere;
+    int limits;
+    double limit[SIMD_LIMITS];
+    struct simd_depth depth;
+    double near31, near63;
+    struct simd_bounds light[SIMD_LIGHTS];
+    struct simd_cast_bounds cast[SIMD_LIMITS / 2];
+};
+
+/* The bounds for an arithmetic; false when they are too large. `kept` may be NULL. Else it belongs to this arithmetic,
+ * and the bounds may be those of an earlier run that was as bad or worse. */
+bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_kept *kept);
+
+/* Bounds for each half of the picture and some spheres, in both arithmetics. */
+#define SIMD_SHELVES 8
+
+struct simd_shelf {
+    struct simd_kept single, fine;
+};
+
+static inline struct simd_shelf *simd_shelf_of(struct simd_shelf *shelves, const struct simd_fine *fine)
+{
+    unsigned right = fine->place.middle > fine->view->width / 2;
+
+    return &shelves[(2 * fine->sphere + right) % SIMD_SHELVES];
+}
+
+#endif

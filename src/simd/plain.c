@@ -1,0 +1,33 @@
+/* plain.c - what a level leaves to plain C: tiles whose paths are hashed, or whose light is told, and all where it has
+ * no room or no floating-point environment of its own. */
+#include "simd.h"
+
+#define PIECE 128 /* pixels of a row that are traced at once */
+
+static void light_piece(const struct tia_view *view, struct tia_tile piece, const struct tia_surface *surface,
+                        const struct tia_options *options)
+{
+    uint32_t object[PIECE];
+    num_u distance[PIECE];
+    struct tia_hits hits = {.view = view, .area = piece, .object = object, .buffer = distance};
+
+    view->renderer->trace(view, &hits, piece);
+    view->renderer->light(view, &hits, piece, surface, options);
+}
+
+void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                          const struct tia_options *options)
+{
+    for (unsigned y = 0; y < tile.height && !view_stops(view); y++)
+        for (unsigned x = 0; x < tile.width; x += PIECE) {
+            unsigned width = tile.width - x < PIECE ? tile.width - x : PIECE;
+            size_t before = (size_t)y * tile.width + x;
+            struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
+            char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
+            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
+            struct tia_options mine = {.dither = options->dither,
+                                       .path_hash = options->path_hash ? options->path_hash + before : NULL,
+                                       .lit = options->lit ? options->lit + before : NULL};
+            light_piece(view, piece, &part, &mine);
+        }
+}

@@ -1,0 +1,144 @@
+/* descend.h - how a packet goes down a hierarchy, whatever is in its leaves: see walk.h. */
+#ifndef TIA_SIMD_RAYS_DESCEND_H
+#define TIA_SIMD_RAYS_DESCEND_H
+
+#include "query.h"
+#include "slabs.h"
+
+struct child {
+    uint32_t index, count;
+    int place; /* 0 or 1 */
+};
+
+/* A child that waits, and which bits are its lanes. */
+struct waiting {
+    vp near;
+    unsigned lanes;
+    struct child child;
+};
+
+/* A child that is visited. */
+struct visit {
+    struct child child;
+    const vp *near;
+};
+
+/* What a packet still looks for. Of each lane there are two bits, as there are floats of a `vp`. */
+struct outlook {
+    vd farthest;
+    vp limit;
+    unsigned active;
+};
+
+#define EVEN 0x5555u
+
+LANE_OP unsigned twice(unsigned lanes)
+{
+    lanes = (lanes | lanes << 4) & 0x0f0f;
+    lanes = (lanes | lanes << 2) & 0x3333;
+    return ((lanes | lanes << 1) & EVEN) * 3;
+}
+
+/* Each second bit, from the first one on. */
+LANE_OP unsigned half(unsigned bits)
+{
+    bits &= EVEN;
+    bits = (bits | bits >> 1) & 0x3333;
+    bits = (bits | bits >> 2) & 0x0f0f;
+    return (bits | bits >> 4) & 0xff;
+}
+
+LANE_OP void look(struct outlook *w, const struct query *q)
+{
+    w->farthest = q->limit;
+    w->limit = vp_of(up(q->limit));
+    w->active = twice(mbits(q->active));
+}
+
+/* After a leaf: what is farther than now known does not count. Mostly nothing is new, so that the branch is less than
+ * what it saves the next node from waiting for. */
+LANE_OP void look_again(struct outlook *w, const struct query *q)
+{
+    if (twice(mbits(q->active)) != w->active || many(vlt(q->limit, w->farthest)))
+        look(w, q);
+}
+
+/* Called for 0 or for 1, in branches: they are foreseen, where an index that is computed is waited for. */
+LANE_OP void visit(struct child *to, const struct sure_node *n, int place)
+{
+    *to = (struct child){n->index[place], n->count[place], place};
+}
+
+/* Goes to the child that more lanes enter first; the other one waits, at `other`, if it is entered. -1: none is, else
+ * whether one waits. */
+LANE_OP int descend(struct visit *v, const struct outlook *w, vp *near, struct waiting *other,
+                    const struct sure_tree *tree, const struct query *q)
+{
+    const struct sure_node *n = &tree->nodes[v->child.index];
+    vp in;
+    unsigned lanes = enter_two(&q->p->slabs, n, w->limit, &in) & w->active;
+    unsigned first = lanes & EVEN, second = lanes >> 1 & EVEN;
+    bool turn = !first;
+
+    if (!lanes)
+        return -1;
+    *near = in;
+    if (first && second) {
+        unsigned closer = vp_le(in, vp_swap(in)); /* of each two, which is */
+        turn = LANES == 1 ? !(closer & 1)
+                          : __builtin_popcount(second & (~first | closer >> 1)) >
+                                __builtin_popcount(first & (~second | closer));
+        other->near = in;
+        other->lanes = lanes & EVEN << !turn;
+        if (turn)
+            visit(&other->child, n, 0);
+        else
+            visit(&other->child, n, 1);
+    }
+    if (turn)
+        visit(&v->child, n, 1);
+    else
+        visit(&v->child, n, 0);
+    v->near = near;
+    return first && second;
+}
+
+/* The next child that waits and is still of use; returns how many wait behind it, -1: there is none. */
+LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waiting *stack, int depth)
+{
+    while (depth > 0 && w->active) {
+        const struct waiting *next = &stack[--depth];
+        if (next->lanes & w->active & vp_le(next->near, w->limit)) {
+            *v = (struct visit){next->child, &next->near};
+            return depth;
+        }
+    }
+    return -1;
+}
+
+/* Two walks of one shape: a mesh's is called from within the scene's. Nothing else points to where children wait. */
+#define WALK(name, leaf, waits)                                                                                        \
+    static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
+                                               struct query *q)                                                        \
+    {                                                                                                                  \
+        struct waiting *restrict stack = q->room->waits;                                                               \
+        struct visit v = {.child = {.count = SURE_INNER}};                                                             \
+        struct outlook w;                                                                                              \
+        int depth = 0, more = 0;                                                                                       \
+        vp near;                                                                                                       \
+                                                                                                                       \
+        if (!tree->node_count)                                                                                         \
+            return;                                                                                                    \
+        look(&w, q);                                                                                                   \
+        do {                                                                                                           \
+            while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
+                depth += more;                                                                                         \
+            if (v.child.count != SURE_INNER) {                                                                         \
+                q->work += v.child.count;                                                                              \
+                leaf(s, tree, &v, q);                                                                                  \
+                look_again(&w, q);                                                                                     \
+            }                                                                                                          \
+        } while ((depth = resume(&v, &w, stack, depth)) >= 0);                                                         \
+    }
+
+#endif

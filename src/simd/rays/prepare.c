@@ -1,0 +1,241 @@
+/* prepare.c - a scene in double precision, from the one that the integers have prepared. */
+#include <tia/motion.h>
+
+#include "render/geometry/triangle.h"
+#include "scene/bvh/tree.h"
+#include "scene/colour.h"
+#include "sure.h"
+
+#define ALIGN64(n) (((n) + 63) / 64 * 64)
+
+/* Room in the caller's memory; `start` NULL: it is only measured. */
+struct room {
+    char *start;
+    uint64_t used;
+};
+
+static void *take(struct room *room, uint64_t count, size_t size)
+{
+    char *place = room->start ? room->start + room->used : NULL;
+
+    room->used += ALIGN64(count * size);
+    return place;
+}
+
+struct places {
+    struct sure_scene *scene;
+    struct sure_node *nodes;
+    struct sure_tree *meshes;
+    struct sure_face *faces; /* of meshes one after the other, then one for each shape */
+    struct sure_pair *pairs; /* of meshes */
+    struct sure_places of;
+    struct sure_material *materials;
+    struct sure_light *lights;
+    double (*places)[16][2][SURE_PLACES];
+};
+
+/* Where things move, enough for the hierarchy of any time. */
+static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
+{
+    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count, pairs = 0;
+    uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
+        faces += scene->meshes[i].face_count;
+        pairs += SURE_PAIRS((uint64_t)scene->bvh->meshes[i].item_count, scene->bvh->meshes[i].node_count);
+    }
+    p->scene = take(room, 1, sizeof *p->scene);
+    p->nodes = take(room, nodes, sizeof *p->nodes);
+    p->meshes = take(room, scene->mesh_count, sizeof *p->meshes);
+    p->faces = take(room, faces, sizeof *p->faces);
+    p->pairs = take(room, pairs, sizeof *p->pairs);
+    p->of.objects = take(room, objects, sizeof *p->of.objects);
+    p->of.rounds = take(room, scene->shape_count, sizeof *p->of.rounds);
+    p->of.grids = take(room, scene->shape_count, sizeof *p->of.grids);
+    p->of.instances = take(room, scene->shape_count, sizeof *p->of.instances);
+    p->materials = take(room, scene->material_count, sizeof *p->materials);
+    p->lights = take(room, light_capacity, sizeof *p->lights);
+    p->places = take(room, light_capacity < SURE_AREAS ? light_capacity : SURE_AREAS, sizeof *p->places);
+    return room->used;
+}
+
+size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity)
+{
+    struct room room = {NULL, 64};
+    struct places places;
+
+    if (!scene->bvh)
+        return 0;
+    uint64_t size = divide(&room, scene, light_capacity, &places);
+    return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
+}
+
+static char *aligned(void *memory)
+{
+    return (char *)memory + (64 - (uintptr_t)memory % 64) % 64;
+}
+
+struct sure_scene *tia_sure_scene(const struct tia_view *view)
+{
+    return (struct sure_scene *)(void *)aligned(view->simd_memory);
+}
+
+static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes, uint32_t few)
+{
+    struct sure_tree t = {*nodes, tree->items, NULL, NULL, NULL, tia_sure_set_nodes(*nodes, tree, few), {0, 0, 0}, 0};
+    static const struct tia_bounds none;
+    const struct tia_bounds *b = tree->node_count ? &tree->nodes[0].bounds : &none;
+    const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
+
+    for (int k = 0; k < 3; k++) {
+        t.centre[k] = ((double)least[k] + most[k]) / 2 * SURE_2(16);
+        t.extent += ((double)most[k] - least[k]) / 2 * SURE_2(16);
+    }
+    *nodes += t.node_count;
+    return t;
+}
+
+/* A mesh of few faces is one leaf: to try them all takes less time than to find out which. */
+static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
+{
+    struct tia_bvh_tree whole = *tree;
+    struct tia_bvh_node leaf;
+    uint32_t faces = 0;
+
+    for (uint32_t i = 0; i < tree->node_count; i++)
+        faces += tree->nodes[i].count;
+    if (faces && faces <= SURE_LEAF) {
+        leaf = (struct tia_bvh_node){tree->nodes[0].bounds, 0, faces};
+        whole.nodes = &leaf;
+        whole.node_count = 1;
+    }
+    return tree_of(&whole, nodes, SURE_FEW);
+}
+
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
+{
+    const struct triangle_corners corners = {{corner[0], corner[1], corner[2]}};
+    struct num_dir normal;
+
+    for (int i = 0; i < 3; i++)
+        sure_point(to->at[i], num_point_of(corner[i]));
+    to->any = triangle_normal(&corners, &normal);
+    sure_dir(to->normal, normal);
+    to->smoothed = false;
+    to->extent = to->bend = 0;
+    for (int i = 1; i < 3; i++) {
+        double extent = 0;
+        for (int k = 0; k < 3; k++)
+            extent += __builtin_fabs(to->at[i][k] - to->at[0][k]);
+        to->extent = extent > to->extent ? extent : to->extent;
+    }
+}
+
+static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face)
+{
+    const struct tia_corner *c = mesh->faces[face].corner;
+    const struct tia_vec3 at[3] = {mesh->vertices[c[0].vertex], mesh->vertices[c[1].vertex],
+                                   mesh->vertices[c[2].vertex]};
+
+    tia_sure_set_face(to, at);
+    to->smoothed = c[0].normal != TIA_NO_INDEX;
+    for (int i = 0; i < 3 && to->smoothed; i++)
+        sure_dir(to->smooth[i], num_dir_of(mesh->normals[c[i].normal]));
+    for (int i = 1; i < 3 && to->smoothed; i++)
+        for (int k = 0; k < 3; k++)
+            to->bend += __builtin_fabs(to->smooth[i][k] - to->smooth[0][k]);
+}
+
+static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struct places *p)
+{
+    struct sure_node *nodes = p->nodes;
+    struct sure_face *faces = p->faces;
+    struct sure_pair *pairs = p->pairs;
+
+    s->objects = tree_of(&scene->bvh->objects, &nodes, 0);
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        struct sure_node *own = nodes;
+        p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
+        p->meshes[i].faces = faces;
+        p->meshes[i].groups = scene->meshes[i].groups;
+        for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
+            set_mesh_face(faces++, &scene->meshes[i], k);
+        p->meshes[i].pairs = pairs;
+        pairs += tia_sure_set_pairs(pairs, own, &p->meshes[i]);
+    }
+    s->meshes = p->meshes;
+    p->of.faces = faces;
+    tia_sure_set_objects(s, &p->of);
+    s->object = p->of.objects;
+}
+
+/* One with an opacity is not known. */
+static void set_material(struct sure_material *to, const struct tia_material *m, const struct tia_texture *textures)
+{
+    const struct tia_texture *t = m->texture && !colour_is_black(&m->colour) ? &textures[m->texture - 1] : NULL;
+
+    *to = (struct sure_material){.known = !m->opacity, .texture = t};
+    for (int i = 0; i < 2 && t; i++) {
+        sure_rgb(to->cells[i], &t->cells[i]);
+        to->repeat[i] = (double)t->repeat[i] * sure_two_to(-16 - t->repeat_bits);
+        to->offset[i] = (double)t->offset[i] * sure_two_to(-16 - t->offset_bits);
+    }
+    sure_rgb(to->column + SURE_COLOUR, &m->colour);
+    sure_rgb(to->column + SURE_SPECULAR, &m->specular);
+    sure_rgb(to->column + SURE_MIRROR, &m->mirror);
+    sure_rgb(to->column + SURE_REFRACTION, &m->refraction);
+    sure_rgb(to->column + SURE_EMISSION, &m->emission);
+    sure_rgb(to->column + SURE_FACING, &m->facing);
+    to->is_specular = !colour_is_black(&m->specular);
+    to->refracts = !colour_is_black(&m->refraction);
+    to->fresnel = m->fresnel;
+    to->column[SURE_EXPONENT] = (double)m->exponent * SURE_2(16);
+    for (uint32_t i = 0; i < SURE_EXPONENT; i++)
+        to->groups |= (uint32_t)(to->column[i] > 0) << i / 3;
+    to->groups |= (uint32_t)to->is_specular << SURE_EXPONENT / 3;
+}
+
+static void set_camera(struct sure_camera *to, const struct ray_camera *c)
+{
+    sure_point(to->eye, c->eye);
+    sure_dir(to->u, c->u);
+    sure_dir(to->v, c->v);
+    sure_dir(to->n, c->n);
+    to->left = sure_length(c->left);
+    to->top = sure_length(c->bottom + c->upward);
+    to->across = sure_length(c->across);
+    to->upward = sure_length(c->upward);
+    to->away = sure_length(c->depth);
+    to->width = c->width;
+    to->height = c->height;
+    to->side = c->side;
+    to->orthographic = c->projection == TIA_ORTHOGRAPHIC;
+}
+
+void tia_sure_prepare(struct tia_view *view)
+{
+    const struct tia_scene *scene = view->scene;
+    struct room room = {aligned(view->simd_memory), 0};
+    struct places places;
+
+    (void)divide(&room, scene, view->light_capacity, &places);
+    struct sure_scene *s = places.scene;
+    s->view = view->prepared;
+    set_trees(s, scene, &places);
+    for (uint32_t i = 0; i < scene->material_count; i++)
+        set_material(&places.materials[i], &scene->materials[i], scene->textures);
+    s->materials = places.materials;
+    s->lights = places.lights;
+    s->places = places.places;
+    s->unbounded = scene->bvh->unbounded;
+    s->unbounded_count = scene->bvh->unbounded_count;
+    s->depth = s->view->depth;
+    s->bias = sure_length(s->view->bias);
+    s->paths = NULL;
+    sure_rgb(s->background, &scene->background);
+    set_camera(&s->camera, &s->view->camera);
+    s->extent = s->objects.extent;
+    for (int k = 0; k < 3; k++)
+        s->centre[k] = s->objects.centre[k];
+}

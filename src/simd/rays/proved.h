@@ -1,0 +1,17 @@
+/* proved.h - what doubles round by on the way to an intersection, in units of u = 2^-53 and of what is said beside it.
+ * `make prove` shows that it is no more: tests/proofs/rays_forms.g counts the roundings, rays_sphere.g proves a
+ * sphere's discriminant. */
+#ifndef TIA_SIMD_RAYS_PROVED_H
+#define TIA_SIMD_RAYS_PROVED_H
+
+#define SURE_ALONG 8   /* a sphere's tca: |L| */
+#define SURE_ASIDE 16  /* a sphere's P: |L| */
+#define SURE_SQUARE 32 /* r^2 - |P|^2: r^2 */
+#define SURE_FACE 16   /* D.(a x b): |x| + |y| + |z| of the origin and the most of a corner, squared */
+#define SURE_PAIR 25   /* the same by floats, in units of 2^-24: see pairs.h */
+#define SURE_WAY 16    /* (P - O).N and D.N: |P - O|, and 1 */
+#define SURE_SLAB 4    /* a plane across an axis: t */
+#define SURE_NORMAL 8  /* v/|v|: 1 */
+#define SURE_TUBE 16   /* a ray in a cylinder's axes: |L|, and 1 */
+
+#endif

@@ -1,0 +1,168 @@
+/* samples.c - pixels of samples: blocks of them go to a level's kernels, and those that are not sure to the integers.
+ */
+#include "gather.h"
+#include "render/path/path.h"
+#include "simd/simd.h"
+
+/* 1024 bounces with three additions each, of doubles, are off by 2^-41 of the sum. */
+#define SUMMED SURE_2(41)
+
+struct drawing {
+    const struct tia_view *view;
+    const struct tia_gathered *gathered;
+    struct tia_tile tile;
+    uint64_t all, unsure;
+    struct sure_gather block;
+};
+
+static size_t room(const struct tia_simd *simd)
+{
+    return simd_room(sizeof(struct drawing), simd->sure->gather_memory);
+}
+
+/* A colour in units of 2^-24, see num_q24; false where the bound leaves several. */
+static bool rounded(double c, double e, int64_t *q24)
+{
+    double low = c - e, high = c + e;
+
+    low = low < 0 ? 0 : low > 16384 ? 16384 : low;
+    high = high < 0 ? 0 : high > 16384 ? 16384 : high;
+    *q24 = (int64_t)(low * 16777216 + 0.5);
+    return *q24 == (int64_t)(high * 16777216 + 0.5);
+}
+
+static size_t place_of(const struct drawing *d, int x, int y)
+{
+    return (size_t)(y - (int)d->tile.y) * d->gathered->pitch + (size_t)(x - (int)d->tile.x);
+}
+
+/* The integers' samples first..end - 1 of a pixel. */
+static void sample_exactly(const struct drawing *d, int x, int y, uint32_t first, uint32_t end)
+{
+    size_t at = place_of(d, x, y);
+    const struct tia_gathered *g = d->gathered;
+    const struct tia_gathered pixel = {&g->sums[at], g->guides ? &g->guides[at] : NULL,
+                                       g->squares ? &g->squares[at] : NULL, 1};
+
+    d->view->renderer->sample(d->view, (struct tia_tile){(uint16_t)x, (uint16_t)y, 1, 1}, first, end, &pixel);
+}
+
+static void finish_sample(struct drawing *d, int i)
+{
+    const struct sure_gather *b = &d->block;
+    size_t at = place_of(d, b->x[i], b->y[i]);
+    double e = b->error[i] + sure_most3(b->colour[i]) * SUMMED;
+    int64_t rgb[3];
+    bool sure = !b->unsure[i];
+
+    for (int c = 0; c < 3 && sure; c++)
+        sure = rounded(b->colour[i][c], e, &rgb[c]);
+    d->all++;
+    if (!sure) {
+        if (asker_stops(&d->block.asker, ASKER_PATIENCE)) /* one may take long */
+            return;
+        d->unsure++;
+        sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
+        return;
+    }
+    for (int c = 0; c < 3; c++)
+        d->gathered->sums[at].rgb[c] += rgb[c];
+    if (d->gathered->squares)
+        estimate_add_square(rgb, &d->gathered->squares[at]);
+}
+
+static void finish_block(struct drawing *d)
+{
+    struct sure_gather *b = &d->block;
+    const struct sure_kernels *kernels = d->view->simd->sure;
+
+    if (!b->count)
+        return;
+    if (d->view->scene->integration.integrator == TIA_PATHS)
+        kernels->walk(b, simd_kernels_room(d, sizeof *d));
+    else
+        kernels->occlude(b, simd_kernels_room(d, sizeof *d));
+    for (int i = 0; i < b->count && !d->block.asker.stopped; i++)
+        finish_sample(d, i);
+    b->count = 0;
+}
+
+/* Where most samples are not sure, doubles only cost time. */
+static bool pays(const struct drawing *d)
+{
+    return d->unsure * 2 <= d->all;
+}
+
+static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t end)
+{
+    struct sure_gather *b = &d->block;
+
+    for (uint32_t i = first; i < end && !d->block.asker.stopped; i++) {
+        if (!b->count && !pays(d)) {
+            sample_exactly(d, x, y, i, end);
+            return;
+        }
+        b->x[b->count] = x;
+        b->y[b->count] = y;
+        b->index[b->count++] = i;
+        if (b->count == SURE_GATHERED)
+            finish_block(d);
+    }
+}
+
+/* What samples see first is for the integers. */
+static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
+                   const struct tia_gathered *gathered, void *memory)
+{
+    struct drawing *d = memory;
+
+    if (gathered->guides) {
+        view->renderer->sample(view, tile, first, end, gathered);
+        return;
+    }
+    d->view = view;
+    d->gathered = gathered;
+    d->tile = tile;
+    d->all = d->unsure = 0;
+    d->block.asker = view_asker(view);
+    d->block.scene = tia_sure_scene(view);
+    d->block.count = 0;
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
+        for (int x = (int)tile.x; x < tile_right(tile) && !d->block.asker.stopped; x++)
+            add_pixel(d, x, y, first, end);
+    finish_block(d);
+}
+
+#define PIECE 64 /* pixels of a row that are drawn at once */
+
+static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                  const struct tia_options *options, void *memory)
+{
+    uint32_t spp = view->scene->integration.spp;
+
+    if (options->path_hash || options->lit) {
+        tia_simd_light_plain(view, tile, surface, options);
+        return;
+    }
+    spp = spp ? spp : TIA_SPP;
+    for (int y = 0; y < (int)tile.height && !view_stops(view); y++)
+        for (int x = 0; x < (int)tile.width && !view_stops(view); x += PIECE) {
+            int left = (int)tile.width - x;
+            struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y),
+                                     (uint16_t)(left < PIECE ? left : PIECE), 1};
+            struct tia_sum sums[PIECE] = {{{0, 0, 0}}};
+            sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE}, memory);
+            char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
+            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
+            estimate_show(view, piece, sums, spp, &part, options->dither);
+        }
+}
+
+/* A strategy that is left out is for the integers, and so is a light field: neighbours have eyes of their own. */
+static bool draws(const struct tia_view *view)
+{
+    return view->scene->bvh && !view->scene->integration.without && !view->scene->field;
+}
+
+const struct simd_renderer tia_simd_samples = {tia_gather_size, draws, tia_gather_prepare, tia_gather_set_lights, room,
+                                               light,           sample};

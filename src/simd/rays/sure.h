@@ -1,0 +1,301 @@
+/* sure.h - rays in double precision, sure to be what the integers say.
+ *
+ * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the integers' one, their
+ * roundings included: |x_double - x_integers| <= e. Each decision - hit or miss, which of two is nearer, lit or not,
+ * this level of a colour or the next - is taken only when it is the same all over x +- e. A sample where one is not is
+ * "unsure", and traced by the integers' own code from its camera ray on. So the integers decide wherever doubles might
+ * not; a bound that is too small is the only way to a wrong bit, one that is too large only takes time.
+ *
+ * Nothing depends on lanes, their order, or whether the compiler fuses products and sums: the bounds hold for any of
+ * them, and what is sure is right. Levels need not agree on which samples are sure.
+ *
+ * Here: the scene in doubles. Its constants are computed by the integers' functions and then converted, so each is
+ * within 2^-53 of its size. */
+#ifndef TIA_SIMD_RAYS_SURE_H
+#define TIA_SIMD_RAYS_SURE_H
+
+#include "render/trace/trace.h"
+
+#define SURE_INNER UINT32_MAX
+
+/* Two children side by side. A child's box is the hierarchy's, in floats rounded outward. Where count is SURE_INNER the
+ * child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index] .. A root that
+ * is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
+struct sure_node {
+    float box[6][2]; /* minimum x, y, z, maximum x, y, z */
+    uint32_t index[2], count[2];
+};
+
+#define SURE_NOWHERE 1e9f
+
+struct sure_face {
+    double at[3][3], normal[3], smooth[3][3];
+    double extent; /* of the edges: the most of |x| + |y| + |z| */
+    double bend;   /* how far the smooth normals are apart */
+    bool any, smoothed;
+};
+
+/* Of each edge, from A to B as seen from a centre: A x B and B - A. */
+struct sure_edges {
+    double edge[3][2][3];
+};
+
+/* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
+ * pairs.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
+struct sure_pair {
+    float edge[2][2][3][2], whole[3][2], size[2];
+    uint32_t face[2];
+};
+
+#define SURE_NONE -1e30f /* so that a line is always outside */
+#define SURE_LEAF 16     /* faces that are tried at once, and of which a mesh has no hierarchy */
+#define SURE_FEW 8       /* of a mesh, below a node that is made a leaf: pairs take less time than nodes */
+
+struct sure_tree {
+    const struct sure_node *nodes;
+    const uint32_t *items;
+    const struct sure_face *faces; /* of a mesh */
+    const struct sure_pair *pairs; /* what its leaves have for items */
+    const uint32_t *groups;        /* and those of its faces, or NULL */
+    uint32_t node_count;
+    double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
+};
+
+/* SURE_UNKNOWN: may be hit anywhere in its box. */
+enum sure_kind {
+    SURE_UNKNOWN,
+    SURE_SPHERE,
+    SURE_MESH,
+    SURE_TRIANGLE,
+    SURE_PLANE,
+    SURE_DISC,
+    SURE_ROUND,
+    SURE_BOX,
+    SURE_GRID
+};
+
+/* See struct prepared_cone. */
+struct sure_round {
+    double axis[3], across[2][3], base[3], anchor[3];
+    double anchored, reach, length, base_radius, top_radius, cosine, sine;
+    bool capped;
+};
+
+struct sure_instance {
+    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* of the scales */
+    double size;                                                       /* how far the box reaches, in the world */
+    double centre[3], extent;                                          /* of the shape in its axes */
+};
+
+struct sure_grid {
+    const struct tia_grid *from;
+    double corner[3], edge;
+};
+
+struct sure_object {
+    enum sure_kind kind;
+    uint32_t material;
+    bool opaque;                                       /* lets no light through */
+    bool unclear;                                      /* what it lets through is for the integers */
+    bool layered;                                      /* it has an opacity */
+    bool grouped;                                      /* it does so once for each group of faces */
+    double at[3], radius, normal[3], axes[2][3], unit; /* a box: its corners are `at` and `normal` */
+    const struct tia_mesh *faces;                      /* of a mesh */
+    double transmission[3];
+    const struct sure_tree *mesh;
+    const struct sure_face *face;
+    const struct sure_round *round;
+    const struct sure_grid *grid;
+    const struct sure_instance *placed; /* NULL: the world's axes */
+};
+
+/* Where in a material's columns each colour begins. */
+enum {
+    SURE_COLOUR,
+    SURE_SPECULAR = 3,
+    SURE_MIRROR = 6,
+    SURE_REFRACTION = 9,
+    SURE_EMISSION = 12,
+    SURE_FACING = 15,
+    SURE_EXPONENT = 18,
+    SURE_COLUMNS
+};
+
+struct sure_material {
+    double column[SURE_COLUMNS];
+    uint32_t groups; /* bit i: columns 3 i and on are not all 0, or do not matter */
+    bool known, is_specular, refracts, fresnel;
+    const struct tia_texture *texture; /* of the colour, or NULL */
+    double cells[2][3], repeat[2], offset[2];
+};
+
+#define SURE_PLACES 64 /* samples of a light at most whose places are kept, */
+#define SURE_AREAS 16  /* and lights */
+
+struct sure_light {
+    const struct ray_light *from;
+    double at[3], emission[3], radius;
+    double axes[2][3]; /* of a disc; a rectangle's sides */
+    double normal[3], across[2][3], reach[2];
+    double brightest;
+    double inner, outer;                      /* cosines of a spot light */
+    double constant, linear, quadratic, unit; /* of one that fades */
+    bool seen;
+    double (*place)[2][SURE_PLACES]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
+};
+
+struct sure_camera {
+    double eye[3], u[3], v[3], n[3], left, top, across, upward, away;
+    int width, height, side;
+    bool orthographic;
+};
+
+struct sure_scene {
+    const struct ray_view *view;
+    struct sure_tree objects;
+    const struct sure_tree *meshes;
+    const struct sure_object *object;
+    struct sure_material *materials;
+    struct sure_light *lights;
+    double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
+    const uint32_t *unbounded;
+    uint32_t unbounded_count, light_count, depth;
+    bool occluded;                       /* objects hinder an ambient light: then doubles know nothing of any point */
+    double brightest[TIA_DEPTH_MAX + 1]; /* after so many bounces no ray has a colour above that */
+    double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */
+    double centre[3], extent; /* of all that has bounds: around centre, the sum of the axes' halves */
+    double background[3], bias;
+    const struct sure_paths *paths; /* NULL unless its samples are drawn */
+    struct sure_camera camera;
+};
+
+#define SURE_SIDE 16 /* pixels of a block of one sample each, either way */
+#define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
+#define SURE_ENDS (SURE_SLOTS + 8) /* whole packets may reach beyond the last one */
+
+/* The work of a packet in items of asker.h, besides what it meets: so that 32 packets that meet little come between two
+ * questions whether to stop. */
+#define SURE_PACKET (ASKER_PATIENCE / 32)
+
+/* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
+struct sure_block {
+    const struct sure_scene *scene;
+    struct asker asker;
+    int x, y, width, height, samples;
+    double colour[3][SURE_ENDS], error[SURE_ENDS];
+    bool unsure[SURE_SLOTS];
+    double threshold[SURE_SIDE][16]; /* of each row's pixels by x mod 8, twice */
+    tia_rgb565 pixels[SURE_ENDS];    /* those that are open are not */
+    bool open[SURE_ENDS];
+};
+
+struct sure_gather;
+
+struct sure_kernels {
+    void (*trace)(struct sure_block *block, void *memory);
+    void (*set_pixels)(struct sure_block *block);
+    void (*occlude)(struct sure_gather *gather, void *memory);
+    void (*walk)(struct sure_gather *gather, void *memory);
+    size_t block_memory, gather_memory; /* bytes for the first, and for the last two; aligned to 64 */
+};
+
+#define SURE_2(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
+#define SURE_UNIT SURE_2(45)                           /* of the integers' coordinates */
+#define SURE_EPS SURE_2(53)                            /* half a unit of a double of 1 */
+
+static inline double sure_length(num_length x)
+{
+    return (double)x * SURE_UNIT;
+}
+
+/* 2^bits, -28..31 */
+static inline double sure_two_to(int bits)
+{
+    return bits < 0 ? 1 / (double)(INT64_C(1) << -bits) : (double)(INT64_C(1) << bits);
+}
+
+static inline double sure_cosine(num_unit d)
+{
+    return (double)d * SURE_2(62);
+}
+
+static inline void sure_point(double to[3], struct num_point p)
+{
+    to[0] = sure_length(p.x);
+    to[1] = sure_length(p.y);
+    to[2] = sure_length(p.z);
+}
+
+static inline void sure_dir(double to[3], struct num_dir d)
+{
+    to[0] = sure_cosine(d.x);
+    to[1] = sure_cosine(d.y);
+    to[2] = sure_cosine(d.z);
+}
+
+static inline void sure_rgb(double to[3], const struct tia_rgb *c)
+{
+    to[0] = (double)c->r * SURE_2(30);
+    to[1] = (double)c->g * SURE_2(30);
+    to[2] = (double)c->b * SURE_2(30);
+}
+
+static inline double sure_most3(const double c[3])
+{
+    double most = c[0] > c[1] ? c[0] : c[1];
+
+    return most > c[2] ? most : c[2];
+}
+
+/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
+static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
+{
+    struct sure_edges e;
+
+    for (int i = 0; i < 3; i++) {
+        const double *from = f->at[i], *to = f->at[i < 2 ? i + 1 : 0];
+        const double a[3] = {from[0] - centre[0], from[1] - centre[1], from[2] - centre[2]};
+        const double b[3] = {to[0] - centre[0], to[1] - centre[1], to[2] - centre[2]};
+        for (int k = 0; k < 3; k++) {
+            int x = k < 2 ? k + 1 : 0, y = k > 0 ? k - 1 : 2;
+            e.edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
+            e.edge[i][1][k] = to[k] - from[k];
+        }
+    }
+    return e;
+}
+
+/* Bytes for a scene; then the scene in them, and its lights whenever they change. */
+size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
+struct sure_scene *tia_sure_scene(const struct tia_view *view);
+void tia_sure_prepare(struct tia_view *view);
+void tia_sure_set_lights(struct tia_view *view);
+
+/* What objects have of their own, one for each shape. */
+struct sure_places {
+    struct sure_object *objects;
+    struct sure_round *rounds;
+    struct sure_face *faces;
+    struct sure_grid *grids;
+    struct sure_instance *instances;
+};
+
+/* How many nodes a hierarchy of so many has here; then they are made, leaves of those with `few` items at most. */
+#define SURE_NODES(count) (((count) + 1) / 2)
+uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
+
+/* No more pairs than this has a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
+ * most. Then they are made, and leaves have pairs for items; returns how many. */
+#define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
+uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
+
+void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
+void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
+
+/* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
+void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
+
+/* By the integers: the colour of sample i of a pixel, not clamped. */
+void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);
+
+#endif

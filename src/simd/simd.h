@@ -1,0 +1,47 @@
+/* simd.h - what a level consists of, beside its operations. */
+#ifndef TIA_SIMD_SIMD_H
+#define TIA_SIMD_SIMD_H
+
+#include "pair.h"
+#include "raster/runs.h"
+#include "render/renderer.h"
+
+/* See struct simd_renderer: scenes of spheres, and any others. */
+bool tia_simd_draws(const struct tia_view *view);
+void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                    const struct tia_options *options, void *room);
+
+/* A tile by plain C, from hits of its own. */
+void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                          const struct tia_options *options);
+
+#define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* a line of the caches */
+
+/* A call's room: first the level's own structure of `own` bytes, then what its kernels need. */
+static inline size_t simd_room(size_t own, size_t of_kernels)
+{
+    return SIMD_ALIGN(own) + of_kernels;
+}
+
+static inline void *simd_kernels_room(void *room, size_t own)
+{
+    return (char *)room + SIMD_ALIGN(own);
+}
+
+extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_samples;
+
+extern const struct simd_entries tia_simd_entries;
+
+/* `runs`: the rasteriser's, or NULL. */
+#define SIMD(simd, runs)                                                                                               \
+    extern const struct tia_simd tia_simd_##simd;                                                                      \
+    extern const struct sure_kernels tia_sure_##simd;                                                                  \
+    const struct tia_simd tia_simd_##simd = {#simd,                                                                    \
+                                             &tia_simd_entries,                                                        \
+                                             &span_kernels_plain,                                                      \
+                                             {&tia_simd_spans, &tia_simd_rays, &tia_simd_samples},                     \
+                                             &kernels,                                                                 \
+                                             &tia_sure_##simd,                                                         \
+                                             runs}
+
+#endif

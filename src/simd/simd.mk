@@ -1,0 +1,25 @@
+# simd.mk - which levels of vector units this compiler makes; the Makefile includes it.
+
+# Vector units: a library of its own, with floating point. A level is a file of src/simd with its own flags, and there
+# where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
+SIMD_SRC := $(filter src/simd/%,$(CORE_SRC))
+CORE_SRC  := $(filter-out src/simd/%,$(CORE_SRC))
+SIMD_NAMES := scalar sse41 avx2 avx512 neon neon32 wasm
+flags_scalar :=
+flags_sse41  := -msse4.1
+flags_avx2   := -mavx2 -mfma
+flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
+flags_neon   :=
+flags_neon32 := -mfpu=neon
+flags_wasm   := -msimd128
+SIMD ?= $(if $(BARE),no,yes)
+# tools/generate would be too late: the compiler is asked with a line for each level.
+SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+# `make run` alone makes the one that this processor can do best, beside those that are there.
+ifneq ($(LEAN),)
+simd_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/simd/asked.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')
+SIMD_BEST := $(lastword $(foreach l,$(SIMD_HAD),$(call simd_asked,$(l))))
+SIMD_HAD := $(if $(SIMD_BEST),$(foreach l,$(SIMD_HAD),$(if $(filter $(SIMD_BEST),$(l))$(wildcard $(BUILD)/simd/src/simd/rays/$(l).o),$(l))),$(SIMD_HAD))
+endif
+SIMD_SRC := $(filter-out $(foreach l,$(filter-out $(SIMD_HAD),$(SIMD_NAMES)),src/simd/$(l).c src/simd/rays/$(l).c),$(SIMD_SRC))
+HAVE_SIMD := $(addprefix -DTIA_HAVE_,$(shell echo $(SIMD_HAD) | tr a-z A-Z))

@@ -1,0 +1,65 @@
+/* simd_runs.h - what rows see of spheres, as src/simd takes it: of edge scenes and of some of the corpus. */
+#ifndef TESTS_SIMD_RUNS_H
+#define TESTS_SIMD_RUNS_H
+
+#include <stdlib.h>
+
+#include "corpus/corpus.h"
+#include "edge_scene.h"
+#include "simd/kept.h"
+
+/* `fine` is what tia_simd_fine made of a run that it takes. */
+typedef void simd_runs_try(const struct simd_fine *fine);
+
+static inline void simd_runs_row(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                                 simd_runs_try *try)
+{
+    static struct simd_fine fine;
+    const struct span_view *spans = span_view_of(view);
+    struct span span = span_sphere_row(&spans->primary, &spans->spheres[sphere], row->y, (struct span){0, 0});
+
+    if (span.end - span.first > SIMD_RUN)
+        span.end = span.first + SIMD_RUN;
+    if (span.first < span.end && tia_simd_fine(view, row, sphere, span.first, span.end, &fine))
+        try(&fine);
+}
+
+static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width, unsigned height, simd_runs_try *try)
+{
+    size_t size = tia_view_size(scene, scene->light_count), more = tia_simd_pairs_size(scene, scene->light_count);
+    void *memory = malloc(size), *pairs = malloc(more + 1);
+    struct tia_view *view;
+
+    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height)) {
+        const struct span_view *spans = span_view_of(view);
+        view->simd_memory = pairs;
+        tia_simd_prepare(view);
+        for (uint32_t n = 0; n < scene->sphere_count; n++)
+            for (int y = 0; y < (int)height; y += 3) {
+                struct simd_row row;
+                tia_simd_row(&spans->primary, y, &row);
+                if (y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
+                    simd_runs_row(view, &row, n, try);
+            }
+    }
+    free(memory);
+    free(pairs);
+}
+
+/* Edge scenes and scenes of the corpus, these in 320x240. */
+static inline void simd_runs(unsigned edges, unsigned corpus, simd_runs_try *try)
+{
+    static struct edge_scene e;
+    static struct corpus_scene c;
+
+    for (unsigned i = 1; i <= edges; i++) {
+        edge_make(&e, i);
+        simd_runs_scene(&e.scene, e.width, e.height, try);
+    }
+    for (unsigned i = 0; i < corpus; i++) {
+        corpus_random(&c, 7, i);
+        simd_runs_scene(&c.scene, 320, 240, try);
+    }
+}
+
+#endif

@@ -1,0 +1,286 @@
+/* The cells of src/simd against what holds of every pixel in them: how far points move, what a line between samples
+ * costs, where shadows begin; and bounds that are kept against a run's own. Bounds are never exceeded, and within ten
+ * times of what is reached, so that one that is a tenth of what it should be is seen here. */
+#include <float.h>
+#include <math.h>
+
+#include "check.h"
+#include "float_modes.h"
+#include "simd/proved.h"
+#include "simd_integers.h"
+#include "simd_runs.h"
+#include "vector_floats.h"
+
+#include "simd/kernel.h"
+
+typedef long double real;
+
+enum { FIRST, SECOND, SAG, LINE, LEVELS_31, LEVELS_63, BOUNDS };
+static const char *const names[BOUNDS] = {
+    "|P'|", "|P''|", "D below two samples", "a line between samples", "a level of 31", "a level of 63"};
+static double worst[BOUNDS];
+static unsigned long tried[BOUNDS], lit, dark, flat;
+
+static void note(int which, real value, real bound)
+{
+    double ratio = (double)(value / bound);
+
+    tried[which]++;
+    worst[which] = ratio > worst[which] ? ratio : worst[which];
+}
+
+/* ---- what is true of a pixel ---- */
+
+struct truth {
+    real depth, s, vv;
+};
+
+static struct truth truth_at(const struct simd_fine *f, real x)
+{
+    const double *b = f->seen.b, *d = f->seen.d;
+    struct truth o = {d[0] + x * (d[1] + x * d[2]), 0, f->place.v0 + x * (f->place.v1 + x * f->place.v2)};
+
+    o.s = (b[0] + b[1] * x + sqrtl(o.depth)) / f->seen.c;
+    return o;
+}
+
+/* c[0] + c[1]/s + v.v/s^2 with c[1] linear in x. */
+static real form(real constant, const double linear[2], real x, const struct truth *o)
+{
+    return constant + (linear[0] + linear[1] * x + o->vv / o->s) / o->s;
+}
+
+static real lambert(const struct simd_fine_light *light, real x, const struct truth *o)
+{
+    real w = form(light->lamp->qq, light->q, x, o);
+
+    return (light->lamp->k + (light->g[0] + light->g[1] * x) / o->s) * light->lamp->per_r / sqrtl(w);
+}
+
+static bool is_dark(const struct simd_fine_light *light, real x, const struct truth *o)
+{
+    const struct simd_fine_cast *cast = &light->cast[0];
+    real w = form(light->lamp->qq, light->q, x, o), a = form(cast->a[0], cast->a + 1, x, o);
+
+    return a > 0 && a < w && a * a > w * form(cast->k[0], cast->k + 1, x, o) * (1 + light->lamp->swell);
+}
+
+/* ---- levels ---- */
+
+/* A channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of what the integers make of
+ * their cosine, and of what they would make of one that is as far from the kernels' as its bound lets it be. */
+static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
+                      real bound)
+{
+    num_u product = num_colour_product(num_colour(part[1]), num_colour(part[2]));
+    num_u channel = num_clamp(num_colour(part[0]) + num_colour_product(whole, product));
+
+    CHECK(fabsl(y - levels * (real)channel * 0x1p-30L) <= .5L - near);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        real off = fminl(fmaxl(cosine + (real)sign * bound, 0), 1);
+        off = fminl(((real)part[0] + off * (real)product) * 0x1p-30L, 1);
+        note(which, y - levels * off, .5L - near);
+    }
+}
+
+/* Of pixels that one light shines on and nothing shades. */
+static void try_levels(const struct simd_fine *f, const struct simd_run *r, const struct body *k, int first)
+{
+    const struct tia_scene *scene = f->view->scene;
+    const struct tia_material *material = &scene->materials[scene->spheres[f->sphere].material];
+    const struct tia_rgb *own = &material->emission, *colour = &material->colour, *light = &f->view->lights[0].emission;
+    const tia_q30 red[3] = {own->r, colour->r, light->r}, green[3] = {own->g, colour->g, light->g};
+    const struct simd_light *q = &r->light[0];
+    F x = f_add(f_iota(), f_set(r->x0 + (float)first)), half = f_set(r->threshold[0]);
+    F sum[3] = {f_set(r->emission[0]), f_set(r->emission[1]), f_set(r->emission[2])};
+    struct value o = value_at(k, x);
+    F cosine = lambert_of(q, x, &o, square_of(q, x, &o));
+    M good = m_and(o.good, add_light(q, x, &o, sum, 3, 0));
+    F y31 = f_fma(sum[0], f_set(31), half), y63 = f_fma(sum[1], f_set(63), half);
+
+    for (int i = 0; i < N && first + i < r->count; i++) {
+        struct simd_integers at = simd_integers_at(f, f->first + first + i);
+        num_u whole = at.lit ? at.cosine : 0;
+        if (!(m_bits(good) >> i & 1))
+            continue;
+        try_level(LEVELS_31, (real)y31[i] - half[i], 31, r->near31, red, whole, cosine[i], f->light[0].bounds.lambert);
+        try_level(LEVELS_63, (real)y63[i] - half[i], 63, r->near63, green, whole, cosine[i],
+                  f->light[0].bounds.lambert);
+    }
+}
+
+/* ---- cells ---- */
+
+/* Of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
+static void try_motion(const struct simd_fine *f, real x, real first, real second)
+{
+    const double *d = f->seen.d;
+    struct truth o = truth_at(f, x);
+    real sum = o.s * f->seen.c, root = sqrtl(o.depth), bend = (4 * (real)d[0] * d[2] - (real)d[1] * d[1]) / 4;
+    real a = (f->seen.b[1] + (d[1] + 2 * x * d[2]) / (2 * root)) / sum, b = bend / (o.depth * root) / sum;
+    real t = 1 / o.s, t1 = -t * a, t2 = t * (2 * a * a - b);
+    real across = f->place.v1 / 2 + f->place.v2 * x, step = f->place.v2; /* v.v' and v'.v' */
+
+    note(FIRST, sqrtl(t1 * t1 * o.vv + 2 * t1 * t * across + t * t * step), first);
+    note(SECOND, sqrtl(t2 * t2 * o.vv + 4 * t2 * t1 * across + 4 * t1 * t1 * step), second);
+}
+
+static void try_pixel(const struct simd_fine *f, const struct simd_run *r, const struct cells *cells, int cell, int i)
+{
+    real x = f->place.low + cell * SIMD_CELL + i;
+    struct truth o = truth_at(f, x);
+    const struct simd_light *q = &r->light[0];
+    float at = (float)(i - HALF_CELL), costs = (r->near63 - cells->near63[cell]) / 63;
+    float line = cells->middle[0][cell] + at * cells->turn_of[0][cell] + fabsf(at) * cells->bend_of[0][cell];
+    real exact = lambert(&f->light[0], x, &o), off = fabsl(line - exact) - q->faint - SIMD_LINE * 0x1p-24L;
+
+    CHECK(fabsf((r->near31 - cells->near31[cell]) / 31 - costs) < 0x1p-20f);
+    off *= q->colour_most;
+    if (costs > 0x1p-14f)
+        note(LINE, off > 0 ? off : 0, costs * (1 + 0x1p-8L));
+    else
+        CHECK(off <= 0x1p-13L);
+    if (q->casts != 1 || exact < q->faint || q->cast[0].clear)
+        return;
+    bool said = cells->weight[0][0][cell] == 0 && q->colour[0] > 0;
+    lit += !said;
+    dark += said;
+    if (q->colour[0] > 0)
+        CHECK_MSG(is_dark(&f->light[0], x, &o) == said, "pixel %d of a %s cell is not", i, said ? "dark" : "lit");
+}
+
+static void try_cells(const struct simd_fine *f, const struct simd_run *r, struct cells *cells, int count)
+{
+    const struct body k = body_of(r);
+
+    take_samples(r, &k, count + 1, r->lights, cells);
+    judge_cells(r, &k, count, r->grey, r->lights, 2, cells);
+    for (int cell = 0; cell < count; cell++) {
+        float low = fminf(cells->d[cell], cells->d[cell + 1]);
+        M good;
+        if (!(cells->good >> cell & 1))
+            continue;
+        flat += cells->flat >> cell & 1;
+        struct motion motion = motion_over(r, cells, cell, &good);
+        for (int i = 0; i <= SIMD_CELL; i += 2) {
+            real x = f->place.low + cell * SIMD_CELL + i;
+            try_motion(f, x, motion.first[0], motion.second[0]);
+            note(SAG, low - truth_at(f, x).depth, r->d_sag);
+            if (r->lights == 1)
+                try_pixel(f, r, cells, cell, i);
+        }
+    }
+}
+
+static void try_run(const struct simd_fine *run)
+{
+    static struct simd_fine fine;
+    static struct simd_run r;
+    static struct cells cells;
+    struct simd_dither dither;
+    int size = run->end - run->first, count = ((size < SIMD_BLOCK ? size : SIMD_BLOCK) - 1) / SIMD_CELL;
+
+    fine = *run;
+    if (!tia_simd_fine_bounds(&fine, SIMD_FLOAT, SIMD_FLOAT_CUT, NULL))
+        return;
+    tia_simd_dither(false, fine.row->y, &dither);
+    tia_simd_run(&fine, &dither, &r);
+    const struct body k = body_of(&r);
+    for (int i = 0; r.lights == 1 && r.light[0].casts == 0 && i < r.count; i += 5 * N)
+        try_levels(&fine, &r, &k, i);
+    if (count < 1)
+        return;
+    cells.start = 0;
+    cells.x0 = r.x0;
+    try_cells(&fine, &r, &cells, count);
+}
+
+/* The built-in scene: shadows and large spheres. */
+static void thesis(simd_runs_try *try)
+{
+    static const char *const keys[] = {"", "a", "d", "s", "w"};
+    struct corpus_scene s;
+
+    for (int k = 0; k < 5; k++) {
+        CHECK_EQ(corpus_thesis(&s, keys[k], 640, 480), TIA_OK);
+        simd_runs_scene(&s.scene, k & 1 ? 640 : 1280, k & 1 ? 480 : 720, try);
+    }
+}
+
+TEST(cells)
+{
+    simd_runs(1500, 12, try_run);
+    thesis(try_run);
+    for (int i = 0; i < BOUNDS; i++) {
+        printf("# %-22s %9lu values, the worst has %.3f of its bound\n", names[i], tried[i], worst[i]);
+        CHECK_MSG(worst[i] <= 1, "%s: %g times its bound", names[i], worst[i]);
+        CHECK_MSG(worst[i] > .1, "%s: no value has more than %g of its bound", names[i], worst[i]);
+    }
+    printf("# %lu pixels in lit cells, %lu in dark ones; %lu flat cells\n", lit, dark, flat);
+    CHECK(lit > 10000 && dark > 1000 && flat > 1000);
+}
+
+/* ---- kept bounds ---- */
+
+static unsigned long own, kept_ones;
+
+/* No value of the first is less than that of the second. */
+static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
+{
+    const struct simd_depth *a = &kept->depth, *b = &alone->depth;
+
+    CHECK(a->cut >= b->cut);
+    if (a->cut > b->cut)
+        return; /* more pixels are left out: nothing is said of them */
+    CHECK(a->es >= b->es && a->et >= b->et && a->floor <= b->floor);
+    CHECK(kept->near31 <= alone->near31 && kept->near63 <= alone->near63);
+    for (uint32_t l = 0; l < kept->view->light_count; l++) {
+        const struct simd_fine_light *p = &kept->light[l], *q = &alone->light[l];
+        CHECK(p->bounds.lambert >= q->bounds.lambert && p->bounds.square >= q->bounds.square);
+        CHECK(p->bounds.distance <= q->bounds.distance);
+        for (int j = 0; j < p->lamp->casts; j++) {
+            const struct simd_cast_bounds *m = &p->cast[j].bounds, *n = &q->cast[j].bounds;
+            CHECK(m->a >= n->a && m->k >= n->k && m->w >= n->w);
+        }
+    }
+}
+
+static void try_kept(const struct simd_fine *run)
+{
+    static struct simd_fine kept, alone;
+    static struct simd_shelf shelf;
+    static const struct tia_scene *scene;
+
+    if (scene != run->view->scene || run->row->y < 3)
+        shelf.single.known = shelf.fine.known = false;
+    scene = run->view->scene;
+    for (int i = 0; i < 2; i++) {
+        kept = alone = *run;
+        double unit = i ? SIMD_DOUBLE : SIMD_FLOAT, cut = i ? SIMD_DOUBLE_CUT : SIMD_FLOAT_CUT;
+        bool good = tia_simd_fine_bounds(&alone, unit, cut, NULL);
+        CHECK(tia_simd_fine_bounds(&kept, unit, cut, i ? &shelf.fine : &shelf.single) == good || !good);
+        if (!good)
+            continue;
+        no_less(&kept, &alone);
+        own++;
+        kept_ones += kept.depth.es > alone.depth.es;
+    }
+}
+
+TEST(kept_bounds)
+{
+    simd_runs(1500, 12, try_kept);
+    thesis(try_kept);
+    printf("# %lu of %lu bounds are kept ones\n", kept_ones, own);
+    CHECK(kept_ones > own / 4);
+}
+
+int main(void)
+{
+    float_mode_of_simd();
+#if FLT_EVAL_METHOD == 0
+    RUN(cells);
+#endif
+    RUN(kept_bounds);
+    return check_status();
+}

@@ -1,0 +1,250 @@
+/* Every level of vector units against plain C, byte by byte, as checkasm does for dav1d: each is called directly, not
+ * through what the processor would be given. What the processor lacks is named.
+ *
+ *     test_simd_spans           as many scenes as seconds allow
+ *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
+#include <tia/simd.h>
+
+#include "common/thread_pool.h"
+#include "corpus/corpus.h"
+#include "edge_scene.h"
+#include "render/renderer.h"
+#include "simd_frames.h"
+
+static const struct tia_simd *simd;
+static const char *simd_name;
+static unsigned edge_scenes = 700, random_scenes = 6;
+
+/* A frame, then with its first light moved, relit and anew. */
+static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
+                    bool dither)
+{
+    struct simd_frames f;
+    struct tia_light moved[8];
+
+    if (!simd_frames_open(&f, simd, scene, width, height))
+        return;
+    CHECK_MSG(simd_frames_differ(&f, true, dither) == 0, "%s %s %u, %ux%u: %s", simd_name, what, number, width, height,
+              simd_frames_where(&f));
+    if (scene->light_count > 0 && scene->light_count <= 8) {
+        memcpy(moved, scene->lights, scene->light_count * sizeof *moved);
+        moved[0].centre.x += TIA_Q16(1.25);
+        moved[0].centre.y -= TIA_Q16(0.75);
+        int plain = tia_view_set_lights(f.plain, moved, scene->light_count);
+        CHECK_EQ(tia_view_set_lights(f.simd, moved, scene->light_count), plain);
+        if (!plain)
+            CHECK_MSG(simd_frames_differ(&f, false, dither) == 0, "%s %s %u, %ux%u, relit: %s", simd_name, what, number,
+                      width, height, simd_frames_where(&f));
+    }
+    simd_frames_close(&f);
+}
+
+static void thesis_at(unsigned width, unsigned height)
+{
+    static const char *const keys[] = {"", "a", "d", "s", "w"};
+    struct corpus_scene s;
+
+    for (unsigned k = 0; k < sizeof keys / sizeof *keys; k++) {
+        CHECK_EQ(corpus_thesis(&s, keys[k], width, height), TIA_OK);
+        compare("thesis", k, &s.scene, width, height, false);
+        if (width < 700)
+            compare("thesis dithered", k, &s.scene, width, height, true);
+    }
+}
+
+TEST(thesis)
+{
+    static const uint16_t sizes[8][2] = {{320, 240}, {640, 480}, {1280, 720}, {1920, 1080},
+                                         {321, 243}, {17, 100},  {8192, 5},   {1, 1}};
+
+    for (int i = 0; i < 8; i++)
+        thesis_at(sizes[i][0], sizes[i][1]);
+}
+
+/* So large that rows are written past the caches; then a tile at odd places. */
+TEST(large_pictures)
+{
+    enum { W = 8192, H = 520, GAP = GUARD / 2 };
+    const struct tia_tile odd = {1, 201, W - 4, 3};
+    struct corpus_scene s;
+    struct simd_frames f;
+
+    CHECK_EQ(corpus_thesis(&s, "a", W, H), TIA_OK);
+    compare("large", 0, &s.scene, W, H, false);
+    CHECK(simd_frames_open(&f, simd, &s.scene, W, H));
+    memset(f.want, GUARDED, f.bytes);
+    memset(f.got, GUARDED, f.bytes);
+    struct tia_surface want = simd_frames_surface(f.want + (GAP + 2), f.pitch),
+                       got = simd_frames_surface(f.got + (GAP + 2), f.pitch);
+    CHECK_EQ(tia_render(f.plain, f.hits[0], odd, &want, NULL), TIA_OK);
+    CHECK_EQ(tia_render(f.simd, f.hits[1], odd, &got, NULL), TIA_OK);
+    CHECK(memcmp(f.want, f.got, f.bytes) == 0);
+    simd_frames_close(&f);
+}
+
+TEST(random_corpus)
+{
+    static struct corpus_scene s;
+
+    for (unsigned i = 0; i < random_scenes; i++) {
+        corpus_random(&s, 7, i);
+        compare("random", i, &s.scene, s.width, s.height, i % 7 == 6);
+    }
+}
+
+TEST(edge_scenes_of_any_magnitude)
+{
+    static struct edge_scene e;
+
+    for (unsigned i = 1; i <= edge_scenes; i++) {
+        edge_make(&e, i);
+        compare("edge", i, &e.scene, e.width, e.height, e.dither);
+    }
+}
+
+/* Tiles of odd sizes, drawn one by one, each through a surface that is turned by a quarter. */
+TEST(tiles_and_turned_surfaces)
+{
+    static const unsigned W = 200, H = 150, TILE = 37;
+    static struct corpus_scene s;
+    static tia_rgb565 want[200 * 150], got[200 * 150];
+    struct simd_frames f;
+
+    corpus_random(&s, 7, 3);
+    CHECK(simd_frames_open(&f, simd, &s.scene, W, H));
+    for (unsigned y = 0; y < H; y += TILE)
+        for (unsigned x = 0; x < W; x += TILE) {
+            unsigned wide = W - x < TILE ? W - x : TILE, high = H - y < TILE ? H - y : TILE;
+            struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)wide, (uint16_t)high};
+            struct tia_surface a = {want + x * H + y, 2 * H, 2}, b = {got + x * H + y, 2 * H, 2};
+            CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
+            CHECK_EQ(tia_render(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
+        }
+    CHECK(memcmp(want, got, sizeof want) == 0);
+    simd_frames_close(&f);
+}
+
+TEST(objects_and_path_hashes)
+{
+    enum { W = 320, H = 240 };
+    static uint32_t want[W * H], got[W * H];
+    static struct corpus_scene s;
+    struct simd_frames f;
+
+    for (unsigned i = 0; i < 8; i++) {
+        corpus_random(&s, 7, i);
+        CHECK(simd_frames_open(&f, simd, &s.scene, W, H));
+        struct tia_options a = {.path_hash = want}, b = {.path_hash = got};
+        struct tia_surface one = simd_frames_surface(f.want, f.pitch), other = simd_frames_surface(f.got, f.pitch);
+        CHECK_EQ(tia_render(f.plain, f.hits[0], f.area, &one, &a), TIA_OK);
+        CHECK_EQ(tia_render(f.simd, f.hits[1], f.area, &other, &b), TIA_OK);
+        CHECK(memcmp(want, got, sizeof want) == 0);
+        for (unsigned y = 0; y < H; y += 7)
+            for (unsigned x = 0; x < W; x++)
+                CHECK_EQ(tia_hits_object(f.hits[1], x, y), tia_hits_object(f.hits[0], x, y));
+        simd_frames_close(&f);
+    }
+}
+
+struct job {
+    struct simd_frames *frames;
+    unsigned rows;
+};
+
+static void draw_rows(void *arg, unsigned index)
+{
+    struct job *job = arg;
+    struct simd_frames *f = job->frames;
+    struct tia_tile tile = f->area;
+
+    unsigned first = index * job->rows, left = f->area.height - first;
+    tile.y = (uint16_t)first;
+    tile.height = (uint16_t)(left < job->rows ? left : job->rows);
+    struct tia_surface surface = simd_frames_surface(f->got + (size_t)f->pitch * tile.y, f->pitch);
+    CHECK_EQ(tia_render(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
+}
+
+TEST(threads)
+{
+    struct threads *pool = threads_create(4);
+    struct corpus_scene s;
+    struct simd_frames f;
+
+    CHECK_EQ(corpus_thesis(&s, "a", 640, 480), TIA_OK);
+    CHECK(simd_frames_open(&f, simd, &s.scene, 640, 480));
+    CHECK_EQ(simd_frames_differ(&f, true, false), 0);
+    memset(f.got, GUARDED, f.bytes);
+    struct job job = {&f, 7};
+    threads_workers.run(pool, draw_rows, &job, (480 + job.rows - 1) / job.rows);
+    CHECK(memcmp(f.want, f.got, f.bytes) == 0);
+    simd_frames_close(&f);
+    threads_destroy(pool);
+}
+
+/* What is not for levels stays as it was: the eye in a sphere; a scene for rays; another arithmetic. */
+TEST(what_levels_leave_alone)
+{
+    struct corpus_scene s;
+    struct simd_frames f;
+
+    CHECK_EQ(corpus_thesis(&s, "a", 64, 48), TIA_OK);
+    CHECK(simd_frames_open(&f, simd, &s.scene, 64, 48));
+    CHECK(strcmp(tia_view_simd(f.simd), simd_name) == 0 && strcmp(tia_view_simd(f.plain), "plain") == 0);
+    CHECK_EQ(tia_view_set_simd(f.simd, simd, f.memory[2], tia_simd_size(simd, &s.scene, 1, 1) - 1), TIA_ERR_MEMORY);
+    CHECK(strcmp(tia_view_simd(f.simd), "plain") == 0);
+    simd_frames_close(&f);
+    s.scene.camera.eye = tia_thesis_scene.spheres[1].centre;
+    CHECK(simd_frames_open(&f, simd, &s.scene, 64, 48));
+    CHECK(strcmp(tia_view_simd(f.simd), "plain") == 0);
+    CHECK_EQ(simd_frames_differ(&f, true, false), 0);
+    simd_frames_close(&f);
+}
+
+static void run_all(const struct tia_simd *tested, const char *name)
+{
+    char title[80];
+
+    simd = tested;
+    simd_name = name;
+#define RUN_SIMD(test) ((void)snprintf(title, sizeof title, "%s: %s", name, #test), check_run(title, test))
+    RUN_SIMD(thesis);
+    RUN_SIMD(large_pictures);
+    RUN_SIMD(random_corpus);
+    RUN_SIMD(edge_scenes_of_any_magnitude);
+    RUN_SIMD(tiles_and_turned_surfaces);
+    RUN_SIMD(objects_and_path_hashes);
+    RUN_SIMD(threads);
+    RUN_SIMD(what_levels_leave_alone);
+}
+
+TEST(names_of_levels)
+{
+    const struct tia_simd *found = tia_simd_best();
+
+    CHECK_EQ(tia_simd_named("plain", &found), TIA_OK);
+    CHECK(!found);
+    CHECK_EQ(tia_simd_named("mmx", &found), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_simd_named("", &found), TIA_ERR_ARGUMENT);
+    CHECK(tia_simd_size(NULL, &tia_thesis_scene, 1, 1) == 0);
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
+
+    if (argc > 1) {
+        edge_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+        random_scenes = edge_scenes / 100;
+    }
+    RUN(names_of_levels);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const struct tia_simd *found = NULL;
+        for (unsigned k = 0; tia_simd_at(k); k++)
+            found = strcmp(tia_simd_at(k)->name, names[i]) == 0 ? tia_simd_at(k) : found;
+        if (found)
+            run_all(found, names[i]);
+        else
+            printf("# %s: not on this processor, or not in this build\n", names[i]);
+    }
+    return check_status();
+}
