@@ -80,7 +80,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
 {
     const struct tia_tile all = {0, 0, width, height};
     const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT;
-    struct asker nobody = {NULL, NULL, 0, false};
+    struct cancel nobody = {NULL, NULL, 0, false};
     size_t size = tia_flat_size(&s->scene);
 
     p->memory[0] = malloc(size);
@@ -98,7 +98,7 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)
 {
     struct tia_raster_target target = p->target;
-    struct asker nobody = {NULL, NULL, 0, false};
+    struct cancel nobody = {NULL, NULL, 0, false};
 
     if (pass == SHADOW_DEPTH) {
         target.count = NULL;

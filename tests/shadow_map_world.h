@@ -102,7 +102,7 @@ static void make_light(enum tia_light_kind kind, double outer)
 
 static void make_map(unsigned border)
 {
-    struct asker nobody = {0};
+    struct cancel nobody = {0};
 
     w.memory = malloc(tia_flat_size(&w.scene));
     CHECK(!tia_flat_init(&w.flat, w.memory, tia_flat_size(&w.scene), &w.scene, 80, 60, &nobody));

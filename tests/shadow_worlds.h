@@ -8,7 +8,7 @@
 #include "random.h"
 #include "shadow_oracle.h"
 
-static struct asker nobody;
+static struct cancel nobody;
 
 #define FACES 64
 #define POINTS (3 * FACES)

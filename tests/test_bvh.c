@@ -187,7 +187,7 @@ TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100], bounds;
     uint32_t numbers[100];
-    struct asker nobody = {0};
+    struct cancel nobody = {0};
     const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &nobody};
 
     for (uint32_t i = 0; i < 100; i++) {
@@ -207,7 +207,7 @@ TEST(items_that_cost_more_are_split_sooner)
 {
     struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
     uint32_t numbers[2] = {0, 1};
-    struct asker nobody = {0};
+    struct cancel nobody = {0};
 
     for (uint32_t cost = 1; cost < 5; cost++) {
         const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &nobody};

@@ -33,7 +33,7 @@ int main(void)
 #define ACROSS 16
 #define Q(x) ((tia_q16)((x)*65536 + ((x) > 0) - 0.5))
 
-static struct asker nobody;
+static struct cancel nobody;
 static struct tia_vec3 ring_points[AROUND * ACROSS];
 static struct tia_face ring_faces[2 * AROUND * ACROSS];
 static const struct tia_mesh ring = {

@@ -142,7 +142,7 @@ static unsigned draw(const struct tia_scene *given)
     struct tia_scene scene = *given;
     struct tia_raster_target target;
     struct tia_flat_scene flat;
-    struct asker nobody = {NULL, NULL, 0, false};
+    struct cancel nobody = {NULL, NULL, 0, false};
     unsigned mirrored = 0;
 
     scene.shape_count += TRIANGLES;

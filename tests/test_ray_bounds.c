@@ -164,7 +164,7 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     tia_sure_prepare(prepared);
     tia_sure_set_lights(prepared);
     b.scene = tia_sure_scene(prepared);
-    b.asker = (struct asker){0};
+    b.cancel = (struct cancel){0};
     b.samples = view->camera.side * view->camera.side;
     b.width = b.height = SURE_SIDE / 2 / view->camera.side;
     for (b.y = 0; b.y + b.height <= (int)height; b.y += b.height)

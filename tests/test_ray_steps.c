@@ -286,8 +286,8 @@ static void try_sample(struct used *u, bool grazing)
     struct real to = real_random();
     struct shade h = {.colour = {1, 1, 1}, .eg = some_size(8, 30)};
     struct sample s = {.to = v3_of(to), .eto = grazing ? some_size(8, 30) : 0, .falloff = {some_part(), 0, 0}};
-    struct asker nobody = {0};
-    struct lit lit = {.asker = &nobody, .room = &lights};
+    struct cancel nobody = {0};
+    struct lit lit = {.cancel = &nobody, .room = &lights};
     uint32_t blocker = TIA_NO_OBJECT;
     long double turn = WITHIN * (long double)some_sign();
 
@@ -311,8 +311,8 @@ static void try_ambient(struct used *u)
     struct sure_light l = {.from = &from, .emission = {1, 1, 1}, .brightest = 1};
     const struct sure_scene scene = {.lights = &l};
     struct shade h = {.colour = {0.5, 0.5, 0.5}, .ecolour = some_size(3, 30)};
-    struct asker nobody = {0};
-    struct lit lit = {.asker = &nobody, .room = &lights};
+    struct cancel nobody = {0};
+    struct lit lit = {.cancel = &nobody, .room = &lights};
     const uint8_t class[1] = {0};
     uint32_t blocker = TIA_NO_OBJECT;
 

@@ -12,7 +12,7 @@
 
 #define MANY 400
 
-static struct asker nobody;
+static struct cancel nobody;
 
 static uint32_t below(uint32_t n)
 {

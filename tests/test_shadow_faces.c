@@ -13,7 +13,7 @@
 #define Q TIA_Q16
 
 /* A pyramid with a square base, of which each face has its own corners, as many programs write models. */
-static struct asker nobody;
+static struct cancel nobody;
 
 static const struct tia_vec3 pyramid_points[] = {
     {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(-1)}, {Q(1), 0, Q(1)},  {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(1)}, {Q(-1), 0, Q(1)},

@@ -13,7 +13,7 @@
 
 enum { POINTS_MAX = 1 << 17 };
 
-static struct asker nobody;
+static struct cancel nobody;
 static double own[POINTS_MAX][3];
 static struct tia_flat_face faces[2 * POINTS_MAX];
 static uint32_t across[2 * POINTS_MAX * TIA_SIDES];

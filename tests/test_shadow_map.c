@@ -324,7 +324,7 @@ static bool stop_at_once(void *ctx)
 TEST(stops)
 {
     unsigned asked = 0;
-    struct asker asker = {.stop = stop_at_once, .ctx = &asked};
+    struct cancel cancel = {.stop = stop_at_once, .ctx = &asked};
 
     make_scene(TIA_PERSPECTIVE);
     make_light(TIA_POINT_LIGHT, 0);
@@ -332,7 +332,7 @@ TEST(stops)
     w.map.size = 4096; /* a band of it is much work: the first is not finished */
     void *room = malloc((size_t)tia_map_room(4096, w.flat.face_count));
     CHECK(!tia_map_init(&w.map, &w.world, &(struct tia_map_light){&w.light, w.at}, 4096, 1));
-    CHECK_EQ(tia_map_draw(&w.map, &w.flat, room, &asker), TIA_STOPPED);
+    CHECK_EQ(tia_map_draw(&w.map, &w.flat, room, &cancel), TIA_STOPPED);
     CHECK_EQ(asked, 1);
     free(room);
     unmake();

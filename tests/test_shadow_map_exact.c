@@ -6,7 +6,7 @@
 #include "shadow/technique.h"
 #include "shadow_worlds.h"
 
-static struct asker nobody;
+static struct cancel nobody;
 
 struct tally {
     uint32_t seen, dark, wrong, tiles;

@@ -13,7 +13,7 @@
 #define PIXELS (WIDTH * HEIGHT)
 #define SCENES 120
 
-static struct asker nobody;
+static struct cancel nobody;
 
 struct picture {
     struct tia_shadow_view view;

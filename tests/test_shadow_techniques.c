@@ -172,10 +172,10 @@ static bool stop(void *ctx)
 }
 
 /* One who asks at once and is told to stop; `asked` says how often. */
-static struct asker stopper(unsigned *asked)
+static struct cancel stopper(unsigned *asked)
 {
     *asked = 0;
-    return (struct asker){.stop = stop, .ctx = asked, .work = ASKER_PATIENCE};
+    return (struct cancel){.stop = stop, .ctx = asked, .work = CANCEL_INTERVAL};
 }
 
 /* Nothing that goes through all faces goes on after the answer, nor asks again. */
@@ -190,19 +190,19 @@ TEST(passes_over_faces_stop)
     make(&w, SOLIDS, 500, 1);
     end(&w, 500, 1);
     open_drawing(&d, &w);
-    struct asker asker = stopper(&asked);
-    CHECK_EQ(tia_shadow_faces(&d.tile.target, &d.view.flat, &asker), TIA_STOPPED);
-    asker = stopper(&asked);
-    CHECK_EQ(tia_shadow_zfail(&d.tile.target, &d.view.flat, &w.light, &asker), TIA_STOPPED);
-    asker = stopper(&asked);
-    CHECK_EQ(tia_shadow_zpass(&d.tile.target, &d.view.flat, &w.light, &asker), TIA_STOPPED);
+    struct cancel cancel = stopper(&asked);
+    CHECK_EQ(tia_shadow_faces(&d.tile.target, &d.view.flat, &cancel), TIA_STOPPED);
+    cancel = stopper(&asked);
+    CHECK_EQ(tia_shadow_zfail(&d.tile.target, &d.view.flat, &w.light, &cancel), TIA_STOPPED);
+    cancel = stopper(&asked);
+    CHECK_EQ(tia_shadow_zpass(&d.tile.target, &d.view.flat, &w.light, &cancel), TIA_STOPPED);
     for (int i = 0; i < PIXELS; i++)
         CHECK_EQ(d.tile.target.count[i], 0);
-    asker = stopper(&asked);
-    (void)tia_shadow_count_eye(&d.view.flat, &w.light, &count, &asker);
+    cancel = stopper(&asked);
+    (void)tia_shadow_count_eye(&d.view.flat, &w.light, &count, &cancel);
     CHECK(asked == 1 && count == 0);
-    asker = stopper(&asked);
-    (void)tia_shadow_count_far(&d.view.flat, &w.light, &count, &asker);
+    cancel = stopper(&asked);
+    (void)tia_shadow_count_far(&d.view.flat, &w.light, &count, &cancel);
     CHECK(asked == 1 && count == 0);
     close_drawing(&d);
 }
@@ -221,12 +221,12 @@ TEST(techniques_stop)
         const struct tia_shadow_technique *technique = tia_shadow_technique(techniques[i]);
         draw(&d, techniques[i]);
         memset(d.lit, 0, sizeof d.lit);
-        struct asker asker = stopper(&asked);
-        technique->light(&d.view, &d.tile, 0, &asker);
+        struct cancel cancel = stopper(&asked);
+        technique->light(&d.view, &d.tile, 0, &cancel);
         CHECK_EQ(asked, 1);
-        asker = stopper(&asked);
-        int prepared = technique->prepare(&d.view, &asker);
-        CHECK_EQ(prepared ? prepared : technique->set_lights(&d.view, &asker), TIA_STOPPED);
+        cancel = stopper(&asked);
+        int prepared = technique->prepare(&d.view, &cancel);
+        CHECK_EQ(prepared ? prepared : technique->set_lights(&d.view, &cancel), TIA_STOPPED);
         CHECK_EQ(asked, 1);
     }
     close_drawing(&d);

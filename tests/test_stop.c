@@ -14,26 +14,26 @@ static tia_rgb565 pixels[W * H];
 
 /* ---- whoever asks ---- */
 
-struct asker {
+struct cancel {
     unsigned asked, until; /* says true from that question on */
 };
 
 static bool ask(void *ctx)
 {
-    struct asker *asker = ctx;
-    return ++asker->asked >= asker->until;
+    struct cancel *cancel = ctx;
+    return ++cancel->asked >= cancel->until;
 }
 
 /* ---- pictures ---- */
 
 static const struct tia_tile frame = {0, 0, W, H};
 
-static struct tia_view *view_of(const struct tia_scene *scene, struct asker *asker)
+static struct tia_view *view_of(const struct tia_scene *scene, struct cancel *cancel)
 {
     struct tia_view *view = NULL;
 
     CHECK_EQ(tia_view_init_until(&view, view_memory, sizeof view_memory, scene, scene->light_count, W, H,
-                                 asker ? ask : NULL, asker),
+                                 cancel ? ask : NULL, cancel),
              TIA_OK);
     return view;
 }
@@ -100,7 +100,7 @@ static struct tia_scene endless_scene(void)
 TEST(nobody_asks)
 {
     struct tia_scene scene = scene_of(1);
-    struct asker never = {0, UINT32_MAX};
+    struct cancel never = {0, UINT32_MAX};
     struct tia_hits *hits = NULL;
     static tia_rgb565 plain[W * H];
 
@@ -116,12 +116,12 @@ TEST(spans)
     struct tia_scene scene = scene_of(10);
 
     for (unsigned until = 1; until < H; until += 7) {
-        struct asker asker = {0, UINT32_MAX};
+        struct cancel cancel = {0, UINT32_MAX};
         struct tia_hits *hits = NULL;
-        struct tia_view *view = view_of(&scene, &asker);
+        struct tia_view *view = view_of(&scene, &cancel);
         CHECK_EQ(draw(view, &hits, 0), TIA_OK);
         memset(pixels, 0x5a, sizeof pixels);
-        asker = (struct asker){0, until};
+        cancel = (struct cancel){0, until};
         CHECK_EQ(draw(view, &hits, 1), TIA_STOPPED);
         CHECK_MSG(pixels[(until - 1) * W] == 0x5a5a && (until == 1 || pixels[(until - 2) * W] != 0x5a5a), "row %u",
                   until);
@@ -132,24 +132,24 @@ TEST(spans)
 TEST(many_lights_in_a_row)
 {
     struct tia_scene scene = scene_of(MANY);
-    struct asker asker = {0, UINT32_MAX};
+    struct cancel cancel = {0, UINT32_MAX};
     struct tia_hits *hits = NULL;
-    struct tia_view *view = view_of(&scene, &asker);
+    struct tia_view *view = view_of(&scene, &cancel);
 
     CHECK_EQ(draw(view, &hits, 0), TIA_OK);
-    asker.asked = 0;
+    cancel.asked = 0;
     CHECK_EQ(draw(view, &hits, 1), TIA_OK);
-    CHECK(asker.asked > H + H / 4 * (MANY / 64));
+    CHECK(cancel.asked > H + H / 4 * (MANY / 64));
 }
 
 TEST(a_trace_by_spans)
 {
     struct tia_scene scene = scene_of(1);
-    struct asker asker = {0, 1};
+    struct cancel cancel = {0, 1};
     struct tia_hits *hits = NULL;
 
-    CHECK_EQ(draw(view_of(&scene, &asker), &hits, 0), TIA_STOPPED);
-    CHECK(asker.asked <= 2);
+    CHECK_EQ(draw(view_of(&scene, &cancel), &hits, 0), TIA_STOPPED);
+    CHECK(cancel.asked <= 2);
 }
 
 /* The first question comes soon, and the answer ends all. */
@@ -157,19 +157,19 @@ TEST(rays)
 {
     struct tia_scene scene = endless_scene();
     struct tia_hits *hits = NULL;
-    struct asker asker = {0, 1};
-    struct tia_view *view = view_of(&scene, &asker);
+    struct cancel cancel = {0, 1};
+    struct tia_view *view = view_of(&scene, &cancel);
     double start = cpu_seconds();
 
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
-    CHECK(asker.asked <= 2);
-    asker.until = UINT32_MAX;
+    CHECK(cancel.asked <= 2);
+    cancel.until = UINT32_MAX;
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
     for (unsigned until = 1; until < 100000; until = until * 10 + 3) {
-        asker = (struct asker){0, until};
+        cancel = (struct cancel){0, until};
         CHECK_EQ(draw(view, &hits, 1), TIA_STOPPED);
-        CHECK_MSG(asker.asked <= until + 1, "asked %u times after the answer", asker.asked - until);
+        CHECK_MSG(cancel.asked <= until + 1, "asked %u times after the answer", cancel.asked - until);
     }
     CHECK(cpu_seconds() - start < 20);
 }
@@ -178,12 +178,12 @@ TEST(rays)
 TEST(the_table_of_functions)
 {
     struct tia_scene scene = endless_scene();
-    struct asker asker = {0, 1};
+    struct cancel cancel = {0, 1};
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
 
     CHECK_EQ(tia_core_q16.view_init_until(&view, view_memory, sizeof view_memory, &scene, scene.light_count, W, H, ask,
-                                          &asker),
+                                          &cancel),
              TIA_OK);
     CHECK_EQ(tia_core_q16.hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
     CHECK_EQ(tia_core_q16.trace(view, hits, frame), TIA_STOPPED);
@@ -267,18 +267,18 @@ static void check_preparing(int kind, unsigned passes)
 {
     struct tia_scene scene = scene_of_many(kind);
     size_t size = tia_view_size(&scene, scene.light_count);
-    struct asker asker = {0, UINT32_MAX};
+    struct cancel cancel = {0, UINT32_MAX};
     void *memory = malloc(size);
     struct tia_view *view = NULL;
     unsigned all;
 
-    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &asker), TIA_OK);
-    all = asker.asked;
+    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &cancel), TIA_OK);
+    all = cancel.asked;
     CHECK_MSG(all >= 10 * passes - 1, "kind %d: %u questions in %u passes", kind, all, passes);
     for (unsigned until = 1; until <= all; until++) {
-        asker = (struct asker){0, until};
-        CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &asker), TIA_STOPPED);
-        CHECK_MSG(asker.asked <= until + 1, "kind %d: asked %u times after the answer", kind, asker.asked - until);
+        cancel = (struct cancel){0, until};
+        CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &cancel), TIA_STOPPED);
+        CHECK_MSG(cancel.asked <= until + 1, "kind %d: asked %u times after the answer", kind, cancel.asked - until);
     }
     free(memory);
 }
@@ -299,7 +299,7 @@ TEST(preparing_a_view)
 TEST(a_scene_at_a_time)
 {
     struct tia_scene scene, at;
-    struct asker asker = {0, UINT32_MAX};
+    struct cancel cancel = {0, UINT32_MAX};
     size_t size;
     void *memory;
 
@@ -307,12 +307,12 @@ TEST(a_scene_at_a_time)
     scene = scene_of_many(TRANSFORMS);
     size = tia_scene_at_size(&scene);
     memory = malloc(size);
-    CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &asker), TIA_OK);
-    CHECK(asker.asked >= 11); /* the transforms, then a track of many keys */
-    for (unsigned until = asker.asked; until > 0; until--) {
-        asker = (struct asker){0, until};
-        CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &asker), TIA_STOPPED);
-        CHECK_EQ(asker.asked, until);
+    CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &cancel), TIA_OK);
+    CHECK(cancel.asked >= 11); /* the transforms, then a track of many keys */
+    for (unsigned until = cancel.asked; until > 0; until--) {
+        cancel = (struct cancel){0, until};
+        CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &cancel), TIA_STOPPED);
+        CHECK_EQ(cancel.asked, until);
     }
     free(memory);
 }
@@ -321,7 +321,7 @@ TEST(a_scene_at_a_time)
 TEST(one_ray)
 {
     struct tia_scene scene;
-    struct asker asker = {0, UINT32_MAX};
+    struct cancel cancel = {0, UINT32_MAX};
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
     const struct tia_tile pixel = {0, 0, 1, 1};
@@ -332,14 +332,14 @@ TEST(one_ray)
     scene = scene_of_many(SPHERES);
     size = tia_view_size(&scene, 0);
     memory = malloc(size);
-    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, 0, W, H, ask, &asker), TIA_OK);
+    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, 0, W, H, ask, &cancel), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    asker.asked = 0;
+    cancel.asked = 0;
     CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);
-    CHECK(asker.asked >= 10);
-    asker = (struct asker){0, 1};
+    CHECK(cancel.asked >= 10);
+    cancel = (struct cancel){0, 1};
     CHECK_EQ(tia_trace(view, hits, pixel), TIA_STOPPED);
-    CHECK(asker.asked <= 3);
+    CHECK(cancel.asked <= 3);
     free(memory);
 }
 

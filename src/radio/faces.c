@@ -2,8 +2,8 @@
 #include "faces.h"
 
 #include "math/align.h"
-#include "scene/asker.h"
 #include "scene/bvh/tree.h"
+#include "scene/cancel.h"
 #include "shadow/source.h"
 
 #define FACES_MOST (UINT32_C(1) << 28)
@@ -226,7 +226,7 @@ static int add_object(struct filling *f)
 /* `boxes` has room for those of the items, which are put into another order with them. */
 static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items, struct tia_bounds *boxes)
 {
-    struct asker asker = {.stop = NULL};
+    struct cancel cancel = {.stop = NULL};
     uint32_t count = 0;
 
     for (uint32_t f = 0; f < radio->face_count; f++)
@@ -237,7 +237,7 @@ static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint
             items[count++] = f;
         }
     const struct bvh_items all = {items, boxes, ITEM_COST};
-    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &asker);
+    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &cancel);
     radio->tree = (struct tia_bvh_tree){nodes, items, used, count};
 }
 

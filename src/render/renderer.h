@@ -8,7 +8,7 @@
 #define TIA_RENDER_RENDERER_H
 
 #include "num/num.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 #include <tia/simd.h> /* after num.h, which may rename its functions */
 
@@ -129,9 +129,9 @@ static inline bool view_stops(const struct tia_view *view)
 }
 
 /* For work in which the view's owner may want to stop. */
-static inline struct asker view_asker(const struct tia_view *view)
+static inline struct cancel view_cancel(const struct tia_view *view)
 {
-    return (struct asker){view->stop, view->stop_ctx, 0, false};
+    return (struct cancel){view->stop, view->stop_ctx, 0, false};
 }
 
 /* What each pixel of an area sees, row by row. */

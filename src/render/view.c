@@ -20,9 +20,9 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
     return tia_view_init_until(view, memory, size, scene, light_capacity, width, height, NULL, NULL);
 }
 
-static int check(const struct tia_scene *scene, struct asker asker)
+static int check(const struct tia_scene *scene, struct cancel cancel)
 {
-    int status = tia_check_scene(scene, NULL, &asker);
+    int status = tia_check_scene(scene, NULL, &cancel);
     return status && status != TIA_STOPPED ? TIA_ERR_RANGE : status;
 }
 
@@ -34,7 +34,7 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
     if (!view || !memory_is_usable(memory) || !scene || width - 1 >= TIA_SIZE_MAX || height - 1 >= TIA_SIZE_MAX ||
         light_capacity < scene->light_count)
         return TIA_ERR_ARGUMENT;
-    int status = check(scene, (struct asker){stop, ctx, 0, false});
+    int status = check(scene, (struct cancel){stop, ctx, 0, false});
     if (status)
         return status;
     if (size < tia_view_size(scene, light_capacity))
@@ -67,7 +67,7 @@ static int check_lights(const struct tia_view *view, const struct tia_light *lig
                               .shadows = view->scene->shadows,
                               .shadow_map = view->scene->shadow_map};
     bool (*draws)(const struct tia_scene *scene) = view->renderer->draws;
-    int status = check(&alone, view_asker(view));
+    int status = check(&alone, view_cancel(view));
 
     return !status && draws && !draws(&alone) ? TIA_ERR_RANGE : status;
 }

@@ -185,11 +185,11 @@ struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
     return bounds;
 }
 
-struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct asker *asker)
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    for (uint32_t i = 0; i < mesh->face_count && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < mesh->face_count && !cancelled(cancel, 1); i++) {
         struct tia_bounds face = tia_bounds_of_face(mesh, i);
         tia_bounds_add(&bounds, &face);
     }

@@ -4,7 +4,7 @@
 
 #include <tia/bvh.h>
 
-#include "asker.h"
+#include "cancel.h"
 
 /* In the world, Q47.16: a transform may move an object out of the range of Q16.16. */
 struct bounds_wide {
@@ -25,7 +25,7 @@ void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
 
 /* Exact, in the mesh's own axes. */
 struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
-struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct asker *asker); /* stopped: any box */
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel); /* stopped: any box */
 
 /* The rows of R S and the position. */
 struct frame {

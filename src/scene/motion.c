@@ -2,7 +2,7 @@
 
 #include "math/align.h"
 #include "math/integer.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "scene/fall/fall.h"
 #include "scene/track.h"
 
@@ -145,10 +145,10 @@ static void *part(char **memory, uint64_t size)
 }
 
 #define COPY(array, count)                                                                                             \
-    for (uint32_t i = 0; to->array && i < scene->count && !asker_stops(asker, 1); i++)                                 \
+    for (uint32_t i = 0; to->array && i < scene->count && !cancelled(cancel, 1); i++)                                  \
     to->array[i] = scene->array[i]
 
-static void copy(struct moving *to, char *memory, const struct tia_scene *scene, struct asker *asker)
+static void copy(struct moving *to, char *memory, const struct tia_scene *scene, struct cancel *cancel)
 {
     uint64_t sizes[PARTS];
 
@@ -194,7 +194,7 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
     if (!out || !scene)
         return TIA_ERR_ARGUMENT;
     const struct tia_scene base = *scene;
-    struct asker asker = {stop, ctx, 0, false};
+    struct cancel cancel = {stop, ctx, 0, false};
     size_t needed = tia_scene_at_size(scene);
     struct moving to;
 
@@ -202,14 +202,14 @@ int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const s
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    copy(&to, memory, &base, &asker);
-    for (uint32_t i = 0; i < base.track_count && !asker_stops(&asker, base.tracks[i].key_count); i++)
+    copy(&to, memory, &base, &cancel);
+    for (uint32_t i = 0; i < base.track_count && !cancelled(&cancel, base.tracks[i].key_count); i++)
         apply(&base, &base.tracks[i], time, &to);
-    if (base.falling && !asker.stopped)
-        tia_fall_at(&base, to.falling, time, to.transforms, to.shapes, &asker);
+    if (base.falling && !cancel.stopped)
+        tia_fall_at(&base, to.falling, time, to.transforms, to.shapes, &cancel);
     *out = base;
     put(out, &to, tia_scene_moves(&base));
-    return asker.stopped ? TIA_STOPPED : TIA_OK;
+    return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 bool tia_scene_moves(const struct tia_scene *scene)

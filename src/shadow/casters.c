@@ -43,11 +43,11 @@ static void find_box(const struct tia_flat_scene *flat, uint32_t face, int64_t l
     }
 }
 
-static int find_shift(const struct tia_flat_scene *flat, struct asker *asker)
+static int find_shift(const struct tia_flat_scene *flat, struct cancel *cancel)
 {
     uint64_t all = 0;
 
-    for (uint32_t i = 0; i < flat->point_count && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < flat->point_count && !cancelled(cancel, 1); i++) {
         int64_t p[3];
         tia_flat_affine(flat, &flat->points[i], p);
         for (int k = 0; k < 3; k++)
@@ -69,14 +69,15 @@ static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], i
 }
 
 /* Faces in boxes fill the items from the front, the others from the back. */
-int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat, struct asker *asker)
+int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
+                      struct cancel *cancel)
 {
     uint32_t count = flat->face_count, first = 0, last = count, *items = memory;
     struct tia_bvh_node *nodes = (void *)((char *)memory + ALIGN((uint64_t)count * sizeof *items));
     struct tia_bounds *boxes = (void *)(nodes + TREE_NODES((uint64_t)count));
 
-    casters->shift = find_shift(flat, asker);
-    for (uint32_t i = 0; i < count && !asker_stops(asker, 1); i++) {
+    casters->shift = find_shift(flat, cancel);
+    for (uint32_t i = 0; i < count && !cancelled(cancel, 1); i++) {
         int64_t low[3], high[3];
         if (!is_bounded(flat, i)) {
             items[--last] = i;
@@ -89,9 +90,9 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
     casters->unbounded = items + last;
     casters->unbounded_count = count - last;
     const struct bvh_items all = {items, boxes, 1};
-    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, first, 0}, asker);
+    uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, first, 0}, cancel);
     casters->tree = (struct tia_bvh_tree){nodes, items, used, first};
-    return asker->stopped ? TIA_STOPPED : TIA_OK;
+    return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
 /* ---- the ends ---- */

@@ -11,7 +11,7 @@
 #include <tia/bvh.h>
 
 #include "occluder.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 struct tia_casters {
     struct tia_bvh_tree tree;
@@ -20,10 +20,10 @@ struct tia_casters {
     int shift;
 };
 
-/* Bytes of memory for so many faces, aligned for uint64_t. Then fills it in: TIA_STOPPED when the asker is stopped. */
+/* Bytes of memory for so many faces, aligned for uint64_t. Then fills it in: TIA_STOPPED when cancelled. */
 uint64_t tia_casters_size(uint64_t faces);
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
-                      struct asker *asker);
+                      struct cancel *cancel);
 
 /* A segment from a to b, in units of the boxes. */
 struct tia_segment {

@@ -21,7 +21,7 @@ bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room)
     uint32_t *first = room, *rest = first + mesh->vertex_count;
     struct tia_flat_face *faces = (void *)rest;
     uint32_t *across = (void *)(faces + mesh->face_count);
-    struct asker nobody = {.stop = NULL};
+    struct cancel nobody = {.stop = NULL};
 
     tia_weld(first, mesh->vertices, mesh->vertex_count, rest);
     for (uint32_t f = 0; f < mesh->face_count; f++) {

@@ -92,19 +92,19 @@ static bool pair(const struct edges *edges, uint32_t from, uint32_t to)
 }
 
 bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room,
-                    struct asker *asker)
+                    struct cancel *cancel)
 {
     uint32_t most = TIA_SIDES * count, *ids = room;
     struct edges edges = {faces, across, ids, ids + most, ids + 2 * (size_t)most, ids + 3 * (size_t)most, 0};
     bool closed = true;
 
-    for (uint32_t f = 0; f < count && !asker_stops(asker, 1); f++)
+    for (uint32_t f = 0; f < count && !cancelled(cancel, 1); f++)
         list(&edges, f);
-    if (!asker_stops(asker, edges.count))
+    if (!cancelled(cancel, edges.count))
         tia_sort_ids(edges.ids, edges.other, edges.count, edges.high);
-    if (!asker_stops(asker, edges.count))
+    if (!cancelled(cancel, edges.count))
         tia_sort_ids(edges.ids, edges.other, edges.count, edges.low);
-    for (uint32_t i = 0, next; i < edges.count && !asker_stops(asker, 1); i = next) {
+    for (uint32_t i = 0, next; i < edges.count && !cancelled(cancel, 1); i = next) {
         for (next = i + 1; next < edges.count && join_ends(&edges, edges.ids[i], edges.ids[next]); next++)
             ;
         closed = pair(&edges, i, next) && closed;

@@ -5,7 +5,7 @@
 
 #include <tia/vec.h>
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 #define TIA_SIDES 4              /* the most corners that a face has */
 #define TIA_NO_CORNER UINT32_MAX /* the fourth corner of a triangle */
@@ -33,8 +33,8 @@ void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, vo
 /* Sets across[e] to an edge that runs the other way between the same points, each used once, or to TIA_NO_EDGE; an
  * edge without length is its own. Returns whether each edge has one, that is whether the faces close. Corners at one
  * place must have one index. across has TIA_SIDES `count` places; the fourth of a triangle is not written. Once
- * the asker is stopped, the answer means nothing. */
+ * cancelled, the answer means nothing. */
 bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room,
-                    struct asker *asker);
+                    struct cancel *cancel);
 
 #endif

@@ -89,11 +89,11 @@ static void add_directions(const struct tia_flat_scene *flat, const struct tia_d
     }
 }
 
-static void add_points(struct tia_flat_scene *flat, const struct tia_flat_source *source, struct asker *asker)
+static void add_points(struct tia_flat_scene *flat, const struct tia_flat_source *source, struct cancel *cancel)
 {
     struct tia_raster_vertex *to = &flat->points[flat->point_count];
 
-    for (uint32_t i = 0; i < tia_flat_places(source) && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < tia_flat_places(source) && !cancelled(cancel, 1); i++) {
         int64_t world[3];
         tia_flat_source_point(source, i, world);
         tia_eye_point(&flat->eye, world, flat->lattice.fraction, &to[i]);
@@ -191,14 +191,14 @@ static int make_plane(struct tia_flat_scene *flat, uint32_t face)
     return tia_raster_plane_init(&flat->planes[face], &flat->lattice, corners, sides);
 }
 
-static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scene, struct asker *asker)
+static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scene, struct cancel *cancel)
 {
     struct tia_flat_scene sampled;
     int status = TIA_OK;
 
     for (unsigned i = 0; i < tia_flat_samples(scene); i++) {
         tia_flat_sample(&sampled, flat, scene, i);
-        for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, 1); f++)
+        for (uint32_t f = 0; !status && f < flat->face_count && !cancelled(cancel, 1); f++)
             status = make_plane(&sampled, f);
     }
     return status;
@@ -236,19 +236,19 @@ unsigned tia_flat_range(const struct tia_flat_scene *flat)
 }
 
 /* The points of all objects, and the boxes around them. */
-static void place_points(struct tia_flat_scene *flat, const struct tia_scene *scene, struct asker *asker)
+static void place_points(struct tia_flat_scene *flat, const struct tia_scene *scene, struct cancel *cancel)
 {
     flat->point_count = 0;
-    for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < flat->object_count && !cancelled(cancel, 1); i++) {
         struct tia_flat_source source;
         tia_flat_source_init(&source, scene, flat->objects[i].object);
-        add_points(flat, &source, asker);
+        add_points(flat, &source, cancel);
         find_box(flat, &flat->objects[i], flat->point_count, flat->point_count + source.points);
         flat->point_count += source.points;
     }
 }
 
-int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct asker *asker)
+int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel)
 {
     const struct tia_lattice now = flat->lattice;
     int status =
@@ -256,13 +256,13 @@ int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, u
 
     flat->bits = flat->lattice.fraction + (int)range;
     if (!status)
-        place_points(flat, scene, asker);
-    status = status ? status : make_planes(flat, scene, asker);
-    return asker->stopped ? TIA_STOPPED : status;
+        place_points(flat, scene, cancel);
+    status = status ? status : make_planes(flat, scene, cancel);
+    return cancel->stopped ? TIA_STOPPED : status;
 }
 
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
-                  unsigned height, struct asker *asker)
+                  unsigned height, struct cancel *cancel)
 {
     struct counts n = count(scene);
     char *next = memory;
@@ -278,8 +278,8 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
-    flat->reach = tia_reach_of_faces(scene, &flat->eye, asker);
-    if (asker->stopped)
+    flat->reach = tia_reach_of_faces(scene, &flat->eye, cancel);
+    if (cancel->stopped)
         return TIA_STOPPED;
     flat->samples = tia_flat_samples(scene);
     flat->lattice.width = (uint16_t)width;
@@ -288,14 +288,14 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     if (flat->reach > tia_reach_most(flat->eye.projection) ||
         tia_reach_too_far(&reach, scene->lights, scene->light_count) < scene->light_count)
         return TIA_ERR_RANGE;
-    for (uint32_t i = 0; i < objects_of(scene) && !asker_stops(asker, 1); i++)
+    for (uint32_t i = 0; i < objects_of(scene) && !cancelled(cancel, 1); i++)
         if (tia_flat_takes(scene, i))
             add_object(flat, scene, i, room);
-    if (!asker_stops(asker, 0))
-        (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room, asker);
-    for (uint32_t i = 0; i < flat->object_count && !asker_stops(asker, 1); i++)
+    if (!cancelled(cancel, 0))
+        (void)tia_edges_join(flat->across, flat->faces, flat->face_count, room, cancel);
+    for (uint32_t i = 0; i < flat->object_count && !cancelled(cancel, 1); i++)
         flat->objects[i].closed = closes(flat, &flat->objects[i]);
-    return tia_flat_place(flat, scene, tia_reach_with_lights(&reach, scene, scene->lights, scene->light_count), asker);
+    return tia_flat_place(flat, scene, tia_reach_with_lights(&reach, scene, scene->lights, scene->light_count), cancel);
 }
 
 const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face)

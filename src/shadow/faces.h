@@ -49,17 +49,17 @@ size_t tia_flat_size(const struct tia_scene *scene);
 
 /* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t, with the
  * scene's lights. TIA_ERR_RANGE when a corner or a light is too far away for the rasteriser, see reach.h;
- * TIA_STOPPED when the asker is stopped. */
+ * TIA_STOPPED when cancelled. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
-                  unsigned height, struct asker *asker);
+                  unsigned height, struct cancel *cancel);
 
 /* What lights need to know of it. */
 struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat);
 
 /* The range of its vertices, see tia_reach_with_lights. Then places them anew with those fraction bits that another
- * range leaves; TIA_STOPPED when the asker is stopped: they have no meaning then. */
+ * range leaves; TIA_STOPPED when cancelled: they have no meaning then. */
 unsigned tia_flat_range(const struct tia_flat_scene *flat);
-int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct asker *asker);
+int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel);
 
 /* The same faces where sample `sample` of each pixel is. */
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,

@@ -5,7 +5,7 @@
 #include "raster/target.h"
 
 #define BAND_TEXELS (UINT32_C(1) << 20) /* are drawn at a time: more would need more room */
-#define ASKED_TEXELS 4096               /* are as much work as an item, see asker.h */
+#define ASKED_TEXELS 4096               /* are as much work as an item, see cancel.h */
 
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
@@ -118,13 +118,13 @@ uint64_t tia_map_room(unsigned size, uint32_t faces)
 }
 
 static int draw_faces(const struct tia_map *map, const struct tia_map_view *view, struct tia_raster_target *target,
-                      const struct tia_flat_scene *flat, struct asker *asker)
+                      const struct tia_flat_scene *flat, struct cancel *cancel)
 {
     static const struct tia_raster_state state = {.depth = TIA_LESS, .depth_write = true, .ties_by_face = true};
     uint32_t work = (uint32_t)target->area.width * target->area.height / ASKED_TEXELS + 1;
     int status = TIA_OK;
 
-    for (uint32_t f = 0; !status && f < flat->face_count && !asker_stops(asker, work); f++) {
+    for (uint32_t f = 0; !status && f < flat->face_count && !cancelled(cancel, work); f++) {
         struct tia_raster_vertex corners[TIA_SIDES];
         unsigned sides = tia_map_corners(map, view, flat, f, corners);
         status = tia_draw_polygon(target, &state, corners, sides, f);
@@ -133,14 +133,14 @@ static int draw_faces(const struct tia_map *map, const struct tia_map_view *view
 }
 
 static void keep_distances(const struct tia_map *map, const struct tia_map_view *view,
-                           const struct tia_raster_target *target, struct asker *asker)
+                           const struct tia_raster_target *target, struct cancel *cancel)
 {
     const struct tia_tile *area = &target->area;
     uint32_t *to = view->distance + (size_t)area->y * area->width, last = TIA_NO_FACE;
     const uint32_t *face = target->face;
     struct tia_map_plane plane = {.factor = 0};
 
-    for (int y = (int)area->y; y < target_bottom(target) && !asker_stops(asker, area->width); y++)
+    for (int y = (int)area->y; y < target_bottom(target) && !cancelled(cancel, area->width); y++)
         for (int x = 0; x < target_right(target); x++, face++, to++) {
             if (*face != last && *face != TIA_NO_FACE)
                 tia_map_plane_init(&plane, map, view, &target->planes[*face]);
@@ -149,7 +149,7 @@ static void keep_distances(const struct tia_map *map, const struct tia_map_view 
         }
 }
 
-int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct asker *asker)
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct cancel *cancel)
 {
     size_t size = (size_t)tia_map_room(map->size, flat->face_count);
     int status = TIA_OK;
@@ -160,10 +160,10 @@ int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, v
             struct tia_raster_target target;
             status = tia_raster_init(&target, room, size, &view->lattice, band_of(map->size, y), TIA_BUFFER_DEPTH,
                                      flat->face_count);
-            status = status ? status : draw_faces(map, view, &target, flat, asker);
-            if (!status && !asker->stopped)
-                keep_distances(map, view, &target, asker);
-            status = asker->stopped ? TIA_STOPPED : status;
+            status = status ? status : draw_faces(map, view, &target, flat, cancel);
+            if (!status && !cancel->stopped)
+                keep_distances(map, view, &target, cancel);
+            status = cancel->stopped ? TIA_STOPPED : status;
         }
     }
     return status;

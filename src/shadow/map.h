@@ -7,7 +7,7 @@
 #ifndef TIA_SHADOW_MAP_H
 #define TIA_SHADOW_MAP_H
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "world.h"
 
 #define TIA_CUBE_VIEWS 6
@@ -48,8 +48,8 @@ int tia_map_init(struct tia_map *map, const struct tia_world *world, const struc
 /* Bytes of room to draw a map. */
 uint64_t tia_map_room(unsigned size, uint32_t faces);
 
-/* Fills in the distances. TIA_STOPPED when the asker has stopped it. */
-int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct asker *asker);
+/* Fills in the distances. TIA_STOPPED when the cancel has stopped it. */
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct cancel *cancel);
 
 /* The corners of a face as a view has them; returns how many. */
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,

@@ -9,7 +9,7 @@ struct rays {
     const struct tia_flat_scene *flat;
     const struct tia_casters *casters;
     const tia_flat_light *light;
-    struct asker *asker;
+    struct cancel *cancel;
     struct tia_seen_face of;
     bool turned;
     uint32_t last;                           /* what hid the light last */
@@ -30,7 +30,7 @@ static bool hides(struct rays *rays, uint32_t face, const struct tia_seen *seen)
 
 static bool any_hides(struct rays *rays, const uint32_t *faces, uint32_t count, const struct tia_seen *seen)
 {
-    for (uint32_t i = 0; i < count && !asker_stops(rays->asker, 1); i++)
+    for (uint32_t i = 0; i < count && !cancelled(rays->cancel, 1); i++)
         if (hides(rays, faces ? faces[i] : i, seen))
             return true;
     return false;
@@ -76,17 +76,20 @@ static bool is_lit(struct rays *rays, uint32_t face, int x, int y)
 }
 
 void tia_shadow_rays_light(const struct tia_shadow_view *view, const struct tia_casters *casters,
-                           struct tia_shadow_tile *tile, unsigned sample, struct asker *asker)
+                           struct tia_shadow_tile *tile, unsigned sample, struct cancel *cancel)
 {
     const struct tia_raster_target *t = &tile->target;
-    struct rays rays = {
-        .flat = &view->flat, .casters = casters, .light = &view->samples[sample], .asker = asker, .last = TIA_NO_FACE};
+    struct rays rays = {.flat = &view->flat,
+                        .casters = casters,
+                        .light = &view->samples[sample],
+                        .cancel = cancel,
+                        .last = TIA_NO_FACE};
 
     rays.of.face = TIA_NO_FACE;
     for (int i = 0; i < OCCLUDERS; i++)
         rays.occluder[i].face = TIA_NO_FACE;
     for (int y = (int)t->area.y; y < target_bottom(t); y++)
-        for (int x = (int)t->area.x; x < target_right(t) && !asker_stops(asker, 1); x++) {
+        for (int x = (int)t->area.x; x < target_right(t) && !cancelled(cancel, 1); x++) {
             size_t at = target_index(t, x, y);
             uint32_t face = t->face[at];
             if (face != TIA_NO_FACE && is_lit(&rays, face, x, y))

@@ -7,6 +7,6 @@
 
 /* As a technique's function `light`. */
 void tia_shadow_rays_light(const struct tia_shadow_view *view, const struct tia_casters *casters,
-                           struct tia_shadow_tile *tile, unsigned sample, struct asker *asker);
+                           struct tia_shadow_tile *tile, unsigned sample, struct cancel *cancel);
 
 #endif

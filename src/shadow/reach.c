@@ -32,7 +32,7 @@ static unsigned smaller(unsigned a, unsigned b)
 }
 
 static unsigned range_of_object(const struct tia_scene *scene, const struct tia_eye *eye, uint32_t object,
-                                struct asker *asker)
+                                struct cancel *cancel)
 {
     struct tia_flat_source source;
     unsigned most = 0;
@@ -40,7 +40,7 @@ static unsigned range_of_object(const struct tia_scene *scene, const struct tia_
     if (!tia_flat_takes(scene, object))
         return 0;
     tia_flat_source_init(&source, scene, object);
-    for (uint32_t i = 0; i < tia_flat_places(&source) && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < tia_flat_places(&source) && !cancelled(cancel, 1); i++) {
         int64_t world[3];
         tia_flat_source_point(&source, i, world);
         most = larger(most, tia_eye_range(eye, world));
@@ -48,12 +48,12 @@ static unsigned range_of_object(const struct tia_scene *scene, const struct tia_
     return most;
 }
 
-unsigned tia_reach_of_faces(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker)
+unsigned tia_reach_of_faces(const struct tia_scene *scene, const struct tia_eye *eye, struct cancel *cancel)
 {
     unsigned most = 0;
 
     for (uint32_t s = 0; s < scene->sphere_count + scene->shape_count; s++)
-        most = larger(most, range_of_object(scene, eye, s, asker));
+        most = larger(most, range_of_object(scene, eye, s, cancel));
     return most;
 }
 
@@ -64,14 +64,14 @@ static bool is_view(const struct tia_scene *scene, unsigned width, unsigned heig
 
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height)
 {
-    struct asker asker = {.stop = NULL};
+    struct cancel cancel = {.stop = NULL};
     struct tia_eye eye;
 
     if (!is_view(scene, width, height))
         return TIA_NO_OBJECT;
     tia_eye_init(&eye, scene, width, height);
     for (uint32_t s = 0; scene->shadows && s < scene->sphere_count + scene->shape_count; s++)
-        if (range_of_object(scene, &eye, s, &asker) > tia_reach_most(eye.projection))
+        if (range_of_object(scene, &eye, s, &cancel) > tia_reach_most(eye.projection))
             return s;
     return TIA_NO_OBJECT;
 }
@@ -155,7 +155,7 @@ uint32_t tia_reach_too_far(const struct tia_reach *reach, const struct tia_light
 uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
                                   unsigned width, unsigned height, unsigned *range)
 {
-    struct asker asker = {.stop = NULL};
+    struct cancel cancel = {.stop = NULL};
     struct tia_reach reach = {.width = width, .height = height};
     struct tia_eye eye;
 
@@ -163,7 +163,7 @@ uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct ti
         return TIA_NO_OBJECT;
     tia_eye_init(&eye, scene, width, height);
     reach.eye = &eye;
-    reach.faces = tia_reach_of_faces(scene, &eye, &asker);
+    reach.faces = tia_reach_of_faces(scene, &eye, &cancel);
     uint32_t light = tia_reach_too_far(&reach, lights, count);
     *range = tia_reach_of_lights(&reach);
     return light < count ? light : TIA_NO_OBJECT;

@@ -6,7 +6,7 @@
 #define TIA_SHADOW_REACH_H
 
 #include "eye.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 /* What lights need to know of a scene. */
 struct tia_reach {
@@ -16,8 +16,8 @@ struct tia_reach {
     unsigned faces;         /* the largest range of a corner, see tia_eye_range */
 };
 
-/* That of the scene's faces. Once the asker is stopped, it means nothing. */
-unsigned tia_reach_of_faces(const struct tia_scene *scene, const struct tia_eye *eye, struct asker *asker);
+/* That of the scene's faces. Once cancelled, it means nothing. */
+unsigned tia_reach_of_faces(const struct tia_scene *scene, const struct tia_eye *eye, struct cancel *cancel);
 
 /* The largest range of a corner, see raster.h. */
 static inline unsigned tia_reach_most(enum tia_projection projection)

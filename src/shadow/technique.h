@@ -3,7 +3,7 @@
 #ifndef TIA_SHADOW_TECHNIQUE_H
 #define TIA_SHADOW_TECHNIQUE_H
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "volume.h"
 
 /* A scene's faces as they are seen, and the samples of its lights. */
@@ -30,15 +30,15 @@ typedef uint16_t tia_share;
 
 struct tia_shadow_technique {
     /* Bytes behind view->own; then fills them in when the scene's faces are there, and whenever its samples have
-     * changed. TIA_STOPPED when the asker has stopped it. */
+     * changed. TIA_STOPPED when the cancel has stopped it. */
     uint64_t (*own_size)(const struct tia_scene *scene);
-    int (*prepare)(struct tia_shadow_view *view, struct asker *asker);
-    int (*set_lights)(struct tia_shadow_view *view, struct asker *asker);
+    int (*prepare)(struct tia_shadow_view *view, struct cancel *cancel);
+    int (*set_lights)(struct tia_shadow_view *view, struct cancel *cancel);
 
     /* Sets the bit of a sample where its light arrives; faces and depths are drawn, the bit is nowhere set. With
-     * shares, the pixel's share of the sample there as well. Once the asker has stopped it, bits mean nothing. */
+     * shares, the pixel's share of the sample there as well. Once the cancel has stopped it, bits mean nothing. */
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
-                  struct asker *asker);
+                  struct cancel *cancel);
 
     /* Few techniques have these. The number of shares of a pixel, at least one per sample: 0 where bits are enough; and
      * whether an area light has only one sample then, in its centre, whose share counts for all of its own. */

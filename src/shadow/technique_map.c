@@ -83,13 +83,13 @@ static unsigned shares(const struct tia_scene *scene)
 
 /* ---- maps ---- */
 
-static int prepare(struct tia_shadow_view *view, struct asker *asker)
+static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct maps *maps = view->own;
     struct demand demand = demand_of(view->scene);
     char *next = (char *)view->own + ALIGN(sizeof *maps);
 
-    (void)asker;
+    (void)cancel;
     tia_map_look_init(&maps->look, view->scene);
     tia_world_init(&maps->world, &view->flat);
     maps->map = (struct tia_map *)(void *)next;
@@ -117,7 +117,7 @@ static int64_t radius_of(const struct tia_light *light)
 }
 
 static int make_map(struct maps *maps, const struct tia_shadow_view *view, unsigned sample, uint64_t *used,
-                    struct asker *asker)
+                    struct cancel *cancel)
 {
     struct tia_map *map = &maps->map[sample];
     struct tia_map_light light = {view->lights[sample], view->samples[sample]};
@@ -129,23 +129,23 @@ static int make_map(struct maps *maps, const struct tia_shadow_view *view, unsig
     for (unsigned i = 0; i < map->view_count; i++, *used += texels)
         map->view[i].distance = maps->distance + *used;
     maps->radius[sample] = radius_of(light.light);
-    return tia_map_draw(map, &view->flat, maps->room, asker);
+    return tia_map_draw(map, &view->flat, maps->room, cancel);
 }
 
-static int set_lights(struct tia_shadow_view *view, struct asker *asker)
+static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct maps *maps = view->own;
     uint64_t used = 0;
     int status = TIA_OK;
 
     for (unsigned i = 0; !status && i < view->sample_count; i++)
-        status = make_map(maps, view, i, &used, asker);
+        status = make_map(maps, view, i, &used, cancel);
     return status;
 }
 
 /* ---- light ---- */
 
-#define PIXEL_WORK 4 /* items, see asker.h: PCSS has two hundred taps */
+#define PIXEL_WORK 4 /* items, see cancel.h: PCSS has two hundred taps */
 
 struct lighting {
     const struct tia_shadow_view *view;
@@ -180,7 +180,7 @@ static void light_pixel(struct lighting *l, int x, int y, size_t at)
 }
 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
-                  struct asker *asker)
+                  struct cancel *cancel)
 {
     const struct maps *maps = view->own;
     const struct tia_raster_target *t = &tile->target;
@@ -191,7 +191,7 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
     l.point.world = &l.world;
     l.point.face = TIA_NO_FACE;
     for (int y = (int)t->area.y; y < target_bottom(t); y++)
-        for (int x = (int)t->area.x; x < target_right(t) && !asker_stops(asker, PIXEL_WORK); x++)
+        for (int x = (int)t->area.x; x < target_right(t) && !cancelled(cancel, PIXEL_WORK); x++)
             light_pixel(&l, x, y, target_index(t, x, y));
 }
 

@@ -39,7 +39,7 @@ struct exact {
     const struct tia_shadow_view *view;
     struct tia_shadow_tile *tile;
     const tia_flat_light *light;
-    struct asker *asker;
+    struct cancel *cancel;
     struct filed *filed;
     uint64_t bit;
     struct tia_places places;
@@ -97,7 +97,7 @@ static void ask_all(struct exact *e, uint32_t number, bool endless)
             (endless && !tia_flat_is_direction(flat, &flat->points[flat->faces[object->first_face].corner[1]])))
             continue;
         for (uint32_t f = object->first_face; f < object->first_face + object->face_count; f++)
-            if (!asker_stops(e->asker, 1) && tia_occluder_init(&o, flat, e->light, f) && is_hidden(e, &o, number)) {
+            if (!cancelled(e->cancel, 1) && tia_occluder_init(&o, flat, e->light, f) && is_hidden(e, &o, number)) {
                 e->tile->lit[at_of(e, number)] &= ~e->bit;
                 return;
             }
@@ -231,7 +231,7 @@ static void ask_run(void *ctx, int y, int x0, int x1)
             if (!e->ready)
                 e->casts = tia_occluder_init(&e->occluder, &e->view->flat, e->light, e->face);
             e->ready = true;
-            if (!e->casts || asker_stops(e->asker, 1))
+            if (!e->casts || cancelled(e->cancel, 1))
                 return;
             if (is_hidden(e, &e->occluder, *link)) {
                 e->tile->lit[at] &= ~e->bit;
@@ -336,7 +336,7 @@ static void draw_object(struct exact *e, const struct tia_lattice *lattice, cons
     const struct tia_flat_scene *flat = &e->view->flat;
     bool closed = tia_flat_has_silhouette(flat, object, e->light);
 
-    for (uint32_t n = 0; n < object->face_count && !asker_stops(e->asker, 1); n++) {
+    for (uint32_t n = 0; n < object->face_count && !cancelled(e->cancel, 1); n++) {
         uint32_t face = object->first_face + n;
         if (!closed || tia_flat_side(flat, &flat->faces[face], e->light) > 0)
             draw(e, lattice, face);
@@ -353,7 +353,7 @@ static void draw_view(struct exact *e, unsigned view)
     if (!e->now->count ||
         tia_lattice_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
         return;
-    for (uint32_t i = 0; i < flat->object_count && !e->asker->stopped; i++)
+    for (uint32_t i = 0; i < flat->object_count && !e->cancel->stopped; i++)
         if (!tia_flat_hides_nothing(flat, &flat->objects[i], e->light))
             draw_object(e, &lattice, &flat->objects[i]);
 }
@@ -366,32 +366,32 @@ static uint64_t own_size(const struct tia_scene *scene)
     return 0;
 }
 
-static int nothing(struct tia_shadow_view *view, struct asker *asker)
+static int nothing(struct tia_shadow_view *view, struct cancel *cancel)
 {
     (void)view;
-    (void)asker;
+    (void)cancel;
     return TIA_OK;
 }
 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
-                  struct asker *asker)
+                  struct cancel *cancel)
 {
     uint32_t pixels = (uint32_t)tile->target.area.width * tile->target.area.height;
     struct exact e = {.view = view,
                       .tile = tile,
                       .light = &view->samples[sample],
-                      .asker = asker,
+                      .cancel = cancel,
                       .filed = tile->more,
                       .bit = UINT64_C(1) << sample};
 
     e.of.face = TIA_NO_FACE;
     tia_places_init(&e.places, &view->flat, e.light);
-    for (uint32_t i = 0; i < pixels && !asker_stops(asker, 1); i++)
+    for (uint32_t i = 0; i < pixels && !cancelled(cancel, 1); i++)
         locate(&e, i);
     choose_sizes(&e);
-    for (uint32_t i = 0; i < pixels && !asker->stopped; i++)
+    for (uint32_t i = 0; i < pixels && !cancel->stopped; i++)
         file(&e, i);
-    for (unsigned i = 0; i < VIEWS && !asker->stopped; i++)
+    for (unsigned i = 0; i < VIEWS && !cancel->stopped; i++)
         draw_view(&e, i);
 }
 

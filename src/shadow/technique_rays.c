@@ -7,24 +7,24 @@ static uint64_t own_size(const struct tia_scene *scene)
     return ALIGN(sizeof(struct tia_casters)) + tia_casters_size(tia_flat_face_count(scene));
 }
 
-static int prepare(struct tia_shadow_view *view, struct asker *asker)
+static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct tia_casters *casters = view->own;
 
-    return tia_casters_build(casters, (char *)view->own + ALIGN(sizeof *casters), &view->flat, asker);
+    return tia_casters_build(casters, (char *)view->own + ALIGN(sizeof *casters), &view->flat, cancel);
 }
 
-static int set_lights(struct tia_shadow_view *view, struct asker *asker)
+static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 {
     (void)view;
-    (void)asker;
+    (void)cancel;
     return TIA_OK;
 }
 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
-                  struct asker *asker)
+                  struct cancel *cancel)
 {
-    tia_shadow_rays_light(view, view->own, tile, sample, asker);
+    tia_shadow_rays_light(view, view->own, tile, sample, cancel);
 }
 
 const struct tia_shadow_technique tia_shadow_rays = {

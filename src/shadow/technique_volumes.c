@@ -22,42 +22,42 @@ static uint64_t own_size(const struct tia_scene *scene)
     return ALIGN(sizeof(struct volumes)) + tia_casters_size(tia_flat_face_count(scene));
 }
 
-static int prepare(struct tia_shadow_view *view, struct asker *asker)
+static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct volumes *volumes = view->own;
 
-    (void)asker;
+    (void)cancel;
     volumes->has_casters = false;
     return TIA_OK;
 }
 
-static struct counted count_ends(const struct tia_shadow_view *view, unsigned sample, struct asker *asker)
+static struct counted count_ends(const struct tia_shadow_view *view, unsigned sample, struct cancel *cancel)
 {
     const tia_flat_light *light = &view->samples[sample];
     uint32_t eye, far;
 
     if (view->scene->shadows == TIA_SHADOWS_ZPASS_PLAIN)
         return (struct counted){BEFORE, 0};
-    bool knows_eye = tia_shadow_count_eye(&view->flat, light, &eye, asker);
-    bool knows_far = tia_shadow_count_far(&view->flat, light, &far, asker);
+    bool knows_eye = tia_shadow_count_eye(&view->flat, light, &eye, cancel);
+    bool knows_far = tia_shadow_count_far(&view->flat, light, &far, cancel);
 
     if (knows_eye && (view->scene->shadows == TIA_SHADOWS_ZPASS || !knows_far))
         return (struct counted){BEFORE, eye};
     return (struct counted){knows_far ? BEHIND : NOT, far};
 }
 
-static int set_lights(struct tia_shadow_view *view, struct asker *asker)
+static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct volumes *volumes = view->own;
 
-    for (unsigned i = 0; i < view->sample_count && !asker_stops(asker, 1); i++) {
-        volumes->sample[i] = count_ends(view, i, asker);
+    for (unsigned i = 0; i < view->sample_count && !cancelled(cancel, 1); i++) {
+        volumes->sample[i] = count_ends(view, i, cancel);
         if (volumes->sample[i].where != NOT || volumes->has_casters)
             continue;
         void *memory = (char *)view->own + ALIGN(sizeof *volumes);
-        volumes->has_casters = !tia_casters_build(&volumes->casters, memory, &view->flat, asker);
+        volumes->has_casters = !tia_casters_build(&volumes->casters, memory, &view->flat, cancel);
     }
-    return asker->stopped ? TIA_STOPPED : TIA_OK;
+    return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
 /* A face is dark where it is turned away from the light, and where volumes hold it. */
@@ -82,20 +82,20 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
 }
 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
-                  struct asker *asker)
+                  struct cancel *cancel)
 {
     const struct volumes *volumes = view->own;
     const struct counted *counted = &volumes->sample[sample];
 
     if (counted->where == NOT) {
-        tia_shadow_rays_light(view, &volumes->casters, tile, sample, asker);
+        tia_shadow_rays_light(view, &volumes->casters, tile, sample, cancel);
         return;
     }
     tia_clear_count(&tile->target, counted->start);
     if (counted->where == BEFORE)
-        (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample], asker);
+        (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample], cancel);
     else
-        (void)tia_shadow_zfail(&tile->target, &view->flat, &view->samples[sample], asker);
+        (void)tia_shadow_zfail(&tile->target, &view->flat, &view->samples[sample], cancel);
     keep_lit(view, tile, sample);
 }
 

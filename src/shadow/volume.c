@@ -135,9 +135,9 @@ static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light
 
 typedef int caster_function(void *ctx, const struct caster *caster, uint32_t face);
 
-/* `work`: a face's, for the asker. */
+/* `work`: a face's, for the cancel. */
 static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
-                           void *ctx, struct asker *asker, uint32_t work)
+                           void *ctx, struct cancel *cancel, uint32_t work)
 {
     int status = TIA_OK;
 
@@ -148,7 +148,7 @@ static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_lig
             continue;
         for (uint32_t n = 0; !status && n < object->face_count; n++) {
             struct caster c;
-            if (asker_stops(asker, work))
+            if (cancelled(cancel, work))
                 return TIA_STOPPED;
             if (casts(flat, light, object->first_face + n, closed, &c))
                 status = call(ctx, &c, object->first_face + n);
@@ -237,7 +237,7 @@ static uint32_t work_of(const struct tia_raster_target *target)
     return 1 + (uint32_t)target->area.width * target->area.height / 512;
 }
 
-int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct asker *asker)
+int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct cancel *cancel)
 {
     static const struct tia_raster_state state = {
         .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .ahead = true, .front = KEEPS, .back = KEEPS};
@@ -246,7 +246,7 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
     for (uint32_t f = 0; !status && f < flat->face_count; f++) {
         struct tia_raster_vertex corners[TIA_SIDES];
         unsigned sides = tia_flat_corners(flat, f, corners);
-        if (asker_stops(asker, work_of(target)))
+        if (cancelled(cancel, work_of(target)))
             return TIA_STOPPED;
         status = tia_draw_polygon(target, &state, corners, sides, f);
     }
@@ -256,27 +256,27 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
 /* Behind the point, the ray leaves volumes through back faces and enters others through front faces. In orthographic
  * views it never comes to what is at infinity. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
-                     struct asker *asker)
+                     struct cancel *cancel)
 {
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
     struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, true, !flat_view};
 
     d.state.front.zfail = TIA_DECR_WRAP;
     d.state.back.zfail = TIA_INCR_WRAP;
-    return for_each_caster(flat, light, draw_volume, &d, asker, 4 * work_of(target));
+    return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
 /* Before the point, it is the other way round. The far caps are never there, and a near one would be what the pixel
  * sees, unless it is behind the window of an orthographic view. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
-                     struct asker *asker)
+                     struct cancel *cancel)
 {
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
     struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, flat_view, false};
 
     d.state.front.zpass = TIA_INCR_WRAP;
     d.state.back.zpass = TIA_DECR_WRAP;
-    return for_each_caster(flat, light, draw_volume, &d, asker, 4 * work_of(target));
+    return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
 /* ---- where rays start and end ---- */
@@ -322,22 +322,22 @@ static int count_end(void *ctx, const struct caster *c, uint32_t face)
 }
 
 bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
-                          struct asker *asker)
+                          struct cancel *cancel)
 {
     struct end_count e = {.flat = flat, .light = light, .end = -1};
 
-    (void)for_each_caster(flat, light, count_end, &e, asker, 1);
+    (void)for_each_caster(flat, light, count_end, &e, cancel, 1);
     *count = e.count;
     return !e.unsure;
 }
 
 bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
-                          struct asker *asker)
+                          struct cancel *cancel)
 {
     struct end_count e = {.flat = flat, .light = light, .end = 1};
 
     if (flat->eye.projection == TIA_ORTHOGRAPHIC)
-        (void)for_each_caster(flat, light, count_end, &e, asker, 1);
+        (void)for_each_caster(flat, light, count_end, &e, cancel, 1);
     *count = e.count;
     return !e.unsure;
 }

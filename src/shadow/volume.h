@@ -9,7 +9,7 @@
 #define TIA_SHADOW_VOLUME_H
 
 #include "lights.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 /* On which side of a face's plane it is: 1 where the corners run counterclockwise seen from it, -1 behind, 0 in the
  * plane. */
@@ -35,24 +35,24 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
 
 /* How many volumes hold the eye, from which rays come, and how many hold the point at infinity to which they go: 0 in
  * perspective, where each ray goes to another. False when that lies exactly on the surface of a volume: then z-pass
- * and, in orthographic views, z-fail are undecided. Once the asker is stopped, the counts are undefined. */
+ * and, in orthographic views, z-fail are undecided. Once cancelled, the counts are undefined. */
 bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
-                          struct asker *asker);
+                          struct cancel *cancel);
 bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
-                          struct asker *asker);
+                          struct cancel *cancel);
 
-/* Draws the visible faces into depth and faces of the target, which must be empty. TIA_STOPPED when the asker is
+/* Draws the visible faces into depth and faces of the target, which must be empty. TIA_STOPPED when the cancel is
  * stopped, as the next two. */
-int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct asker *asker);
+int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct cancel *cancel);
 
 /* With the faces drawn, adds to each pixel's count the number of volumes that hold its point, less the number of those
  * that hold the point at infinity. There are at most as many as faces, so 32 bits never wrap; a stencil buffer of 8
  * bits shows light where 256 volumes hold a point. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
-                     struct asker *asker);
+                     struct cancel *cancel);
 
 /* The same, less the number of volumes that hold the eye. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
-                     struct asker *asker);
+                     struct cancel *cancel);
 
 #endif

@@ -294,8 +294,8 @@ int tia_viewer_run(struct tia_viewer *viewer)
                         .base = viewer->scene,
                         .gaze = viewer->gaze,
                         .changed = true};
-    struct asker asker = {viewer->stop, viewer->stop_ctx, 0, false};
-    int status = tia_check_scene(viewer->scene, NULL, &asker);
+    struct cancel cancel = {viewer->stop, viewer->stop_ctx, 0, false};
+    int status = tia_check_scene(viewer->scene, NULL, &cancel);
 
     if (status)
         return status == TIA_STOPPED ? TIA_OK : TIA_ERR_RANGE;

@@ -143,11 +143,11 @@ static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
 }
 
 /* If each edge has one that runs back, the sum is 0; otherwise that has one chance in 2^64. */
-bool mesh_is_closed(const struct tia_mesh *mesh, struct asker *asker)
+bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
 {
     uint64_t sum = 0;
 
-    for (uint32_t i = 0; i < mesh->face_count && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < mesh->face_count && !cancelled(cancel, 1); i++) {
         struct triangle_corners corners = corners_of(mesh, i);
         for (int k = 0; k < 3; k++) {
             const struct tia_vec3 *a = &corners.at[k], *b = &corners.at[(k + 1) % 3];

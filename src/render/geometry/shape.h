@@ -10,7 +10,7 @@
 #include <tia/bvh.h>
 
 #include "num/num_ray.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 struct ray {
     struct num_point origin;
@@ -154,7 +154,7 @@ TIA_SHAPES(DECLARE)
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
 /* Whether a mesh's faces enclose a volume, see tia/material.h. Stopped: anything. */
-bool mesh_is_closed(const struct tia_mesh *mesh, struct asker *asker);
+bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel);
 
 /* How many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
 uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);

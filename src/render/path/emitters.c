@@ -62,18 +62,18 @@ void emitter_of_sphere(const struct tia_scene *scene, uint32_t sphere, struct em
     emitter_radiance(&m->emission, m->emission_bits, emitter->radiance);
 }
 
-static uint32_t count_spheres(const struct tia_scene *scene, struct asker *asker)
+static uint32_t count_spheres(const struct tia_scene *scene, struct cancel *cancel)
 {
     uint32_t count = 0;
 
-    for (uint32_t i = 0; i < scene->sphere_count && !asker_stops(asker, 1); i++)
+    for (uint32_t i = 0; i < scene->sphere_count && !cancelled(cancel, 1); i++)
         count += scene->spheres[i].material < scene->material_count && emits(scene, i);
     return count;
 }
 
 uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
-    struct asker nobody = {0};
+    struct cancel nobody = {0};
 
     return ((uint64_t)light_capacity + count_spheres(scene, &nobody)) * sizeof(struct emitter);
 }
@@ -81,13 +81,13 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
 /* The spheres lie behind the room for all lights, and are moved up to those that there are. */
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity)
 {
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
 
     (void)light_capacity;
     emitters->first = memory;
     emitters->count = 0;
-    emitters->spheres = count_spheres(view->scene, &asker);
-    return asker.stopped ? TIA_STOPPED : TIA_OK;
+    emitters->spheres = count_spheres(view->scene, &cancel);
+    return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 /* A light that is dark, without a surface that should have one, or ambient, is none. */

@@ -5,23 +5,24 @@
 
 /* The next curved object that the ray may meet at 0 <= t <= limit, or TIA_NO_OBJECT. Flat objects in its way cost a
  * look each; their faces are not asked. */
-static uint32_t next(const struct ray_view *view, struct candidates *candidates, num_length limit, struct asker *asker)
+static uint32_t next(const struct ray_view *view, struct candidates *candidates, num_length limit,
+                     struct cancel *cancel)
 {
     uint32_t object = candidates_next(candidates, limit);
 
     while (object != TIA_NO_OBJECT && tia_flat_takes(view->scene, object))
-        object = asker_stops(asker, 1) ? TIA_NO_OBJECT : candidates_next(candidates, limit);
-    return asker_stops(asker, 1) ? TIA_NO_OBJECT : object;
+        object = cancelled(cancel, 1) ? TIA_NO_OBJECT : candidates_next(candidates, limit);
+    return cancelled(cancel, 1) ? TIA_NO_OBJECT : object;
 }
 
 void curved_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
     struct candidates candidates;
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
     uint32_t object;
 
     candidates_start(&candidates, view->scene, ray);
-    while ((object = next(view, &candidates, hit->t, &asker)) != TIA_NO_OBJECT) {
+    while ((object = next(view, &candidates, hit->t, &cancel)) != TIA_NO_OBJECT) {
         struct hit met;
         if (ray_meets(view, ray, object, hit->t, &met) && (met.t < hit->t || object < hit->object))
             *hit = met;
@@ -31,14 +32,14 @@ void curved_intersect(const struct ray_view *view, const struct ray *ray, struct
 bool curved_passes(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker)
 {
     struct candidates candidates;
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
     uint32_t object;
 
     if (*blocker != TIA_NO_OBJECT && !tia_flat_takes(view->scene, *blocker) &&
         ray_occluded_by(view, ray, *blocker, limit, NULL))
         return false;
     candidates_start(&candidates, view->scene, ray);
-    while ((object = next(view, &candidates, limit, &asker)) != TIA_NO_OBJECT)
+    while ((object = next(view, &candidates, limit, &cancel)) != TIA_NO_OBJECT)
         if (ray_occluded_by(view, ray, object, limit, NULL)) {
             *blocker = object;
             return false;

@@ -73,7 +73,7 @@ static bool is_outdated(const struct raster_view *raster, const struct tia_hits 
 }
 
 static void light_sample(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                         unsigned sample, struct asker *asker)
+                         unsigned sample, struct cancel *cancel)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(view->scene->shadows);
     const struct raster_view *raster = raster_of(view);
@@ -85,8 +85,8 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
     for (unsigned y = 0; y < tile.height; y++)
         for (unsigned x = 0; x < tile.width; x++)
             open.lit[(size_t)y * (size_t)open.target.pitch + x] = 0;
-    for (unsigned i = 0; i < shadow->sample_count && !asker_stops(asker, ASKER_PATIENCE); i++)
-        technique->light(shadow, &open, i, asker);
+    for (unsigned i = 0; i < shadow->sample_count && !cancelled(cancel, CANCEL_INTERVAL); i++)
+        technique->light(shadow, &open, i, cancel);
 }
 
 /* Pixels x0..x1-1 of row y, ray by ray. */
@@ -126,7 +126,7 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
     const struct raster_view *raster = raster_of(view);
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
     struct rasterised r = {.first = {find_hit, raster->first_bit, raster->whole, raster->place_count ? passes : NULL},
                            .raster = raster,
                            .rays = view->prepared,
@@ -136,7 +136,7 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
     if (is_outdated(raster, hits, tile))
         raster_trace_tile(view, &again, tile);
     for (unsigned i = 0; i < raster->sample_count; i++)
-        light_sample(view, hits, tile, i, &asker);
+        light_sample(view, hits, tile, i, &cancel);
     if (raster->place_count || options->path_hash || options->lit || options->colours ||
         !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
         whitted_light_tile(view, hits, tile, surface, options, &r.first);

@@ -54,7 +54,7 @@ static int prepare(struct tia_view *view)
     struct raster_view *raster = raster_of(view);
     char *own = (char *)raster;
     unsigned width = (unsigned)view->width, height = (unsigned)view->height;
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
     int status = ray_prepare(view);
 
     raster->sample_count = tia_flat_samples(scene);
@@ -68,13 +68,13 @@ static int prepare(struct tia_view *view)
     raster->shadow->sample_count = 0;
     if (!status)
         status = tia_flat_init(&raster->shadow->flat, own + own_size(scene, view->light_capacity), tia_flat_size(scene),
-                               scene, width, height, &asker);
+                               scene, width, height, &cancel);
     if (status)
         return status;
     tia_curved_find(raster->places, scene, &raster->shadow->flat.eye, width, height);
     raster->shadow->scene = scene;
     raster->range = tia_flat_range(&raster->shadow->flat);
-    return tia_shadow_technique(scene->shadows)->prepare(raster->shadow, &asker);
+    return tia_shadow_technique(scene->shadows)->prepare(raster->shadow, &cancel);
 }
 
 static void add_samples(const struct raster_view *raster, struct tia_shadow_view *shadow, const struct tia_light *light)
@@ -102,7 +102,7 @@ static int refuses(const struct tia_view *view, const struct tia_light *lights, 
 }
 
 /* Makes the vertices and what the technique has of them anew where the lights need another range. */
-static int make_vertices(struct tia_view *view, struct asker *asker)
+static int make_vertices(struct tia_view *view, struct cancel *cancel)
 {
     struct raster_view *raster = raster_of(view);
     struct tia_flat_scene *flat = &raster->shadow->flat;
@@ -111,9 +111,9 @@ static int make_vertices(struct tia_view *view, struct asker *asker)
 
     if (range == raster->range)
         return TIA_OK;
-    int status = tia_flat_place(flat, view->scene, range, asker);
+    int status = tia_flat_place(flat, view->scene, range, cancel);
     if (!status)
-        status = tia_shadow_technique(view->scene->shadows)->prepare(raster->shadow, asker);
+        status = tia_shadow_technique(view->scene->shadows)->prepare(raster->shadow, cancel);
     raster->range = status ? RASTER_NO_RANGE : range;
     return status;
 }
@@ -122,19 +122,19 @@ static int set_lights(struct tia_view *view)
 {
     struct raster_view *raster = raster_of(view);
     struct tia_shadow_view *shadow = raster->shadow;
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
     int status = ray_set_lights(view);
 
     shadow->sample_count = 0;
     if (!status)
-        status = make_vertices(view, &asker);
+        status = make_vertices(view, &cancel);
     if (status)
         return status;
     for (uint32_t n = 0; n < view->light_count; n++) {
         raster->first_bit[n] = (uint8_t)shadow->sample_count;
         add_samples(raster, shadow, &view->lights[n]);
     }
-    status = tia_shadow_technique(view->scene->shadows)->set_lights(shadow, &asker);
+    status = tia_shadow_technique(view->scene->shadows)->set_lights(shadow, &cancel);
     for (unsigned i = 1; i < raster->sample_count; i++) {
         shadow[i] = shadow[0];
         tia_flat_sample(&shadow[i].flat, &shadow[0].flat, view->scene, i);

@@ -30,14 +30,14 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
     const struct tia_flat_scene *flat = &raster->shadow[sample].flat;
     struct raster_buffers b = raster_buffers(raster, hits, sample);
     struct path path = {.view = view->prepared};
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
     uint32_t last = TIA_NO_FACE, seen = TIA_NO_OBJECT;
     struct tia_shadow_tile open;
 
     raster_open_tile(view, hits, tile, sample, &b, &open);
     tia_clear_depth(&open.target);
     tia_clear_count(&open.target, 0);
-    (void)tia_shadow_faces(&open.target, flat, &asker);
+    (void)tia_shadow_faces(&open.target, flat, &cancel);
     curved_mark(raster->places, raster->place_count, hits, tile, b.count);
     for (int y = (int)tile.y; y < tile_bottom(tile); y++)
         for (int x = (int)tile.x; x < tile_right(tile); x++) {

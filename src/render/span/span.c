@@ -74,15 +74,15 @@ static int prepare(struct tia_view *view)
 static int set_lights(struct tia_view *view)
 {
     struct span_view *spans = view->prepared;
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
 
     spans->grey = spans->grey_shadows;
-    for (uint32_t i = 0; i < view->light_count && !asker_stops(&asker, 1); i++) {
+    for (uint32_t i = 0; i < view->light_count && !cancelled(&cancel, 1); i++) {
         const struct tia_light *light = &view->lights[i];
         spans->grey = spans->grey && colour_is_grey(&light->emission);
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
     }
-    return asker.stopped ? TIA_STOPPED : TIA_OK;
+    return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)

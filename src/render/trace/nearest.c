@@ -132,12 +132,12 @@ static void clear(struct hit *hit)
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit)
 {
     struct candidates candidates;
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
     uint32_t object;
 
     clear(hit);
     candidates_start(&candidates, view->scene, ray);
-    while ((object = candidates_next(&candidates, hit->t)) != TIA_NO_OBJECT && !asker_stops(&asker, 1))
+    while ((object = candidates_next(&candidates, hit->t)) != TIA_NO_OBJECT && !cancelled(&cancel, 1))
         try_object(view, ray, object, hit);
 }
 
@@ -155,9 +155,9 @@ void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, st
 
 void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit)
 {
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
 
-    for (uint32_t n = 0; view->lit && n < view->light_count && !asker_stops(&asker, 1); n++) {
+    for (uint32_t n = 0; view->lit && n < view->light_count && !cancelled(&cancel, 1); n++) {
         num_length t;
         if ((kinds >> view->lights[n].kind & 1) && ray_light_intersect(&view->lights[n], ray, hit->t, &t)) {
             hit->t = t;

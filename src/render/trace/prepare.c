@@ -23,7 +23,7 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 struct preparation {
     const struct tia_scene *scene;
     struct mesh_facts *meshes;
-    struct asker asker;
+    struct cancel cancel;
 };
 
 static const struct tia_bounds *mesh_box(struct preparation *p, uint32_t mesh)
@@ -31,7 +31,7 @@ static const struct tia_bounds *mesh_box(struct preparation *p, uint32_t mesh)
     struct mesh_facts *facts = &p->meshes[mesh];
 
     if (!facts->has_box)
-        facts->box = tia_bounds_of_mesh(&p->scene->meshes[mesh], &p->asker);
+        facts->box = tia_bounds_of_mesh(&p->scene->meshes[mesh], &p->cancel);
     facts->has_box = true;
     return &facts->box;
 }
@@ -41,7 +41,7 @@ static bool is_closed(struct preparation *p, uint32_t mesh)
     struct mesh_facts *facts = &p->meshes[mesh];
 
     if (!facts->has_edges)
-        facts->is_closed = mesh_is_closed(&p->scene->meshes[mesh], &p->asker);
+        facts->is_closed = mesh_is_closed(&p->scene->meshes[mesh], &p->cancel);
     facts->has_edges = true;
     return facts->is_closed;
 }
@@ -97,7 +97,7 @@ static int prepare_shapes(struct ray_view *view, struct preparation *p)
 
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         p->meshes[i].has_box = p->meshes[i].has_edges = false;
-    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(&p->asker, 1); i++) {
+    for (uint32_t i = 0; i < scene->shape_count && !cancelled(&p->cancel, 1); i++) {
         const struct tia_shape *given = &scene->shapes[i];
         struct shape *shape = &view->shapes[i];
 
@@ -109,14 +109,14 @@ static int prepare_shapes(struct ray_view *view, struct preparation *p)
         if (place(p, given, instance))
             shape->instance = instance++;
     }
-    return p->asker.stopped ? TIA_STOPPED : TIA_OK;
+    return p->cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
 int ray_prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
     struct ray_view *rays = view->prepared;
-    struct preparation preparation = {scene, NULL, view_asker(view)};
+    struct preparation preparation = {scene, NULL, view_cancel(view)};
 
     rays->view = view;
     rays->scene = scene;
@@ -135,13 +135,13 @@ int ray_prepare(struct tia_view *view)
 int ray_set_lights(struct tia_view *view)
 {
     struct ray_view *rays = view->prepared;
-    struct asker asker = view_asker(view);
+    struct cancel cancel = view_cancel(view);
 
     rays->light_count = view->light_count;
     rays->lit = false;
-    for (uint32_t i = 0; i < view->light_count && !asker_stops(&asker, 1); i++) {
+    for (uint32_t i = 0; i < view->light_count && !cancelled(&cancel, 1); i++) {
         ray_light_prepare(&rays->lights[i], &view->lights[i], view->scene->scale_bits);
         rays->lit = rays->lit || ray_light_is_seen(&rays->lights[i]);
     }
-    return asker.stopped ? TIA_STOPPED : TIA_OK;
+    return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }

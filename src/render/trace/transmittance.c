@@ -146,11 +146,11 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
 static bool all_transmit(const struct ray_view *view, const struct ray *ray, num_length limit, struct filters *filters)
 {
     struct candidates candidates;
-    struct asker asker = view_asker(view->view);
+    struct cancel cancel = view_cancel(view->view);
     uint32_t object;
 
     candidates_start(&candidates, view->scene, ray);
-    while ((object = candidates_next(&candidates, limit)) != TIA_NO_OBJECT && !asker_stops(&asker, 1))
+    while ((object = candidates_next(&candidates, limit)) != TIA_NO_OBJECT && !cancelled(&cancel, 1))
         if (!object_transmits(view, ray, object, limit, filters))
             return false;
     return true;

@@ -47,7 +47,7 @@ static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint3
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
     const struct bvh_items all = {items, space->boxes, cost};
     uint32_t used = space->build ? space->build(space, nodes, &all, count)
-                                 : tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &space->asker);
+                                 : tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &space->cancel);
 
     bvh_allocate(space, used * sizeof *nodes);
     return (struct tia_bvh_tree){nodes, items, used, count};
@@ -57,7 +57,7 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
 {
     uint32_t *items = bvh_allocate(space, mesh->face_count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = 0; i < mesh->face_count && !asker_stops(&space->asker, 1); i++) {
+    for (uint32_t i = 0; i < mesh->face_count && !cancelled(&space->cancel, 1); i++) {
         struct tia_bounds box = tia_bounds_of_face(mesh, i);
         struct bounds_wide wide = {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
         (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
@@ -95,11 +95,11 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
 }
 
 /* The mean of those of the objects with a box. */
-static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct asker *asker)
+static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct cancel *cancel)
 {
     uint64_t sum = 0;
 
-    for (uint32_t i = 0; i < count && !asker_stops(asker, 1); i++) {
+    for (uint32_t i = 0; i < count && !cancelled(cancel, 1); i++) {
         uint32_t spheres = scene->sphere_count;
         bool sphere = items[i] < spheres;
         enum tia_shape_kind kind = sphere ? TIA_SPHERE : scene->shapes[items[i] - spheres].kind;
@@ -114,12 +114,12 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
     uint32_t count = (uint32_t)bvh_object_count(scene), last = count, first = 0;
     uint32_t *items = bvh_allocate(space, count * (uint64_t)sizeof *items);
 
-    for (uint32_t i = count; !asker_stops(&space->asker, 1) && i-- > 0;)
+    for (uint32_t i = count; !cancelled(&space->cancel, 1) && i-- > 0;)
         if (tia_bvh_object_box(&space->boxes[first], scene, i, bvh->meshes))
             items[first++] = i;
         else
             items[--last] = i;
-    bvh->objects = build(space, items, first, object_cost(scene, items, first, &space->asker));
+    bvh->objects = build(space, items, first, object_cost(scene, items, first, &space->cancel));
     bvh->unbounded = items + last;
     bvh->unbounded_count = count - last;
 }
@@ -132,7 +132,7 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                         const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
 {
-    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}};
+    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}};
 
     return tia_bvh_build_in(bvh, &space, size, used, scene);
 }
@@ -154,7 +154,7 @@ int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         meshes[i] = build_mesh(space, &scene->meshes[i]);
     tia_bvh_build_objects(space, whole, scene);
-    if (space->asker.stopped)
+    if (space->cancel.stopped)
         return TIA_STOPPED;
     *bvh = whole;
     if (used)

@@ -70,11 +70,11 @@ static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
 }
 
 /* Children come behind their parents, so from the last node to the first both are done before. */
-static void follow(struct following *f, struct asker *asker)
+static void follow(struct following *f, struct cancel *cancel)
 {
     const struct tia_bvh_tree *tree = &f->standing->bvh->objects;
 
-    for (uint32_t i = tree->node_count; i-- > 0 && f->fits && !asker_stops(asker, 1);) {
+    for (uint32_t i = tree->node_count; i-- > 0 && f->fits && !cancelled(cancel, 1);) {
         struct tia_bvh_node *node = &f->nodes[i];
         *node = tree->nodes[i];
         if (node->count) {
@@ -139,7 +139,7 @@ int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const st
     if (!bvh || !scene || !standing || !memory_is_usable(memory) || !can_follow(scene, standing))
         return TIA_ERR_ARGUMENT;
     uint64_t boxes = ALIGN(bvh_object_count(scene) * (uint64_t)sizeof(struct tia_bounds));
-    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}}, anew;
+    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}}, anew;
     size_t needed = tia_bvh_move_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
@@ -149,13 +149,13 @@ int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const st
     anew = space;
     struct following f = {scene, standing, (struct tia_bvh_node *)(void *)space.front, true};
     *whole = *standing->bvh;
-    follow(&f, &space.asker);
+    follow(&f, &space.cancel);
     whole->objects.nodes = f.nodes;
-    if (!space.asker.stopped && !is_good(&f)) {
+    if (!space.cancel.stopped && !is_good(&f)) {
         tia_bvh_build_objects(&anew, whole, scene);
-        space.asker = anew.asker;
+        space.cancel = anew.cancel;
     }
-    if (space.asker.stopped)
+    if (space.cancel.stopped)
         return TIA_STOPPED;
     *bvh = whole;
     return TIA_OK;

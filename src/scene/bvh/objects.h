@@ -11,7 +11,7 @@
 struct bvh_space {
     unsigned char *front;
     struct tia_bounds *boxes; /* of the items of one tree, while it is built */
-    struct asker asker;
+    struct cancel cancel;
     /* What builds a tree of `count` items as tia_bvh_build_range does; NULL: that. */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
     const struct tia_workers *workers; /* for `build` */

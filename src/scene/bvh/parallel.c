@@ -56,19 +56,19 @@ static bool asks(void *ctx)
     bool stopped = false;
 
     if (space->workers->enter(space->workers_ctx)) {
-        stopped = space->asker.stop(space->asker.ctx);
+        stopped = space->cancel.stop(space->cancel.ctx);
         space->workers->leave(space->workers_ctx);
     }
     return stopped;
 }
 
 /* Each thread counts its own work. */
-static struct asker asker_of(const struct crew *crew)
+static struct cancel cancel_of(const struct crew *crew)
 {
-    return (struct asker){crew->space->asker.stop ? asks : NULL, crew->space, 0, false};
+    return (struct cancel){crew->space->cancel.stop ? asks : NULL, crew->space, 0, false};
 }
 
-static struct tia_bvh_split_items chunk_items(const struct crew *crew, unsigned index, struct asker *asker)
+static struct tia_bvh_split_items chunk_items(const struct crew *crew, unsigned index, struct cancel *cancel)
 {
     struct tia_bvh_split_items items = crew->items;
     uint32_t size = (items.count + CHUNKS - 1) / CHUNKS, first = index * size;
@@ -77,28 +77,28 @@ static struct tia_bvh_split_items chunk_items(const struct crew *crew, unsigned 
     items.boxes += first;
     items.items += first;
     items.count = items.count - first < size ? items.count - first : size;
-    items.asker = asker;
+    items.cancel = cancel;
     return items;
 }
 
 static void measure_chunk(void *arg, unsigned index)
 {
     struct crew *crew = arg;
-    struct asker asker = asker_of(crew);
-    struct tia_bvh_split_items items = chunk_items(crew, index, &asker);
+    struct cancel cancel = cancel_of(crew);
+    struct tia_bvh_split_items items = chunk_items(crew, index, &cancel);
 
     tia_bvh_measure(&crew->chunks[index].extent, &items);
-    crew->chunks[index].stopped = asker.stopped;
+    crew->chunks[index].stopped = cancel.stopped;
 }
 
 static void fill_chunk(void *arg, unsigned index)
 {
     struct crew *crew = arg;
-    struct asker asker = asker_of(crew);
-    struct tia_bvh_split_items items = chunk_items(crew, index, &asker);
+    struct cancel cancel = cancel_of(crew);
+    struct tia_bvh_split_items items = chunk_items(crew, index, &cancel);
 
     tia_bvh_fill_bins(&crew->chunks[index].bins, &items, crew->binning);
-    crew->chunks[index].stopped = asker.stopped;
+    crew->chunks[index].stopped = cancel.stopped;
 }
 
 /* The tree of the part with that number among those that have no children. */
@@ -106,12 +106,12 @@ static void build_part(void *arg, unsigned index)
 {
     struct crew *crew = arg;
     struct part *part = crew->parts;
-    struct asker asker = asker_of(crew);
+    struct cancel cancel = cancel_of(crew);
 
     for (; part->divided || index > 0; part++)
         index -= !part->divided;
-    part->nodes = tia_bvh_build_range(crew->nodes + part->place, &crew->all, part->range, &asker);
-    part->stopped = asker.stopped;
+    part->nodes = tia_bvh_build_range(crew->nodes + part->place, &crew->all, part->range, &cancel);
+    part->stopped = cancel.stopped;
 }
 
 /* ---- the upper part of the tree ---- */
@@ -129,7 +129,7 @@ static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index)
     run(crew, job, CHUNKS);
     for (unsigned i = 0; i < CHUNKS; i++)
         stopped = stopped || crew->chunks[i].stopped;
-    crew->space->asker.stopped = crew->space->asker.stopped || stopped;
+    crew->space->cancel.stopped = crew->space->cancel.stopped || stopped;
     return !stopped;
 }
 
@@ -177,15 +177,15 @@ static void divide(struct crew *crew, struct part *part, uint32_t left)
 
 static void divide_all(struct crew *crew)
 {
-    struct asker *asker = &crew->space->asker;
+    struct cancel *cancel = &crew->space->cancel;
 
     while (crew->count < 2 * PARTS - 1) {
         struct part *part = find_largest(crew);
-        if (part->range.count <= SMALLEST || asker_stops(asker, part->range.count))
+        if (part->range.count <= SMALLEST || cancelled(cancel, part->range.count))
             return;
-        crew->items = bvh_items_of(&crew->all, part->range, asker);
+        crew->items = bvh_items_of(&crew->all, part->range, cancel);
         uint32_t left = split_together(crew, &part->bounds, bvh_most_items(part->range.depth + 1));
-        if (asker->stopped)
+        if (cancel->stopped)
             return;
         divide(crew, part, left);
     }
@@ -228,22 +228,22 @@ static uint32_t build(struct bvh_space *space, struct tia_bvh_node *nodes, const
     struct crew crew = {.space = space, .all = *all, .nodes = nodes, .count = 1, .chunks = (void *)nodes};
 
     if (count < LEAST)
-        return tia_bvh_build_range(nodes, all, (struct bvh_range){0, count, 0}, &space->asker);
+        return tia_bvh_build_range(nodes, all, (struct bvh_range){0, count, 0}, &space->cancel);
     crew.parts[0] = (struct part){.range = {0, count, 0}};
     divide_all(&crew);
-    if (space->asker.stopped)
+    if (space->cancel.stopped)
         return 0;
     run(&crew, build_part, (crew.count + 1) / 2);
     for (unsigned i = 0; i < crew.count; i++)
-        space->asker.stopped = space->asker.stopped || crew.parts[i].stopped;
-    return space->asker.stopped ? 0 : move_together(&crew);
+        space->cancel.stopped = space->cancel.stopped || crew.parts[i].stopped;
+    return space->cancel.stopped ? 0 : move_together(&crew);
 }
 
 int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
                            const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
                            bool (*stop)(void *ctx), void *ctx)
 {
-    struct bvh_space space = {.front = memory, .asker = {stop, ctx, 0, false}};
+    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}};
 
     if (workers && !(workers->run && workers->enter && workers->leave))
         return TIA_ERR_ARGUMENT;

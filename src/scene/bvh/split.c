@@ -23,7 +23,7 @@ struct split {
 /* Of few items the caller's question is enough. */
 static bool stops(const struct tia_bvh_split_items *items)
 {
-    return items->count > ASKER_PATIENCE && asker_stops(items->asker, 1);
+    return items->count > CANCEL_INTERVAL && cancelled(items->cancel, 1);
 }
 
 static tia_q16 smaller(tia_q16 a, tia_q16 b)
@@ -233,10 +233,10 @@ uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia
 
     tia_bvh_measure(&extent, items);
     *bounds = extent.bounds;
-    if (items->count < 2 || items->asker->stopped)
+    if (items->count < 2 || items->cancel->stopped)
         return 0;
     bool divides = tia_bvh_choose_bins(binning, &extent);
     if (divides)
         tia_bvh_fill_bins(&bins, items, binning);
-    return items->asker->stopped ? 0 : tia_bvh_split_at_best(items, bounds, divides ? &bins : NULL, binning, most);
+    return items->cancel->stopped ? 0 : tia_bvh_split_at_best(items, bounds, divides ? &bins : NULL, binning, most);
 }

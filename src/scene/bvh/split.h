@@ -4,19 +4,19 @@
 
 #include <tia/bvh.h>
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 
 #define SPLIT_ITEMS_MOST 8 /* more items are always split, whatever the heuristic finds */
 #define SPLIT_BINS 16
 
 /* boxes[i] is the box of items[i]; both are reordered together, so that a node's items are consecutive in memory. Once
- * the asker is stopped, the functions' results are undefined. */
+ * cancelled, the functions' results are undefined. */
 struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
     uint32_t cost; /* of testing an item, in visits to a node's two children; not 0 */
-    struct asker *asker;
+    struct cancel *cancel;
 };
 
 /* Where the items are. */

@@ -18,22 +18,22 @@ static void sort(uint32_t *items, uint32_t count)
 }
 
 uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
-                             struct asker *asker)
+                             struct cancel *cancel)
 {
     struct task tasks[TIA_BVH_DEPTH_MAX + 1] = {{range, 0}};
     uint32_t node_count = 0, waiting = range.count ? 1 : 0;
 
-    while (waiting && !asker_stops(asker, tasks[waiting - 1].range.count)) {
+    while (waiting && !cancelled(cancel, tasks[waiting - 1].range.count)) {
         struct task task = tasks[--waiting];
         struct bvh_range r = task.range;
-        const struct tia_bvh_split_items part = bvh_items_of(all, r, asker);
+        const struct tia_bvh_split_items part = bvh_items_of(all, r, cancel);
         uint32_t here = node_count++;
         struct tia_bvh_node *node = &nodes[here];
 
         if (task.parent != here)
             nodes[task.parent].index = here;
         uint32_t left = tia_bvh_split_items(&part, &node->bounds, bvh_most_items(r.depth + 1));
-        if (asker->stopped)
+        if (cancel->stopped)
             break;
         node->index = r.first;
         node->count = left ? 0 : r.count;

@@ -4,7 +4,7 @@
 
 #include <tia/bvh.h>
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "split.h"
 
 /* Upper bound of the nodes for n items: each leaf has at least one. */
@@ -25,10 +25,10 @@ struct bvh_range {
 };
 
 static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *all, struct bvh_range range,
-                                                      struct asker *asker)
+                                                      struct cancel *cancel)
 {
     return (struct tia_bvh_split_items){all->boxes + range.first, all->items + range.first, range.count, all->cost,
-                                        asker};
+                                        cancel};
 }
 
 /* The most items that a node may have at `depth`: with no more, halving reaches single items by TIA_BVH_DEPTH_MAX. */
@@ -41,6 +41,6 @@ static inline uint32_t bvh_most_items(uint32_t depth)
 /* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, itself the first; returns how
  * many there are. When it is stopped, the tree is not complete. */
 uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
-                             struct asker *asker);
+                             struct cancel *cancel);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef TIA_SCENE_CHECK_CHECK_H
 #define TIA_SCENE_CHECK_CHECK_H
 
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "scene/hull.h"
 
 struct check {
@@ -11,11 +11,11 @@ struct check {
     struct tia_bounds eyes;  /* around every place that the eye may take */
     const char *thing;       /* what is being checked */
     uint32_t index;
-    struct asker *asker; /* TIA_STOPPED: it wants no answer any more */
+    struct cancel *cancel; /* TIA_STOPPED: it wants no answer any more */
 };
 
 /* As tia_scene_check. */
-int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct asker *asker);
+int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
 #define CHECK_UNIT "each channel must be in 0..1"

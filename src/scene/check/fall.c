@@ -37,11 +37,11 @@ static bool is_own(const struct check *check, uint32_t shape)
     const struct tia_scene *scene = check->scene;
     uint32_t transform = scene->shapes[shape].transform;
 
-    for (uint32_t i = 0; i < scene->track_count && !asker_stops(check->asker, 1); i++)
+    for (uint32_t i = 0; i < scene->track_count && !cancelled(check->cancel, 1); i++)
         if (scene->tracks[i].target >= TIA_MOVES_TRANSFORM && scene->tracks[i].target <= TIA_SCALES_TRANSFORM &&
             scene->tracks[i].index == transform - 1)
             return false;
-    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(check->asker, 1); i++)
+    for (uint32_t i = 0; i < scene->shape_count && !cancelled(check->cancel, 1); i++)
         if (i != shape && scene->shapes[i].transform == transform)
             return false;
     return true;
@@ -64,5 +64,5 @@ int tia_check_fall(const struct check *check)
     REQUIRE(tia_check_is_between(fall->restitution, 0, TIA_Q16_ONE), "restitution", "must be in 0..1");
     REQUIRE(tia_check_is_between(fall->mass, MASS_MIN, MASS_MAX), "mass", "must be in 2^-10..1024");
     REQUIRE(tia_check_can_hide(check), "shape", "needs a last mesh without faces in the scene");
-    return check->asker->stopped ? TIA_STOPPED : TIA_OK;
+    return check->cancel->stopped ? TIA_STOPPED : TIA_OK;
 }

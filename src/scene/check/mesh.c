@@ -29,11 +29,11 @@ int tia_check_mesh(const struct check *check)
                 (m->faces || !m->face_count),
             "arrays", "an array with a count must not be NULL");
     REQUIRE(m->face_count <= TIA_OBJECTS_MAX, "faces", "must be at most 2^24");
-    for (uint32_t i = 0; i < m->normal_count && !asker_stops(check->asker, 1); i++)
+    for (uint32_t i = 0; i < m->normal_count && !cancelled(check->cancel, 1); i++)
         REQUIRE(tia_check_is_direction(&m->normals[i]), "normal", CHECK_LENGTH);
-    for (uint32_t i = 0; !status && i < m->face_count && !asker_stops(check->asker, 1); i++)
+    for (uint32_t i = 0; !status && i < m->face_count && !cancelled(check->cancel, 1); i++)
         status = check_face(check, m, m->faces[i].corner);
-    return check->asker->stopped ? TIA_STOPPED : status;
+    return check->cancel->stopped ? TIA_STOPPED : status;
 }
 
 static bool is_grid_end(tia_q16 corner, uint16_t size, tia_q16 cell)
@@ -68,7 +68,7 @@ struct part {
 
 static struct part mesh_part(const struct check *check, uint32_t i)
 {
-    return (struct part){tia_bounds_of_mesh(&check->scene->meshes[i], check->asker), 1};
+    return (struct part){tia_bounds_of_mesh(&check->scene->meshes[i], check->cancel), 1};
 }
 
 static struct part grid_part(const struct check *check, uint32_t i)
@@ -77,7 +77,7 @@ static struct part grid_part(const struct check *check, uint32_t i)
     uint32_t count = (uint32_t)g->size[0] * g->size[1] * g->size[2];
     struct part part = {BOUNDS_NOTHING, 1};
 
-    for (uint32_t k = 0; k < count && !asker_stops(check->asker, 1); k++)
+    for (uint32_t k = 0; k < count && !cancelled(check->cancel, 1); k++)
         part.materials = g->cells[k] > part.materials ? g->cells[k] : part.materials;
     return part;
 }
@@ -101,7 +101,7 @@ static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t 
 {
     const struct tia_scene *scene = check->scene;
 
-    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(check->asker, 1); i++) {
+    for (uint32_t i = 0; i < scene->shape_count && !cancelled(check->cancel, 1); i++) {
         const struct tia_shape *s = &scene->shapes[i];
         uint32_t which = s->kind == TIA_MESH ? s->mesh : s->grid;
 
@@ -112,7 +112,7 @@ static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t 
         if (status)
             return status;
     }
-    return check->asker->stopped ? TIA_STOPPED : TIA_OK;
+    return check->cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
 static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t count)

@@ -62,7 +62,7 @@ static int check_each(struct check *check, const char *thing, uint32_t count, in
 
     check->thing = thing;
     for (check->index = 0; !status && check->index < count; check->index++)
-        status = asker_stops(check->asker, 1) ? TIA_STOPPED : one(check);
+        status = cancelled(check->cancel, 1) ? TIA_STOPPED : one(check);
     return status;
 }
 
@@ -107,9 +107,9 @@ static struct tia_bounds find_eyes(const struct tia_scene *scene)
     return eyes;
 }
 
-int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct asker *asker)
+int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel)
 {
-    struct check check = {.scene = scene, .fault = fault, .thing = "scene", .asker = asker};
+    struct check check = {.scene = scene, .fault = fault, .thing = "scene", .cancel = cancel};
     int status;
 
     if (!scene->tracks && scene->track_count)
@@ -125,7 +125,7 @@ int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, stru
 
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
 {
-    struct asker nobody = {0};
+    struct cancel nobody = {0};
 
     if (!scene)
         return TIA_ERR_ARGUMENT;

@@ -89,7 +89,7 @@ int tia_check_track(const struct check *check)
     REQUIRE(track->key_count && track->keys, "keys", "must be one or more");
     status = track->target >= TIA_SHOWS_SHAPE ? check_target(check, track) : TIA_OK;
     for (uint32_t i = 0; !status && i < track->key_count; i++) {
-        if (asker_stops(check->asker, 1))
+        if (cancelled(check->cancel, 1))
             return TIA_STOPPED;
         REQUIRE(track->keys[i].time > before, "time", "must be 0 or more, and rise");
         before = track->keys[i].time;

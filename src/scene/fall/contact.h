@@ -36,7 +36,7 @@ struct fall_block {
     int64_t low[3], high[3]; /* of a box, around it in the world */
 };
 
-struct asker;
+struct cancel;
 
 struct falling {
     const struct tia_falling *given;
@@ -44,7 +44,7 @@ struct falling {
     struct fall_block *blocks;
     uint32_t ball_count, block_count;
     uint32_t now; /* in the tick */
-    struct asker *asker;
+    struct cancel *cancel;
 };
 
 int64_t tia_fall_place(const struct fall_ball *ball, int axis, uint32_t time);

@@ -4,8 +4,8 @@
 #include "math/align.h"
 #include "math/rotation.h"
 #include "math/wide.h"
-#include "scene/asker.h"
 #include "scene/bounds.h"
+#include "scene/cancel.h"
 #include "tick.h"
 
 #define MOST_Q32 (INT64_C(1) << 50) /* farther than any scene that is accepted, and 256 times that are 64 bits */
@@ -120,7 +120,7 @@ static void set_box(const struct tia_scene *scene, uint32_t index, struct fall_b
 
 static void set_blocks(struct falling *f, const struct tia_scene *scene)
 {
-    for (uint32_t i = 0; i < scene->shape_count && !asker_stops(f->asker, 1 + scene->track_count); i++) {
+    for (uint32_t i = 0; i < scene->shape_count && !cancelled(f->cancel, 1 + scene->track_count); i++) {
         const struct tia_shape *shape = &scene->shapes[i];
         if (!tia_scene_bounces_off(scene, i))
             continue;
@@ -145,19 +145,19 @@ static void put(const struct fall_ball *ball, struct tia_vec3 *position)
 }
 
 void tia_fall_at(const struct tia_scene *scene, void *memory, tia_q16 time, struct tia_transform *transforms,
-                 struct tia_shape *shapes, struct asker *asker)
+                 struct tia_shape *shapes, struct cancel *cancel)
 {
     const struct tia_falling *given = scene->falling;
     uint32_t until = (uint32_t)(time < 0 ? 0 : time < given->end ? time : given->end), tick = 0;
-    struct falling f = {.given = given, .balls = memory, .ball_count = given->count, .asker = asker};
+    struct falling f = {.given = given, .balls = memory, .ball_count = given->count, .cancel = cancel};
 
     f.blocks = (struct fall_block *)(void *)((char *)memory + ALIGN(given->count * sizeof *f.balls));
     for (uint32_t i = 0; i < given->count; i++)
         set_ball(scene, &given->balls[i], &f.balls[i]);
     set_blocks(&f, scene);
-    for (; tick < until >> 8 && !asker->stopped; tick++)
+    for (; tick < until >> 8 && !cancel->stopped; tick++)
         tia_fall_tick(&f, tick, FALL_TICK);
-    if (!asker->stopped)
+    if (!cancel->stopped)
         tia_fall_tick(&f, tick, (until & 255) * 16);
     for (uint32_t i = 0; i < given->count; i++) {
         uint32_t shape = given->balls[i].shape;

@@ -4,7 +4,7 @@
 #include "tick.h"
 
 #include "math/wide.h"
-#include "scene/asker.h"
+#include "scene/cancel.h"
 #include "scene/track.h"
 
 #define CONTACTS_MAX                                                                                                   \
@@ -78,7 +78,7 @@ static void look(const struct falling *f, uint32_t index)
     ball->next = FALL_NEVER;
     if (!ball->there || ball->stopped)
         return;
-    for (uint32_t other = 0; other < count && !asker_stops(f->asker, 1); other++) {
+    for (uint32_t other = 0; other < count && !cancelled(f->cancel, 1); other++) {
         uint32_t time = other != index && is_there(f, other) ? meeting(f, ball, other) : FALL_NEVER;
         if (time >= ball->next)
             continue;
@@ -243,7 +243,7 @@ static void begin(struct falling *f, uint32_t tick)
 void tia_fall_tick(struct falling *f, uint32_t tick, uint32_t end)
 {
     begin(f, tick);
-    for (uint32_t i = first_to_meet(f); f->balls[i].next <= end && !f->asker->stopped; i = first_to_meet(f))
+    for (uint32_t i = first_to_meet(f); f->balls[i].next <= end && !f->cancel->stopped; i = first_to_meet(f))
         meet(f, i);
     for (uint32_t i = 0; i < f->ball_count; i++)
         if (f->balls[i].there)

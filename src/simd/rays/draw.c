@@ -27,7 +27,7 @@ static void replace_samples(struct sure_block *b)
 
     for (int i = 0; i < b->width * b->height * b->samples; i++) {
         int pixel = i / b->samples;
-        if (!b->unsure[i] || asker_stops(&b->asker, ASKER_PATIENCE))
+        if (!b->unsure[i] || cancelled(&b->cancel, CANCEL_INTERVAL))
             continue;
         tia_sure_sample(b->scene->view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
@@ -41,7 +41,7 @@ static tia_rgb565 exact_pixel(struct sure_block *b, int x, int y, num_u threshol
 {
     num_length mean[3] = {0, 0, 0}, colour[3];
 
-    for (int i = 0; i < b->samples && !asker_stops(&b->asker, ASKER_PATIENCE); i++) {
+    for (int i = 0; i < b->samples && !cancelled(&b->cancel, CANCEL_INTERVAL); i++) {
         tia_sure_sample(b->scene->view, x, y, i, colour);
         for (int c = 0; c < 3; c++)
             mean[c] += num_length_clamp(colour[c], 0, NUM_LENGTH_ONE) / (num_length)b->samples;
@@ -75,7 +75,7 @@ static void draw_strip(struct drawing *d, struct tia_tile strip, tia_rgb565 *pix
 
     b->y = strip.y;
     b->height = strip.height;
-    for (int x = 0; x < (int)strip.width && !d->block.asker.stopped; x += width, left -= width) {
+    for (int x = 0; x < (int)strip.width && !d->block.cancel.stopped; x += width, left -= width) {
         b->x = strip.x + x;
         b->width = left < width ? left : width;
         draw_block(d, pixels + x, strip.width);
@@ -104,9 +104,9 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     d->kernels = view->simd->sure;
     d->dither = options->dither;
     d->block.scene = s;
-    d->block.asker = view_asker(view);
+    d->block.cancel = view_cancel(view);
     d->block.samples = side * side;
-    for (int y = 0; y < (int)tile.height && !d->block.asker.stopped; y += rows) {
+    for (int y = 0; y < (int)tile.height && !d->block.cancel.stopped; y += rows) {
         int left = tile.height - y;
         struct tia_tile strip = {tile.x, (uint16_t)(tile.y + y), tile.width, (uint16_t)(left < rows ? left : rows)};
         draw_strip(d, strip, d->pixels);

@@ -43,7 +43,7 @@ struct sure_paths {
 /* Some samples of some pixels. */
 struct sure_gather {
     const struct sure_scene *scene;
-    struct asker asker;
+    struct cancel cancel;
     int count;
     int x[SURE_GATHERED], y[SURE_GATHERED];
     uint32_t index[SURE_GATHERED];

@@ -187,9 +187,9 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
 
 struct light_room;
 
-/* What has been added up at the points; `asker` counts what that takes. */
+/* What has been added up at the points; `cancel` counts what that takes. */
 struct lit {
-    struct asker *asker;
+    struct cancel *cancel;
     struct light_room *room;
     vd own[3], eown;
     vm unsure;
@@ -224,7 +224,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
         return;
     aim_shadow(scene, l, h, s, shadow);
     find_shadow(scene, &sum->room->room, shadow, lit, blocker);
-    (void)asker_stops(sum->asker, shadow->work);
+    (void)cancelled(sum->cancel, shadow->work);
     sum->unsure = mor(sum->unsure, shadow->unsure);
     lit = mand(lit, mnot(mor(shadow->blocked, shadow->unsure)));
     if (!many(lit))
@@ -246,7 +246,7 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class[k];
-    for (pick.sample = 0; pick.sample < l->from->samples && !asker_stops(sum->asker, 1); pick.sample++) {
+    for (pick.sample = 0; pick.sample < l->from->samples && !cancelled(sum->cancel, 1); pick.sample++) {
         sample_of(l, aim, h, &pick, sample);
         find_falloff(l, sample);
         add_sample(s, l, h, sample, lanes, blocker, sum);
@@ -264,7 +264,7 @@ static void add_point(const struct sure_scene *s, const struct sure_light *l, co
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class;
-    for (pick.sample = 0; pick.sample < n && !many(sum->unsure) && !asker_stops(sum->asker, 1); pick.sample += LANES) {
+    for (pick.sample = 0; pick.sample < n && !many(sum->unsure) && !cancelled(sum->cancel, 1); pick.sample += LANES) {
         unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
         sample_of(l, aim, h, &pick, sample);
         find_falloff(l, sample);
@@ -287,7 +287,7 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
         there->axes[0] = v3_spread(&aim->axes[0], k);
         there->axes[1] = v3_spread(&aim->axes[1], k);
         there->e = vspread(&aim->e, k);
-        *one = (struct lit){.asker = sum->asker, .room = room, .unsure = mnone()};
+        *one = (struct lit){.cancel = sum->cancel, .room = room, .unsure = mnone()};
         add_point(s, l, there, &room->point, class[k], blocker, one);
         for (int c = 0; c < 3; c++)
             sum->own[c] = gain_lane(sum->own[c], k, one->own[c]);

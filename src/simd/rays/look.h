@@ -118,7 +118,7 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     for (int k = 0; k < LANES; k++)
         ends[k] = s->paths->emitters[which[k]].light;
     find_hidden(s, &f->room, shadow, rough, ends, &f->blocker);
-    (void)asker_stops(&f->gather->asker, shadow->work);
+    (void)cancelled(&f->gather->cancel, shadow->work);
     unsure = rough & mbits(shadow->unsure);
     doubt(f, unsure, p->r.slot);
     lanes &= ~unsure;

@@ -17,7 +17,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
         for (int c = 0; c < 3; c++)
             f->gather->colour[p->r.slot[k]][c] = 1;
     find_first(s, &f->room, q, &p->r.p, lanes, false, 0);
-    (void)asker_stops(&f->gather->asker, q->work);
+    (void)cancelled(&f->gather->cancel, q->work);
     vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot) & ~mbits(sky);
     if (!lanes)
@@ -37,7 +37,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     shadow->blocked = shadow->unsure = mnone();
     if (open) {
         find_hidden(s, &f->room, shadow, open, NULL, &f->blocker);
-        (void)asker_stops(&f->gather->asker, shadow->work);
+        (void)cancelled(&f->gather->cancel, shadow->work);
     }
     doubt(f, open & mbits(shadow->unsure), p->r.slot);
     below |= open & mbits(shadow->blocked);
@@ -52,7 +52,7 @@ static void occlude(struct sure_gather *g, void *memory)
     struct quads first;
 
     flight_open(f, g);
-    for (int from = 0; from < g->count && !g->asker.stopped; from += LANES) {
+    for (int from = 0; from < g->count && !g->cancel.stopped; from += LANES) {
         unsigned lanes = flight_start(f, from, &f->paths, &first);
         occlude_packet(f, &f->paths, lanes, &first);
     }

@@ -83,7 +83,7 @@ struct query {
     uint32_t index, blocker;
     struct group_list *groups; /* NULL, or receives `group` of each hit */
     uint32_t group;
-    uint32_t work; /* so far, in items of asker.h */
+    uint32_t work; /* so far, in items of cancel.h */
 };
 
 /* Lanes whose rays start on the object that is looked at, or on this part of one. */

@@ -59,7 +59,7 @@ static void finish_sample(struct drawing *d, int i)
         sure = rounded(b->colour[i][c], e, &rgb[c]);
     d->all++;
     if (!sure) {
-        if (asker_stops(&d->block.asker, ASKER_PATIENCE)) /* one may take long */
+        if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* one may take long */
             return;
         d->unsure++;
         sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
@@ -82,7 +82,7 @@ static void finish_block(struct drawing *d)
         kernels->walk(b, simd_kernels_room(d, sizeof *d));
     else
         kernels->occlude(b, simd_kernels_room(d, sizeof *d));
-    for (int i = 0; i < b->count && !d->block.asker.stopped; i++)
+    for (int i = 0; i < b->count && !d->block.cancel.stopped; i++)
         finish_sample(d, i);
     b->count = 0;
 }
@@ -97,7 +97,7 @@ static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t 
 {
     struct sure_gather *b = &d->block;
 
-    for (uint32_t i = first; i < end && !d->block.asker.stopped; i++) {
+    for (uint32_t i = first; i < end && !d->block.cancel.stopped; i++) {
         if (!b->count && !pays(d)) {
             sample_exactly(d, x, y, i, end);
             return;
@@ -124,11 +124,11 @@ static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t f
     d->gathered = gathered;
     d->tile = tile;
     d->all = d->unsure = 0;
-    d->block.asker = view_asker(view);
+    d->block.cancel = view_cancel(view);
     d->block.scene = tia_sure_scene(view);
     d->block.count = 0;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++)
-        for (int x = (int)tile.x; x < tile_right(tile) && !d->block.asker.stopped; x++)
+        for (int x = (int)tile.x; x < tile_right(tile) && !d->block.cancel.stopped; x++)
             add_pixel(d, x, y, first, end);
     finish_block(d);
 }

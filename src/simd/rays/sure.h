@@ -173,14 +173,14 @@ struct sure_scene {
 #define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
 #define SURE_ENDS (SURE_SLOTS + 8) /* whole packets may reach beyond the last one */
 
-/* The work of a packet in items of asker.h, besides what it meets: so that 32 packets that meet little come between two
- * questions whether to stop. */
-#define SURE_PACKET (ASKER_PATIENCE / 32)
+/* The work of a packet in items of cancel.h, besides what it meets: so that 32 packets that meet little come between
+ * two questions whether to stop. */
+#define SURE_PACKET (CANCEL_INTERVAL / 32)
 
 /* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
 struct sure_block {
     const struct sure_scene *scene;
-    struct asker asker;
+    struct cancel cancel;
     int x, y, width, height, samples;
     double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];

@@ -38,7 +38,7 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
 static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
-    struct lit lit = {.asker = &w->block->asker,
+    struct lit lit = {.cancel = &w->block->cancel,
                       .room = &w->lights,
                       .unsure = mnone(),
                       .eown = most3(h->flat) * h->efacing + SURE_2(42)};
@@ -52,7 +52,7 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     bool apart = bounced && on_several(h, *lanes);
     for (int c = 0; c < 3; c++)
         lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, vset(0));
-    for (uint32_t n = 0; n < s->light_count && !asker_stops(lit.asker, 1); n++)
+    for (uint32_t n = 0; n < s->light_count && !cancelled(lit.cancel, 1); n++)
         add_light(s, n, h, mof(*lanes), apart, class, &w->blocker[n % BLOCKERS], &lit);
     drop(lanes, w, lit.unsure, r);
     if (*lanes)
@@ -91,7 +91,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
     struct query *q = &w->query;
 
     find_nearest(w->block->scene, &w->lights.room, q, &r->p, mof(lanes));
-    (void)asker_stops(&w->block->asker, q->work);
+    (void)cancelled(&w->block->cancel, q->work);
     vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
     drop(&lanes, w, mnot(mor(sky, vlt(q->t + q->e, q->low))), r);
     if (lanes)
@@ -219,19 +219,19 @@ static void go_on_with(struct work *w, struct rays *r)
 
 static void trace(struct sure_block *b, void *memory)
 {
-    const struct asker *asker = &b->asker;
+    const struct cancel *cancel = &b->cancel;
     int count = b->width * b->height * b->samples;
     struct work *w = memory;
     struct rays *r = &w->packet;
 
     work_open(w, b);
-    for (int from = 0; from < count && !asker->stopped; from += LANES) {
+    for (int from = 0; from < count && !cancel->stopped; from += LANES) {
         unsigned lanes = first_rays(w, from, count, r);
         follow(w, r, lanes);
-        while (w->count > MANY && !asker->stopped)
+        while (w->count > MANY && !cancel->stopped)
             go_on_with(w, r);
     }
-    while ((w->count || w->hit_count) && !asker->stopped)
+    while ((w->count || w->hit_count) && !cancel->stopped)
         go_on_with(w, r);
 }
 

@@ -160,7 +160,7 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
     struct lobes *l = &f->lobes;
 
     find_first(s, &f->room, q, &p->r.p, lanes, true, p->specular);
-    (void)asker_stops(&f->gather->asker, q->work);
+    (void)cancelled(&f->gather->cancel, q->work);
     vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot);
     lanes = add_far_ends(f, lanes, p, q);
@@ -191,7 +191,7 @@ static void walk_paths(struct sure_gather *g, void *memory)
     int from = 0;
 
     flight_open(f, g);
-    while (!g->asker.stopped) {
+    while (!g->cancel.stopped) {
         if (from < g->count && f->count[fullest(f)] < LANES) {
             unsigned lanes = flight_start(f, from, p, &first);
             step_paths(f, p, lanes);
