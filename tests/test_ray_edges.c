@@ -84,7 +84,7 @@ static bool compare_hit(const struct ray *ray, struct pack *p, struct query *q, 
     find_nearest(scene, &lights.room, q, p, 1);
     meet(ray, hit);
     double object = object_of(hit);
-    bool sky = q->t >= NEVER && q->low >= NEVER, sure = sky || q->t + q->e < q->low;
+    bool sky = q->t >= INFINITE && q->low >= INFINITE, sure = sky || q->t + q->e < q->low;
     surely += sure;
     open += !sure;
     if (!sure)

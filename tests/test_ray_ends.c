@@ -133,7 +133,7 @@ static void check_end(const struct end *end, struct used *distances)
         struct query q;
         move(end, &ray, i / 1024.0, &p);
         find_nearest(scene, &lights.room, &q, &p, 1);
-        bool sky = q.t >= NEVER && q.low >= NEVER, met = hit.object != TIA_NO_OBJECT;
+        bool sky = q.t >= INFINITE && q.low >= INFINITE, met = hit.object != TIA_NO_OBJECT;
         if (!sky && !(q.t + q.e < q.low)) {
             distances->open++;
             continue;

@@ -186,7 +186,7 @@ static void try_sky(struct used *u)
 {
     double theirs;
     struct one_ray *one = some_ray(&theirs);
-    struct query q = {.t = NEVER, .id = -1};
+    struct query q = {.t = INFINITE, .id = -1};
     unsigned lanes = 1;
 
     one->scene.background[0] = some_part();

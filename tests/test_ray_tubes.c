@@ -77,7 +77,8 @@ static void meet_tube(const struct passing *p, struct pack *pack, struct query *
                                             .cosine = 1};
 
     *pack = (struct pack){.o = v3_of(p->o), .d = v3_of(p->d), .eo = p->eo, .ed = p->ed, .from = {-1, 0, 0}};
-    *q = (struct query){.p = pack, .active = 1, .limit = NEVER, .t = NEVER, .low = NEVER, .id = -1, .element = -1};
+    *q = (struct query){
+        .p = pack, .active = 1, .limit = INFINITE, .t = INFINITE, .low = INFINITE, .id = -1, .element = -1};
     meet_cylinder(q, &round);
 }
 
@@ -89,7 +90,7 @@ static void try_tube(struct used *ends, struct used *points)
 
     some_passing(&p);
     meet_tube(&p, &pack, &q);
-    if (q.t >= NEVER || !(q.t + q.e < q.low)) {
+    if (q.t >= INFINITE || !(q.t + q.e < q.low)) {
         ends->open++;
         return;
     }

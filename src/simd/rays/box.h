@@ -30,8 +30,8 @@ LANE_OP struct slab_times slab_times_of(const struct pack *p, vd o, vd d, vd inv
     vm beside = mor(vlt(o + off, vset(min)), vlt(vset(max) + off, o));
     struct slab_times s = {.back = vlt(d, vset(0)), .fine = mor(steep, between), .apart = mand(mnot(steep), beside)};
 
-    s.in = vsel(steep, vsel(s.back, second, first), vset(-NEVER));
-    s.out = vsel(steep, vsel(s.back, first, second), vset(NEVER));
+    s.in = vsel(steep, vsel(s.back, second, first), vset(-INFINITE));
+    s.out = vsel(steep, vsel(s.back, first, second), vset(INFINITE));
     s.ein = vsel(steep, plane_bound(p, s.in, round, over), vset(0));
     s.eout = vsel(steep, plane_bound(p, s.out, round, over), vset(0));
     return s;

@@ -59,7 +59,7 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
     vd sure = vmax(aside - p->pad * SURE_2(24), vset(0));
     vm passes = mor(starts_outside(q), vlt(widest * widest * v3_dot(across, across), sure * sure));
 
-    return many(mand(q->active, mnot(passes)));
+    return any(mand(q->active, mnot(passes)));
 }
 
 /* Where in the shape's box the ray may be inside the side, `from` before `to`; nothing of it is hit elsewhere. */
@@ -108,7 +108,7 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->from = start - reach - estart;
     b->to = start + reach + estart;
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
-    if (!many(mand(q->active, mnot(b->miss))))
+    if (!any(mand(q->active, mnot(b->miss))))
         return false;
     b->slanted = vlt(vset(SURE_2(60)), b->square);
     b->over = 1 / vsel(b->slanted, b->square, vset(1));
@@ -118,7 +118,7 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     vd z0 = b->height + b->from * b->rise, z1 = b->height + b->to * b->rise;
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     b->miss = mor(b->miss, mor(vlt(vmax(z0, z1), -margin), vlt(vset(k->length) + margin, vmin(z0, z1))));
-    return many(mand(q->active, mnot(b->miss)));
+    return any(mand(q->active, mnot(b->miss)));
 }
 
 /* An end of what of the ray is inside the side: how high it is, and then whether it is one of the shape. */

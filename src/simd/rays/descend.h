@@ -59,7 +59,7 @@ LANE_OP void look(struct outlook *w, const struct query *q)
  * what it saves the next node from waiting for. */
 LANE_OP void look_again(struct outlook *w, const struct query *q)
 {
-    if (twice(mbits(q->active)) != w->active || many(vlt(q->limit, w->farthest)))
+    if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
         look(w, q);
 }
 

@@ -76,7 +76,8 @@ static void add_seen_light(struct flight *f, unsigned lanes, uint32_t n, const s
 static unsigned add_far_ends(struct flight *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
     const struct sure_scene *s = f->gather->scene;
-    unsigned sky = lanes & mbits(vle(vset(NEVER), q->t)), shining = lanes & ~sky & ~mbits(vlt(q->id, vset(LIGHT_ID)));
+    unsigned sky = lanes & mbits(vle(vset(INFINITE), q->t)),
+             shining = lanes & ~sky & ~mbits(vlt(q->id, vset(LIGHT_ID)));
     double id[LANES];
 
     if (sky) {

@@ -64,7 +64,7 @@ LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
     vd round = v3_sum(way) * (SURE_WAY * EPS);
     vm behind = flat_behind(q->p, v3_set(o->normal), way, round);
 
-    if (!many(mand(q->active, mnot(mor(behind, starts_here(q))))))
+    if (!any(mand(q->active, mnot(mor(behind, starts_here(q))))))
         return;
     struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(UNIT));
     f.e = f.e + vabs(f.t) * SURE_2(50);

@@ -254,7 +254,7 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
     vm mine = mand(q->active, mof(here));
     q->active = mand(q->active, mnot(mof(here)));
     q->object = LIGHT_ID + n;
-    if (many(q->active))
+    if (any(q->active))
         meet_light(&s->lights[n], q);
     q->active = mor(q->active, mine);
 }
@@ -287,11 +287,11 @@ static void find_hidden(const struct sure_scene *s, struct room *room, struct sh
     for (uint32_t n = 0; ends && n < s->light_count; n++)
         if (s->lights[n].seen && (PATH_SURFACES >> s->lights[n].from->kind & 1))
             meet_other_light(s, n, ends, q);
-    if (*blocker != TIA_NO_OBJECT && many(q->active))
+    if (*blocker != TIA_NO_OBJECT && any(q->active))
         meet_one(s, *blocker, q);
-    if (many(q->active))
+    if (any(q->active))
         meet_unbounded(s, q);
-    if (many(q->active))
+    if (any(q->active))
         walk_objects(s, &s->objects, q);
     *blocker = q->blocker;
     shadow->work = q->work;

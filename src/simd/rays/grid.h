@@ -75,7 +75,7 @@ struct grid_entry {
 /* Lanes that surely enter. */
 LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entry *to)
 {
-    vd out = vset(NEVER), eout = vset(0), in[3];
+    vd out = vset(INFINITE), eout = vset(0), in[3];
     vm passed = mnone();
 
     to->ein = vset(0);
@@ -294,9 +294,9 @@ static __attribute__((noinline)) void meet_grid(struct query *q, const struct su
         moves = mand(moves, set_grid_axis(&g->axis[i], p, grid, i, stride[i]));
     g->alone = mand(q->active, mnot(moves));
     vm enter = enter_grids(g, moves, q->limit, &entry);
-    if (many(enter)) {
+    if (any(enter)) {
         start_grids(g, p, enter, &entry);
-        while (many(g->walking))
+        while (any(g->walking))
             step_grids(g, q->limit);
     }
     for (int k = 0; mbits(g->alone) >> k; k++)

@@ -112,10 +112,10 @@ static bool find_cell(struct cell_walk *w, int axis, double place, double e)
  * misses, or may miss. */
 static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
 {
-    double out = NEVER, eout = 0, reach = 0;
+    double out = INFINITE, eout = 0, reach = 0;
     bool passed = false;
 
-    *in = -NEVER;
+    *in = -INFINITE;
     *ein = 0;
     *axis = -1;
     for (int i = 0; i < 3; i++)
@@ -200,7 +200,7 @@ static bool all_alike(const struct cell_walk *w, unsigned open, unsigned here)
 
 LANE_OP void find_next(struct cell_walk *w, int axis)
 {
-    w->next[axis] = NEVER;
+    w->next[axis] = INFINITE;
     w->enext[axis] = 0;
     if (w->moves[axis])
         w->next[axis] = plane_time(w, axis, w->at[axis] + (w->step[axis] > 0), &w->enext[axis]);

@@ -54,7 +54,7 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->any = false;
     inner->groups = NULL;
     inner->limit = q->limit * (placed->k + placed->ek) * (1 + SURE_2(10)) + placed->p.eo + SURE_2(20);
-    inner->t = inner->low = vset(NEVER);
+    inner->t = inner->low = vset(INFINITE);
     inner->e = inner->ep = vset(0);
     inner->id = inner->element = vset(-1);
 }
@@ -63,12 +63,13 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
 static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
 {
     const struct pack *p = q->p;
-    vm met = vlt(inner->t, vset(NEVER)), sure = mand(met, vlt(inner->t + inner->e, inner->low));
-    vm wild = mand(q->active, mnot(placed->fine)), may = mand(mnot(sure), mor(met, vlt(inner->low, vset(NEVER))));
-    vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(NEVER))), over = 1 / vsel(wild, vset(1), placed->k);
+    vm met = vlt(inner->t, vset(INFINITE)), sure = mand(met, vlt(inner->t + inner->e, inner->low));
+    vm wild = mand(q->active, mnot(placed->fine)), may = mand(mnot(sure), mor(met, vlt(inner->low, vset(INFINITE))));
+    vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(INFINITE))),
+       over = 1 / vsel(wild, vset(1), placed->k);
     vd t = vsel(met, inner->t, vset(0)) * over, ratio = placed->ek * over;
     vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * SURE_2(50);
-    vd low = vsel(vlt(least, vset(NEVER)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(NEVER));
+    vd low = vsel(vlt(least, vset(INFINITE)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(INFINITE));
 
     report(q, (struct report){.sure = mand(sure, mnot(wild)),
                               .may = mor(may, wild),

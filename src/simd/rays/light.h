@@ -174,7 +174,7 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
     *e = most3(h->colour) * elambert + h->ecolour;
     for (int c = 0; c < 3; c++)
         rgb[c] = h->colour[c] * lambert;
-    if (!many(glossy))
+    if (!any(glossy))
         return;
     vd half = 2 * (h->facing * lambert) - v3_dot(h->viewer, s->to);
     vd ehalf = 2 * (h->efacing + elambert) + s->eto + h->ev + SURE_2(48);
@@ -220,14 +220,14 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     sum->unsure = mor(sum->unsure, mand(lanes, mor(mnot(mor(dark, lit)), mand(lit, s->falloff.unsure))));
     lit = mand(lit, mnot(dark));
     lit = mand(mand(lit, lanes), mnot(sum->unsure));
-    if (!many(lit))
+    if (!any(lit))
         return;
     aim_shadow(scene, l, h, s, shadow);
     find_shadow(scene, &sum->room->room, shadow, lit, blocker);
     (void)cancelled(sum->cancel, shadow->work);
     sum->unsure = mor(sum->unsure, shadow->unsure);
     lit = mand(lit, mnot(mor(shadow->blocked, shadow->unsure)));
-    if (!many(lit))
+    if (!any(lit))
         return;
     reflect_light(h, s, lambert, el, lit, rgb, &e);
     vd factor = s->falloff.factor;
@@ -264,7 +264,7 @@ static void add_point(const struct sure_scene *s, const struct sure_light *l, co
 
     for (int k = 0; k < LANES; k++)
         pick.class[k] = class;
-    for (pick.sample = 0; pick.sample < n && !many(sum->unsure) && !cancelled(sum->cancel, 1); pick.sample += LANES) {
+    for (pick.sample = 0; pick.sample < n && !any(sum->unsure) && !cancelled(sum->cancel, 1); pick.sample += LANES) {
         unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
         sample_of(l, aim, h, &pick, sample);
         find_falloff(l, sample);
@@ -292,7 +292,7 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
         for (int c = 0; c < 3; c++)
             sum->own[c] = gain_lane(sum->own[c], k, one->own[c]);
         sum->eown = gain_lane(sum->eown, k, one->eown);
-        sum->unsure = mor(sum->unsure, mof((unsigned)many(one->unsure) << k));
+        sum->unsure = mor(sum->unsure, mof((unsigned)any(one->unsure) << k));
     }
 }
 

@@ -18,7 +18,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
             f->gather->colour[p->r.slot[k]][c] = 1;
     find_first(s, &f->room, q, &p->r.p, lanes, false, 0);
     (void)cancelled(&f->gather->cancel, q->work);
-    vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
+    vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot) & ~mbits(sky);
     if (!lanes)
         return;

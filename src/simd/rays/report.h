@@ -21,7 +21,7 @@ LANE_OP void report_any(struct query *q, const struct report *r)
     q->blocked = mor(q->blocked, before);
     q->maybe = mor(q->maybe, open);
     q->active = mand(q->active, mnot(before));
-    q->blocker = many(before) ? q->index : q->blocker;
+    q->blocker = any(before) ? q->index : q->blocker;
 }
 
 /* The integers meet nothing beyond 2^17: what may be there is for them. */
@@ -37,7 +37,7 @@ LANE_OP void report(struct query *q, struct report r)
         return;
     }
     vm nearer = mand(r.sure, vlt(r.t + r.e, q->t - q->e));
-    vd other = vsel(nearer, q->t - q->e, vset(NEVER));
+    vd other = vsel(nearer, q->t - q->e, vset(INFINITE));
     other = vsel(mand(r.sure, mnot(nearer)), r.t - r.e, other);
     other = vsel(r.may, vmin(other, r.low), other);
     q->low = vmin(q->low, other);

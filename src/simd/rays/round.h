@@ -37,7 +37,7 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - SURE_2(40))));
     b->miss = mor(b->miss, vlt(b->start + reach + b->estart, vset(0)));
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
-    if (!many(mand(q->active, mnot(b->miss))))
+    if (!any(mand(q->active, mnot(b->miss))))
         return false;
     /* the whole line passes the axis farther away than any point of the shape, by what it may be off and what the
      * integers round by at a tangent, some units */
@@ -47,7 +47,7 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + SURE_2(38)) + lambda;
     vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + SURE_2(40));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
-    return many(mand(q->active, mnot(b->miss)));
+    return any(mand(q->active, mnot(b->miss)));
 }
 
 LANE_OP void beam_of(const struct pack *p, struct beam *b)

@@ -28,7 +28,7 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vm active = mand(q->active, mnot(starts_outside(q))), own = starts_inside(q);
     vm hit = mand(vlt(es, s), active), unclear = mand(mand(vle(-es, s), mnot(hit)), active);
 
-    if (!many(mor(hit, unclear)))
+    if (!any(mor(hit, unclear)))
         return;
     vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
     vd ethc = (2 * aside * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;

@@ -16,7 +16,7 @@ LANE_OP void drop(unsigned *lanes, struct work *w, vm unsure, const struct rays 
 static void add_far(struct work *w, unsigned *lanes, const struct query *q, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
-    unsigned sky = *lanes & mbits(vle(vset(NEVER), q->t)), shining = *lanes & ~mbits(vlt(q->id, vset(LIGHT_ID)));
+    unsigned sky = *lanes & mbits(vle(vset(INFINITE), q->t)), shining = *lanes & ~mbits(vlt(q->id, vset(LIGHT_ID)));
     double id[LANES], rgb[3][LANES];
 
     *lanes &= ~(sky | shining);
@@ -92,7 +92,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
 
     find_nearest(w->block->scene, &w->lights.room, q, &r->p, mof(lanes));
     (void)cancelled(&w->block->cancel, q->work);
-    vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
+    vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
     drop(&lanes, w, mnot(mor(sky, vlt(q->t + q->e, q->low))), r);
     if (lanes)
         check_met(r, q);

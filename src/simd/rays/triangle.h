@@ -72,7 +72,7 @@ LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t 
 {
     vd element = vset((double)face);
 
-    if (!many(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
+    if (!any(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
         return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
     vd l = v3_sum(a) + vset(f->extent), round = l * SURE_2(48), more = 4 * UNIT + l * SURE_2(50);
@@ -80,7 +80,7 @@ LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t 
     vd ep = flat.e + UNIT;
     vm back = returns_to(q, element);
 
-    if (many(back))
+    if (any(back))
         return_to_face(q, v3_set(f->normal), round, more, &flat, &ep, back);
     flat_report(q, &flat, sides.inside, sides.outside, ep, element);
 }
@@ -90,7 +90,7 @@ LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face
     struct line line = line_of(q->p, f->at[0], f->extent);
     struct sides sides = face_sides(q->p, &line, f);
 
-    if (many(mand(mnot(sides.outside), q->active)))
+    if (any(mand(mnot(sides.outside), q->active)))
         meet_plane_of(q, f, face, sides);
 }
 

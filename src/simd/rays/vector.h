@@ -4,7 +4,7 @@
 
 #include "proved.h"
 
-#define NEVER 1e30
+#define INFINITE 1e30
 #define EPS SURE_EPS
 #define UNIT SURE_UNIT
 
@@ -57,7 +57,7 @@ LANE_OP double lane_of(vd v, int k)
     return lanes[k];
 }
 
-LANE_OP bool many(vm m)
+LANE_OP bool any(vm m)
 {
     return mbits(m) != 0;
 }

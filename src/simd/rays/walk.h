@@ -147,7 +147,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
 
     place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, placed);
     placed_query(q, placed, inner);
-    if (many(inner->active))
+    if (any(inner->active))
         meet_shape(s, o, inner, at, placed->k);
     q->work = inner->work;
     report_placed(q, placed, inner, o->placed->most);
@@ -262,7 +262,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     q->active = mand(active, fine);
     q->any = q->solid = false;
     q->groups = NULL;
-    q->limit = q->t = q->low = vset(NEVER);
+    q->limit = q->t = q->low = vset(INFINITE);
     q->e = q->ep = vset(0);
     q->id = q->element = vset(-1);
     meet_unbounded(s, q);
@@ -312,9 +312,9 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
         q->through[c] = vset(1);
     if (*blocker != TIA_NO_OBJECT)
         meet_one(s, *blocker, q);
-    if (many(q->active))
+    if (any(q->active))
         meet_unbounded(s, q);
-    if (many(q->active))
+    if (any(q->active))
         walk_objects(s, &s->objects, q);
     *blocker = q->blocker;
     shadow->work = q->work;

@@ -18,7 +18,7 @@ static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
     for (int k = 0; k < LANES; k++)
         asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
     vm open = mand(mof(asked), vlt(low, all));
-    if (!many(open))
+    if (!any(open))
         return lanes;
     low = vfloor(vmax(low, vset(0)));
     vd number = vu_number(path_choice(f, p, 2));
@@ -161,7 +161,7 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 
     find_first(s, &f->room, q, &p->r.p, lanes, true, p->specular);
     (void)cancelled(&f->gather->cancel, q->work);
-    vm sky = mand(vle(vset(NEVER), q->t), vle(vset(NEVER), q->low));
+    vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot);
     lanes = add_far_ends(f, lanes, p, q);
     if (!lanes)
