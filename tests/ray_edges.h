@@ -229,7 +229,7 @@ static struct ray edge_ray(struct real3 origin, long double gap)
 static struct pack moved(const struct ray *ray, double eo, double ed)
 {
     struct real3 o = random_unit(), d = random_unit();
-    struct pack p = {.eo = eo + SURE_2(50), .ed = ed * 1.0001 + SURE_2(50), .from = {-1, 0, 0}};
+    struct pack p = {.eo = eo + P2M(50), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
     double at[3], to[3], length;
 
     sure_point(at, ray->origin);

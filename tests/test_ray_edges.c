@@ -97,7 +97,7 @@ static bool compare_hit(const struct ray *ray, struct pack *p, struct query *q, 
         return false;
     use(DISTANCE, fabs(sure_length(hit->t) - q->t), q->e);
     sure_point(at, num_point_at(ray->origin, ray->direction, hit->t));
-    use(POINT, gap3(v3_along(p->o, p->d, q->t), at), q->ep + SURE_2(47));
+    use(POINT, gap3(v3_along(p->o, p->d, q->t), at), q->ep + P2M(47));
     return object < LIGHT_ID;
 }
 
@@ -132,7 +132,7 @@ static void compare_surface(const struct shade *h, const struct shading *shading
     sure_dir(v, shading->normal);
     use(NORMAL, gap3(h->normal, v), h->en);
     for (int c = 0; c < 3; c++)
-        use(COLOUR, fabs(sure_length(shading->colour[c]) - h->colour[c]), h->ecolour + SURE_2(44));
+        use(COLOUR, fabs(sure_length(shading->colour[c]) - h->colour[c]), h->ecolour + P2M(44));
 }
 
 static void compare_light(const struct shade *h, const struct shading *shading, struct path *path)
@@ -140,7 +140,7 @@ static void compare_light(const struct shade *h, const struct shading *shading, 
     const num_length whole[3] = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE};
     struct cancel nobody = {0};
     struct lit lit = {
-        .cancel = &nobody, .room = &lights, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + SURE_2(42)};
+        .cancel = &nobody, .room = &lights, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + P2M(42)};
     uint32_t blocker = TIA_NO_OBJECT;
     const uint8_t class[1] = {(uint8_t)path->class};
     num_length colour[3] = {0, 0, 0};

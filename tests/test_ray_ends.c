@@ -104,7 +104,7 @@ static void move(const struct end *end, const struct ray *ray, double part, stru
 {
     double at[3], to[3], length = 0, eo = end->eo * part * (double)unit, ed = end->ed * part;
 
-    *p = (struct pack){.eo = eo + SURE_2(44), .ed = ed * 1.0001 + SURE_2(50), .from = {-1, 0, 0}};
+    *p = (struct pack){.eo = eo + P2M(44), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
     sure_point(at, ray->origin);
     sure_dir(to, ray->direction);
     for (int i = 0; i < 3; i++) {
@@ -139,7 +139,7 @@ static void check_end(const struct end *end, struct used *distances)
             continue;
         }
         CHECK_MSG(sky != met, "%s: %d/1024 of the bound: surely %s", end->name, i, sky ? "nothing" : "something");
-        use(distances, met ? sure_length(hit.t) - q.t : 0, q.e + SURE_2(46));
+        use(distances, met ? sure_length(hit.t) - q.t : 0, q.e + P2M(46));
     }
     close_world();
 }
@@ -229,7 +229,7 @@ static void try_coordinates(const struct textured *surface, struct used *u)
     }
     ray_uv(view, &hit, place(theirs), uv);
     for (int i = 0; i < 2; i++)
-        use(u, sure_length(uv[i]) - c.uv[i], c.e + SURE_2(44));
+        use(u, sure_length(uv[i]) - c.uv[i], c.e + P2M(44));
 }
 
 TEST(coordinates)
@@ -275,7 +275,7 @@ static void try_blend(struct used *u)
         uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / UNIT);
     (void)ray_texture(&t, uv, 0, value);
     for (int i = 0; i < 3; i++)
-        use(u, sure_length(value[i]) - rgb[i], e + SURE_2(44));
+        use(u, sure_length(value[i]) - rgb[i], e + P2M(44));
 }
 
 TEST(blends)

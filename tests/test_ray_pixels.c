@@ -38,7 +38,7 @@ static void open_block(struct drawn *d)
     for (int y = 0; y < b->height; y++) {
         dither_thresholds(random_bits() % 2, b->y + y, d->threshold[y]);
         for (int x = 0; x < 16; x++)
-            b->threshold[y][x] = (double)d->threshold[y][x & 7] * SURE_2(30);
+            b->threshold[y][x] = (double)d->threshold[y][x & 7] * P2M(30);
     }
 }
 
@@ -49,7 +49,7 @@ static double some_mean(unsigned levels, num_u threshold, double error)
 
     if (random_bits() % 2)
         return some_part();
-    return (level - (double)threshold * SURE_2(30)) / levels + 1.5 * near * random_double();
+    return (level - (double)threshold * P2M(30)) / levels + 1.5 * near * random_double();
 }
 
 static num_length clamped(num_length x)
@@ -82,7 +82,7 @@ static void set_pixel(struct drawn *d, int first, num_u threshold)
     double turn = random_bits() % 2 ? WITHIN : -WITHIN;
 
     for (int i = 0; i < b->samples; i++) {
-        b->error[first + i] = size * some_part() + SURE_2(50);
+        b->error[first + i] = size * some_part() + P2M(50);
         mean += b->error[first + i] / b->samples;
     }
     for (int c = 0; c < 3; c++)

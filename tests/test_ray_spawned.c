@@ -31,7 +31,7 @@ static void try_side(struct used *u)
 
 static void try_start(struct used *u)
 {
-    const struct sure_scene scene = {.bias = SURE_2(13)};
+    const struct sure_scene scene = {.bias = P2M(13)};
     struct real off = real_random(), point = real_random(), normal = real_random();
     struct shade h = {.point = v3_of(point), .geometric = v3_of(normal), .ep = some_size(20, 40)};
     vd eo;
@@ -51,7 +51,7 @@ static void try_leaving(struct used *u)
     long double side = 1.5L * random_real() * bound, theirs = side + bound * WITHIN * (long double)some_sign();
 
     h.geometric = v3_of(real_along(normal, way, side));
-    struct origin from = leaving_or_not(&h, v3_of(way), ed, sign, SURE_2(13));
+    struct origin from = leaving_or_not(&h, v3_of(way), ed, sign, P2M(13));
     if (from.object < 0)
         u->open++;
     else
@@ -160,7 +160,7 @@ static struct one_ray *some_ray(double *theirs)
     static struct one_ray one;
     double weight = some_part();
 
-    one.scene = (struct sure_scene){.depth = 5, .bias = SURE_2(13), .brightest = {1}, .generations = 6};
+    one.scene = (struct sure_scene){.depth = 5, .bias = P2M(13), .brightest = {1}, .generations = 6};
     one.block = (struct sure_block){.scene = &one.scene};
     one.work.block = &one.block;
     one.work.count = 0;
@@ -202,25 +202,25 @@ static void try_given_up(struct used *u)
     struct one_ray *one = some_ray(&theirs);
     const struct sure_block *b = &one->block;
 
-    give_up(&one->work, 1, &one->rays, SURE_2(9));
+    give_up(&one->work, 1, &one->rays, P2M(9));
     if (b->unsure[0]) {
         u->open++;
         return;
     }
     use(u, b->colour[0][0], b->error[0]);
-    use(u, fmaxl(one->rays.weight[0] * SURE_2(9) + (long double)theirs, 0) - b->colour[0][0], b->error[0]);
+    use(u, fmaxl(one->rays.weight[0] * P2M(9) + (long double)theirs, 0) - b->colour[0][0], b->error[0]);
 }
 
 /* Whether a ray is too faint: below 2^-16. */
 static void try_faint(struct used *u)
 {
-    double theirs, around = SURE_2(16);
+    double theirs, around = P2M(16);
     struct one_ray *one = some_ray(&theirs);
 
     one->rays.ew = around * some_size(2, 20);
     one->rays.weight[0] = one->rays.weight[1] = one->rays.weight[2] =
-        around + 1.5 * one->rays.ew * random_double() + SURE_2(42) * random_double();
-    theirs = one->rays.weight[0] + (one->rays.ew + SURE_2(43)) * (double)WITHIN * some_sign();
+        around + 1.5 * one->rays.ew * random_double() + P2M(42) * random_double();
+    theirs = one->rays.weight[0] + (one->rays.ew + P2M(43)) * (double)WITHIN * some_sign();
     push(&one->work, 1, &one->rays, false, false);
     if (one->block.unsure[0] || one->block.error[0] > 0)
         u->open++;
@@ -345,7 +345,7 @@ static void try_straight(struct used *u)
 /* The same of a path, which starts less far behind the point. */
 static void try_pass(struct used *u)
 {
-    static const struct sure_scene scene = {.bias = SURE_2(26)};
+    static const struct sure_scene scene = {.bias = P2M(26)};
     static const struct media none[LANES];
     static struct sure_gather gather = {.scene = &scene};
     static struct flight f = {.gather = &gather};

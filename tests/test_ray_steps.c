@@ -32,7 +32,7 @@ static void try_spot(struct used *soft, struct used *hard, bool is_hard)
     if (f.unsure)
         hard->open++;
     else
-        use(is_hard ? hard : soft, f.factor - part, f.e + SURE_2(45));
+        use(is_hard ? hard : soft, f.factor - part, f.e + P2M(45));
 }
 
 TEST(spots)
@@ -193,7 +193,7 @@ static void try_shadow(struct used *directions, struct used *distances)
 {
     const struct ray_light from = {.kind = TIA_POINT_LIGHT, .samples = 1};
     const struct sure_light l = {.from = &from};
-    const struct sure_scene scene = {.bias = SURE_2(13)};
+    const struct sure_scene scene = {.bias = P2M(13)};
     struct real normal = real_random(), to = real_random(), off = random_bits() % 2 ? to : real_aside(to);
     double far = 4 * some_part() + 0.1;
     struct shade h = {.eg = some_size(6, 30), .geometric = v3_of(normal)};
@@ -302,7 +302,7 @@ static void try_sample(struct used *u, bool grazing)
     }
     long double factor = s.falloff.factor + s.falloff.e * turn;
     bool dark = grazing && above + ea * turn <= 0;
-    use(u, (dark ? 0 : factor) - lit.own[0], lit.eown + SURE_2(45));
+    use(u, (dark ? 0 : factor) - lit.own[0], lit.eown + P2M(45));
 }
 
 static void try_ambient(struct used *u)

@@ -191,7 +191,7 @@ static void try_exact(const struct ray *ray, struct used *ends, struct used *poi
     use(ends, sure_length(hit.t) - q.t, q.e);
     sure_point(at, num_point_at(ray->origin, ray->direction, hit.t));
     use(points, real_gap((struct real){{at[0], at[1], at[2]}}, v3_along(p.o, p.d, q.t)),
-        q.ep + (v3_sum(p.o) + q.t) * SURE_2(51)); /* as find_surfaces() has it */
+        q.ep + (v3_sum(p.o) + q.t) * P2M(51)); /* as find_surfaces() has it */
 }
 
 static void try_thin(const struct given *given)

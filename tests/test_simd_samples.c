@@ -107,8 +107,8 @@ static void compare_sample(const struct sure_gather *g, int i)
     ray_camera_ray_within(&view->camera, &pixel, u, &ray);
     path_radiance(&e, &ray, rgb);
     for (int c = 0; c < 3; c++) {
-        double want = (double)rgb[c] * SURE_2(45), gap = fabs(want - g->colour[i][c]);
-        double bound = g->error[i] + g->colour[i][c] * SURE_2(41);
+        double want = (double)rgb[c] * P2M(45), gap = fabs(want - g->colour[i][c]);
+        double bound = g->error[i] + g->colour[i][c] * P2M(41);
         if (want >= 16384 || gap == 0)
             continue;
         CHECK_MSG(gap <= bound, "pixel %d,%d, sample %u: off by %g, bound %g", g->x[i], g->y[i], g->index[i], gap,

@@ -23,7 +23,7 @@ LANE_OP vd plane_bound(const struct pack *p, vd t, vd round, vd over)
 LANE_OP struct slab_times slab_times_of(const struct pack *p, vd o, vd d, vd inv, double min, double max, vd reach)
 {
     vd size = vabs(d), round = (vabs(o) + vset(__builtin_fabs(min) + __builtin_fabs(max))) * (4 * EPS) + 2 * UNIT;
-    vm steep = vlt(64 * p->ed + vset(SURE_2(24)), size);
+    vm steep = vlt(64 * p->ed + vset(P2M(24)), size);
     vd over = 1 / vsel(steep, size - p->ed, vset(1)), off = p->eo + reach * (p->ed + size) + round;
     vd first = (vset(min) - o) * inv, second = (vset(max) - o) * inv;
     vm between = mand(vlt(vset(min) + off, o), vlt(o, vset(max) - off));

@@ -56,7 +56,7 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
     const struct pack *p = q->p;
     struct v3 across = v3_cross(p->d, v3_set(k->axis));
     vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))), widest = vset(k->base_radius) + p->pad;
-    vd sure = vmax(aside - p->pad * SURE_2(24), vset(0));
+    vd sure = vmax(aside - p->pad * P2M(24), vset(0));
     vm passes = mor(starts_outside(q), vlt(widest * widest * v3_dot(across, across), sure * sure));
 
     return any(mand(q->active, mnot(passes)));
@@ -81,7 +81,7 @@ LANE_OP vd lambda_at(const struct tube *b, vd t)
 
 LANE_OP vd eta_of(vd radius, vd lambda)
 {
-    return (2 * radius + lambda) * lambda * (1 + SURE_2(20));
+    return (2 * radius + lambda) * lambda * (1 + P2M(20));
 }
 
 /* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2
@@ -110,9 +110,9 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     if (!any(mand(q->active, mnot(b->miss))))
         return false;
-    b->slanted = vlt(vset(SURE_2(60)), b->square);
+    b->slanted = vlt(vset(P2M(60)), b->square);
     b->over = 1 / vsel(b->slanted, b->square, vset(1));
-    vd half = vsqrt(vmax(most, vset(0))) * (1 + SURE_2(20)), margin = lambda + 3 * UNIT;
+    vd half = vsqrt(vmax(most, vset(0))) * (1 + P2M(20)), margin = lambda + 3 * UNIT;
     b->from = vsel(b->slanted, vmax(b->from, (b->towards - half) * b->over - 2 * UNIT), b->from);
     b->to = vsel(b->slanted, vmin(b->to, (b->towards + half) * b->over + 2 * UNIT), b->to);
     vd z0 = b->height + b->from * b->rise, z1 = b->height + b->to * b->rise;
@@ -190,9 +190,9 @@ static __attribute__((noinline)) void meet_cylinder(struct query *q, const struc
     vd r = vset(k->base_radius), d = vsqrt(vmax(b.level, vset(0)));
     vd t0 = (b.towards - d) * b.over, t1 = (b.towards + d) * b.over;
     vd lambda = lambda_at(&b, vmax(vabs(t0), vabs(t1))), g = d - r * b.turn - lambda;
-    vd rest = g * g * (1 - SURE_2(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
+    vd rest = g * g * (1 - P2M(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
     vm known = mand(b.slanted, mand(vlt(vset(0), g), vlt(vset(0), rest)));
-    vd stretch = (r + lambda) * (1 + SURE_2(20)) / vsqrt(vsel(known, rest, vset(1)));
+    vd stretch = (r + lambda) * (1 + P2M(20)) / vsqrt(vsel(known, rest, vset(1)));
     struct tube_end ends[2] = {side_end(&b, t0, stretch), side_end(&b, t1, stretch)};
 
     if (k->capped) {

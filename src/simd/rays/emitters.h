@@ -28,7 +28,7 @@ LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd 
     d = vsel(good, d, vset(1));
     vd v = 3.14159265358979324 / shine->area * (d * d) / size;
     *fine = mand(*fine, good);
-    return ve_of(v, v * (2.5 * ed / d + 1.25 * ecosine / size + SURE_2(48)));
+    return ve_of(v, v * (2.5 * ed / d + 1.25 * ecosine / size + P2M(48)));
 }
 
 /* 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)): within `part` of itself. s^2 is
@@ -38,11 +38,11 @@ LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd 
 LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
 {
     vd away = vsel(vlt(vset(0), d), d, vset(1)), sine = vset(r) / away, square = sine * sine, rest = 1 - square;
-    vm good = mand(vlt(vset(SURE_2(16)), rest), mand(vlt(32 * ed, d), vlt(vset(SURE_2(30)), square)));
+    vm good = mand(vlt(vset(P2M(16)), rest), mand(vlt(32 * ed, d), vlt(vset(P2M(30)), square)));
 
     square = vsel(good, square, vset(0.5));
-    vd root = vsqrt(vsel(good, rest, vset(0.5))), p = 2.25 * ed / away + SURE_2(49) + SURE_2(60) / square;
-    *part = 1.15 * (p + p * square / root) + vset(SURE_2(48));
+    vd root = vsqrt(vsel(good, rest, vset(0.5))), p = 2.25 * ed / away + P2M(49) + P2M(60) / square;
+    *part = 1.15 * (p + p * square / root) + vset(P2M(48));
     *fine = mand(*fine, mand(good, vlt(*part, vset(0.125))));
     return square / (1 + root);
 }
@@ -51,7 +51,7 @@ LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
 LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from, vd efrom, vm *fine)
 {
     struct v3 way = v3_sub(v3_set(at), from);
-    vd d = vsqrt(v3_dot(way, way)), ed = efrom + (v3_sum(way) + v3_sum(from)) * SURE_2(50) + UNIT, part;
+    vd d = vsqrt(v3_dot(way, way)), ed = efrom + (v3_sum(way) + v3_sum(from)) * P2M(50) + UNIT, part;
     vm inside = vle(d + ed, vset(radius)), good = mnot(mnone());
     vd v = 0.5 / cone_open(d, ed, radius, &part, &good);
 
@@ -63,10 +63,10 @@ LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from
 LANE_OP void see_place(struct sight *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine, vd *ecosine)
 {
     a->distance = vsqrt(v3_dot(way, way));
-    a->edistance = e + a->distance * SURE_2(50) + UNIT;
+    a->edistance = e + a->distance * P2M(50) + UNIT;
     a->to = v3_unit(way, e, &a->eto);
     *cosine = v3_dot(a->to, normal);
-    *ecosine = a->eto + enormal + SURE_2(49);
+    *ecosine = a->eto + enormal + P2M(49);
     a->some = vlt(*cosine, -*ecosine);
     a->unsure = mor(a->unsure, mnot(mor(a->some, vlt(*ecosine, *cosine))));
     a->factor = vset(1);
@@ -89,14 +89,14 @@ static void see_plane(const struct sure_scene *s, const struct sure_light *l, co
     }
     struct v3 across = v3_scale(v3_set(l->axes[0]), x), along = v3_scale(v3_set(l->axes[1]), y);
     struct v3 place = v3_add(v3_set(l->at), v3_add(across, along)), normal = v3_set(l->normal);
-    vd eplace = 6 * UNIT + (v3_sum(place) + v3_sum(across) + v3_sum(along) + vset(l->radius)) * SURE_2(49);
+    vd eplace = 6 * UNIT + (v3_sum(place) + v3_sum(across) + v3_sum(along) + vset(l->radius)) * P2M(49);
     struct v3 back = v3_sub(from, place);
-    vd side = v3_dot(back, normal), eside = efrom + eplace + (v3_sum(back) + v3_sum(from)) * SURE_2(50) + 2 * UNIT;
+    vd side = v3_dot(back, normal), eside = efrom + eplace + (v3_sum(back) + v3_sum(from)) * P2M(50) + 2 * UNIT;
     vm front = vle(vset(0), side), fine = mnot(mnone());
     a->unsure = vle(vabs(side), eside);
     normal = v3_sel(front, normal, v3_neg(normal));
     struct v3 way = v3_sub(v3_along(place, normal, vset(s->bias)), from);
-    see_place(a, way, eside, normal, vset(SURE_2(51)), &cosine, &ecosine);
+    see_place(a, way, eside, normal, vset(P2M(51)), &cosine, &ecosine);
     a->density = plane_density(shine, a->distance, a->edistance, cosine, ecosine, &fine);
     a->unsure = mor(a->unsure, mand(a->some, mnot(fine)));
 }
@@ -106,7 +106,7 @@ static void see_plane(const struct sure_scene *s, const struct sure_light *l, co
 LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 d, vd ed, double radius, vd *ep,
                              vm *fine)
 {
-    vd r = vset(radius), tca = v3_dot(way, d), l1 = v3_sum(way), eo = efrom + v3_sum(from) * SURE_2(51);
+    vd r = vset(radius), tca = v3_dot(way, d), l1 = v3_sum(way), eo = efrom + v3_sum(from) * P2M(51);
     struct v3 side = v3_sub(way, v3_scale(d, tca));
     vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (SURE_SQUARE * EPS);
     vd lambda = eo + vabs(tca) * ed + l1 * (SURE_ASIDE * EPS) + UNIT;
@@ -115,7 +115,7 @@ LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 
     vd thc = vsqrt(vsel(good, s, vset(1))), ethc = (2 * r * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;
     vd across = lambda + thc * ed, beside = r * ed + ethc + all * ed;
 
-    *ep = across + beside + 4 * UNIT + (l1 + v3_sum(from)) * SURE_2(50);
+    *ep = across + beside + 4 * UNIT + (l1 + v3_sum(from)) * P2M(50);
     *fine = mand(*fine, good);
     return v3_along(from, d, tca - thc);
 }
@@ -124,25 +124,24 @@ static void see_ball(const struct sure_scene *s, const double at[3], double radi
                      const vu u[2], struct sight *a)
 {
     struct v3 way = v3_sub(v3_set(at), from), local;
-    vd e = efrom + (v3_sum(way) + v3_sum(from)) * SURE_2(51) + UNIT, d = vsqrt(v3_dot(way, way)), ed, part, en, ep;
+    vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51) + UNIT, d = vsqrt(v3_dot(way, way)), ed, part, en, ep;
     vd cosine, ecosine;
     vm outside = vlt(vset(radius), d - e), fine = outside, turned;
 
-    ed = e + d * SURE_2(50) + UNIT;
+    ed = e + d * P2M(50) + UNIT;
     vd open = cone_open(d, ed, radius, &part, &fine), h = open * vu_unit(u[0]), square = h * (2 - h);
-    vd r = vsqrt(square), eh = h * (part + SURE_2(50)) + SURE_2(60),
-       er = 1.125 * eh / vmax(r, vset(1e-12)) + r * SURE_2(49);
+    vd r = vsqrt(square), eh = h * (part + P2M(50)) + P2M(60), er = 1.125 * eh / vmax(r, vset(1e-12)) + r * P2M(49);
     vd x, y;
     turn_place(u[1], &x, &y);
     local = (struct v3){r * x, r * y, 1 - h};
     struct v3 axis = v3_unit(way, e, &en);
     struct v3 to = around(axis, en, mnone(), local, er + eh + vset(SURE_LOCAL), &ed, &turned);
     struct v3 place = ball_place(way, from, efrom, to, ed, radius, &ep, &fine);
-    struct v3 normal = v3_unit(v3_sub(place, v3_set(at)), ep + v3_sum(place) * SURE_2(51), &en);
+    struct v3 normal = v3_unit(v3_sub(place, v3_set(at)), ep + v3_sum(place) * P2M(51), &en);
     struct v3 end = v3_sub(v3_along(place, normal, vset(s->bias)), from);
     a->unsure = mor(turned, mnot(fine));
-    see_place(a, end, ep + efrom + 2 * UNIT + en * vset(s->bias) + (v3_sum(end) + v3_sum(place)) * SURE_2(50), normal,
-              en, &cosine, &ecosine);
+    see_place(a, end, ep + efrom + 2 * UNIT + en * vset(s->bias) + (v3_sum(end) + v3_sum(place)) * P2M(50), normal, en,
+              &cosine, &ecosine);
     a->density = ve_of(0.5 / open, 0.5 / open * 1.25 * part);
     vm inside = vle(d + e, vset(radius));
     a->some = mand(a->some, mnot(inside));
@@ -160,13 +159,13 @@ static void see_point(const struct sure_light *l, struct v3 from, vd efrom, stru
     a->distance = vset(131072);
     a->edistance = vset(0);
     a->to = v3_neg(v3_set(l->normal));
-    a->eto = vset(SURE_2(51));
+    a->eto = vset(P2M(51));
     if (l->from->kind != TIA_DIRECTIONAL_LIGHT) {
         struct v3 way = v3_sub(v3_set(l->at), from);
-        vd e = efrom + (v3_sum(way) + v3_sum(from)) * SURE_2(51);
+        vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51);
         a->to = v3_unit(way, e, &a->eto);
         a->distance = v3_dot(way, a->to);
-        a->edistance = e + a->distance * SURE_2(49) + UNIT;
+        a->edistance = e + a->distance * P2M(49) + UNIT;
         if (l->from->kind == TIA_SPOT_LIGHT)
             spot_falloff(l, a->to, a->eto, &f);
         if (l->from->fades)

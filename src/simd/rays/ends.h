@@ -14,7 +14,7 @@ static void add_part(struct flight *f, unsigned lanes, const struct paths *p, co
     lanes = sure_of(f, lanes, mnot(vlt((most + e) * thick, vset(65536))), p->r.slot);
     for (int c = 0; c < 3; c++)
         vstore(part[c], p->r.weight[c] * rgb[c]);
-    vstore(error, most * p->r.ew + e * thick + 2 * UNIT + most * thick * SURE_2(51));
+    vstore(error, most * p->r.ew + e * thick + 2 * UNIT + most * thick * P2M(51));
     for (int k = 0; lanes >> k; k++) {
         if (!(lanes >> k & 1))
             continue;
@@ -30,7 +30,7 @@ LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *
     struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
     vm specular = mof(p->specular), good = vlt(4 * sum.e, sum.v);
     vd whole = vsel(good, sum.v, vset(1)), v = q.v / whole;
-    vd e = 1.5 * (q.e + v * sum.e) / whole + SURE_2(50);
+    vd e = 1.5 * (q.e + v * sum.e) / whole + P2M(50);
 
     *fine = mor(specular, mand(*fine, good));
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
@@ -46,7 +46,7 @@ LANE_OP void add_weighted(struct flight *f, unsigned lanes, const struct paths *
     lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
     for (int c = 0; c < 3; c++)
         part[c] = rgb[c] * weight.v;
-    add_part(f, lanes, p, part, most * (weight.e + SURE_2(52)) + 2 * UNIT);
+    add_part(f, lanes, p, part, most * (weight.e + P2M(52)) + 2 * UNIT);
 }
 
 /* Light number n, which these lanes see. */
@@ -60,11 +60,11 @@ static void add_seen_light(struct flight *f, unsigned lanes, uint32_t n, const s
     vm fine = mnot(mnone());
 
     if ((lanes & ~p->specular) && l->from->kind != TIA_POINT_LIGHT) {
-        vd ed = q->e + 4 * UNIT + vabs(q->t) * SURE_2(49) + p->r.p.eo;
+        vd ed = q->e + 4 * UNIT + vabs(q->t) * P2M(49) + p->r.p.eo;
         if (l->from->kind == TIA_SPHERE_LIGHT)
             chosen = ball_density(l->at, l->radius, p->r.p.o, p->r.p.eo, &fine);
         else
-            chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)), p->r.p.ed + SURE_2(49), &fine);
+            chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)), p->r.p.ed + P2M(49), &fine);
         weight = weight_of(s->paths, p, chosen, &fine);
         if (!shine->known)
             fine = mand(fine, mof(p->specular));

@@ -17,7 +17,7 @@ LANE_OP struct flat flat_meet(const struct pack *p, struct v3 n, struct v3 way, 
     vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + SURE_WAY * EPS;
     struct flat f;
 
-    f.steep = vlt(vset(SURE_2(20)) + eslope, size);
+    f.steep = vlt(vset(P2M(20)) + eslope, size);
     size = vsel(f.steep, size, vset(1));
     f.t = v3_dot(way, n) / vsel(f.steep, slope, vset(1));
     f.e = (p->eo + round + 2 * UNIT + vabs(f.t) * eslope) / (size - eslope) + more;
@@ -67,7 +67,7 @@ LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
     if (!any(mand(q->active, mnot(mor(behind, starts_here(q))))))
         return;
     struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(UNIT));
-    f.e = f.e + vabs(f.t) * SURE_2(50);
+    f.e = f.e + vabs(f.t) * P2M(50);
     struct v3 point = v3_along(q->p->o, q->p->d, f.t);
     vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)), e = f.e + vabs(f.t) * q->p->ed + q->p->eo;
     vm near = vlt(far + e, vset(65535)), beyond = mand(f.steep, vlt(vset(65537), far - e));
@@ -80,10 +80,10 @@ LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, do
 {
     const struct pack *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
-    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * SURE_2(50) + vabs(f->t) * p->ed;
+    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(50) + vabs(f->t) * p->ed;
     vd r = vset(radius), square = v3_dot(at, at), less = vmax(r - e, vset(0)), more = r + e;
-    vm in = vlt(square * (1 + SURE_2(48)), less * less);
-    vm out = mand(f->steep, vlt(more * more, square * (1 - SURE_2(48))));
+    vm in = vlt(square * (1 + P2M(48)), less * less);
+    vm out = mand(f->steep, vlt(more * more, square * (1 - P2M(48))));
 
     flat_report(q, f, in, out, f->e + UNIT, element);
 }
@@ -93,7 +93,7 @@ LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
     struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
 
-    f.e = f.e + vabs(f.t) * SURE_2(50);
+    f.e = f.e + vabs(f.t) * P2M(50);
     round_flat(q, &f, way, o->radius, vset(0));
 }
 
@@ -102,7 +102,7 @@ LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const s
 {
     const struct pack *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
-    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * SURE_2(49) + vabs(f->t) * p->ed;
+    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(49) + vabs(f->t) * p->ed;
     vd a = vabs(v3_dot(at, v3_set(l->across[0]))), b = vabs(v3_dot(at, v3_set(l->across[1])));
     vd ra = vset(l->reach[0]), rb = vset(l->reach[1]);
     vm in = mand(vlt(a + e, ra), vlt(b + e, rb)), out = mor(vlt(ra, a - e), vlt(rb, b - e));
@@ -115,7 +115,7 @@ LANE_OP void meet_flat_light(struct query *q, const struct sure_light *l)
     struct v3 way = v3_sub(v3_set(l->at), q->p->o);
     struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
 
-    f.e = f.e + vabs(f.t) * SURE_2(50);
+    f.e = f.e + vabs(f.t) * P2M(50);
     if (l->from->kind == TIA_RECTANGLE_LIGHT)
         meet_rectangle(q, l, &f, way);
     else

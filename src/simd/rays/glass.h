@@ -11,7 +11,7 @@ LANE_OP void multiply_by(struct paths *p, const vd factor[3])
 
     for (int c = 0; c < 3; c++)
         p->r.weight[c] = p->r.weight[c] * factor[c];
-    p->r.ew = p->r.ew * most3(factor) + UNIT + most * SURE_2(51);
+    p->r.ew = p->r.ew * most3(factor) + UNIT + most * P2M(51);
 }
 
 /* Divides throughputs by chances, which are exact. */
@@ -21,7 +21,7 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
 
     for (int c = 0; c < 3; c++)
         p->r.weight[c] = p->r.weight[c] * inverse;
-    p->r.ew = p->r.ew * inverse + vsel(lanes, UNIT + most3(p->r.weight) * SURE_2(51), vset(0));
+    p->r.ew = p->r.ew * inverse + vsel(lanes, UNIT + most3(p->r.weight) * P2M(51), vset(0));
 }
 
 /* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
@@ -89,10 +89,10 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
 
     lanes = uncut(f, lanes, next, p->r.slot);
     next->r.p.o = v3_along(h->point, h->viewer, vset(-bias));
-    next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * SURE_2(51);
+    next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * P2M(51);
     next->r.p.d = p->r.p.d;
     next->r.p.ed = p->r.p.ed;
-    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, SURE_2(2)); /* see struct origin */
+    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, P2M(2)); /* see struct origin */
     next->specular = lanes;
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];

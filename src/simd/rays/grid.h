@@ -42,7 +42,7 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct pack *p, const struct
     const vd o = i == 0 ? p->o.x : i == 1 ? p->o.y : p->o.z, d = i == 0 ? p->d.x : i == 1 ? p->d.y : p->d.z;
     double far = grid->edge * grid->from->size[i];
     vd size = vabs(d), round = (vset(__builtin_fabs(grid->corner[i]) + far) + vabs(o)) * (4 * EPS) + 2 * UNIT;
-    vm moves = vlt(64 * p->ed + SURE_2(24), size);
+    vm moves = vlt(64 * p->ed + P2M(24), size);
     vd over = 1 / vsel(moves, size - p->ed, vset(1)), inverse = 1 / vsel(moves, d, vset(1));
 
     x->back = vlt(d, vset(0));
@@ -59,7 +59,7 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct pack *p, const struct
 /* The cell along an axis of a place within e, see find_cell. */
 LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
-    vd at = (place - vset(grid->corner[i])) * (1 / grid->edge), more = e * (1 / grid->edge) + vabs(at) * SURE_2(49);
+    vd at = (place - vset(grid->corner[i])) * (1 / grid->edge), more = e * (1 / grid->edge) + vabs(at) * P2M(49);
     vd low = vfloor(at - more), high = vfloor(at + more);
 
     x->cell = low;

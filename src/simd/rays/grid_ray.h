@@ -35,7 +35,7 @@ LANE_OP bool set_axis(struct cell_walk *w, int axis)
     double round = (__builtin_fabs(w->grid->corner[axis]) + far + __builtin_fabs(w->o[axis])) * (4 * EPS) + 2 * UNIT;
 
     w->step[axis] = w->d[axis] < 0 ? -1 : 1;
-    w->moves[axis] = size > 64 * w->ed + SURE_2(24);
+    w->moves[axis] = size > 64 * w->ed + P2M(24);
     if (!w->moves[axis])
         return false;
     double over = 1 / (size - w->ed);
@@ -99,8 +99,7 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
  * outside. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
-    double x = (place - w->grid->corner[axis]) / w->grid->edge,
-           more = e / w->grid->edge + __builtin_fabs(x) * SURE_2(50);
+    double x = (place - w->grid->corner[axis]) / w->grid->edge, more = e / w->grid->edge + __builtin_fabs(x) * P2M(50);
     double last = cells_along(w, axis) - 1, low = __builtin_floor(x - more), high = __builtin_floor(x + more);
     double cell = w->d[axis] < 0 ? high : low;
 

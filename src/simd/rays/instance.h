@@ -32,10 +32,10 @@ static void place_rays(const struct sure_instance *i, const struct pack *p, bool
 
     to->p.o = (struct v3){v3_dot(v, a[0]) * vset(i->inverse[0]), v3_dot(v, a[1]) * vset(i->inverse[1]),
                           v3_dot(v, a[2]) * vset(i->inverse[2])};
-    to->p.eo = (p->eo + size * (32 * EPS) + 4 * UNIT) * over + 4 * UNIT + v3_sum(to->p.o) * SURE_2(50);
+    to->p.eo = (p->eo + size * (32 * EPS) + 4 * UNIT) * over + 4 * UNIT + v3_sum(to->p.o) * P2M(50);
     struct v3 d = {v3_dot(p->d, a[0]) * vset(i->inverse[0]), v3_dot(p->d, a[1]) * vset(i->inverse[1]),
                    v3_dot(p->d, a[2]) * vset(i->inverse[2])};
-    to->ek = (p->ed + vset(SURE_2(49))) * over;
+    to->ek = (p->ed + vset(P2M(49))) * over;
     to->k = vsqrt(v3_dot(d, d));
     to->p.d = v3_unit(d, to->ek, &to->p.ed);
     to->p.from = p->from;
@@ -53,7 +53,7 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->active = mand(q->active, placed->fine);
     inner->any = false;
     inner->groups = NULL;
-    inner->limit = q->limit * (placed->k + placed->ek) * (1 + SURE_2(10)) + placed->p.eo + SURE_2(20);
+    inner->limit = q->limit * (placed->k + placed->ek) * (1 + P2M(10)) + placed->p.eo + P2M(20);
     inner->t = inner->low = vset(INFINITE);
     inner->e = inner->ep = vset(0);
     inner->id = inner->element = vset(-1);
@@ -68,17 +68,17 @@ static void report_placed(struct query *q, const struct placed *placed, const st
     vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(INFINITE))),
        over = 1 / vsel(wild, vset(1), placed->k);
     vd t = vsel(met, inner->t, vset(0)) * over, ratio = placed->ek * over;
-    vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * SURE_2(50);
+    vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * P2M(50);
     vd low = vsel(vlt(least, vset(INFINITE)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(INFINITE));
 
-    report(q, (struct report){.sure = mand(sure, mnot(wild)),
-                              .may = mor(may, wild),
-                              .t = t,
-                              .e = e,
-                              .ep = vmin(inner->ep * vset(most) + p->eo + t * SURE_2(50) + 4 * UNIT,
-                                         p->eo + e + t * p->ed + 2 * UNIT),
-                              .low = vmax(vsel(wild, vset(0), low), vset(0)),
-                              .element = inner->element});
+    report(q, (struct report){
+                  .sure = mand(sure, mnot(wild)),
+                  .may = mor(may, wild),
+                  .t = t,
+                  .e = e,
+                  .ep = vmin(inner->ep * vset(most) + p->eo + t * P2M(50) + 4 * UNIT, p->eo + e + t * p->ed + 2 * UNIT),
+                  .low = vmax(vsel(wild, vset(0), low), vset(0)),
+                  .element = inner->element});
 }
 
 #endif

@@ -51,7 +51,7 @@ LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
     vd v = a.v / vsel(good, b.v, vset(1));
 
     *fine = mand(*fine, good);
-    return (struct ve){v, (a.e + vabs(v) * b.e) / vsel(good, size - b.e, vset(1)) + vabs(v) * SURE_2(50) + UNIT};
+    return (struct ve){v, (a.e + vabs(v) * b.e) / vsel(good, size - b.e, vset(1)) + vabs(v) * P2M(50) + UNIT};
 }
 
 /* And here where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */

@@ -132,7 +132,7 @@ static void set_brightest(struct sure_scene *s)
         sum += part * most.own;
         part *= most.back;
         if (i > layers)
-            s->brightest[(uint32_t)(s->generations - i)] = 1.0625 * sum + SURE_2(30);
+            s->brightest[(uint32_t)(s->generations - i)] = 1.0625 * sum + P2M(30);
     }
     if (most.refracts && most.back > 1)
         s->generations = 0;

@@ -51,16 +51,16 @@ static void add_sights(struct flight *f, unsigned lanes, const struct paths *p, 
     vm m = mof(surface);
     struct ve density = {vsel(m, a->density.v * one_of + r->density.v, vset(one_of)),
                          vsel(m, a->density.e * one_of + r->density.e, vset(0))};
-    vm fine = mand(vlt(16 * density.e, density.v), mand(vlt(vset(SURE_2(40)), density.v), vlt(density.v, vset(1e15))));
+    vm fine = mand(vlt(16 * density.e, density.v), mand(vlt(vset(P2M(40)), density.v), vlt(density.v, vset(1e15))));
     vd inverse = 1 / vsel(fine, density.v, vset(1)), most = most3(r->rgb), part[3], bright = most3(radiance);
-    vd share = most * inverse, eshare = 1.125 * inverse * (r->e + share * density.e) + UNIT + share * SURE_2(50);
+    vd share = most * inverse, eshare = 1.125 * inverse * (r->e + share * density.e) + UNIT + share * P2M(50);
 
     fine = mand(fine, vlt(share + eshare, vset(65536)));
     fine = mand(fine, vlt(bright, vset(65536)));
     for (int c = 0; c < 3; c++)
         part[c] = r->rgb[c] * inverse * (radiance[c] * a->factor);
     vd light = bright * a->factor, elight = bright * a->efactor + UNIT;
-    vd e = share * elight + eshare * (light + elight) + 2 * UNIT + share * light * SURE_2(50);
+    vd e = share * elight + eshare * (light + elight) + 2 * UNIT + share * light * P2M(50);
     lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
     add_part(f, lanes, p, part, e);
 }
@@ -98,7 +98,7 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     choose_emitters(f, p, which, u);
     find_sights(f, rough, which, h, u, radiance, &surface);
     vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
-    vd ec = a->eto + h->en + SURE_2(49), ea = a->eto + h->eg + SURE_2(49);
+    vd ec = a->eto + h->en + P2M(49), ea = a->eto + h->eg + P2M(49);
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
     /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));

@@ -31,7 +31,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
     shadow->distance = vset(s->paths->reach);
     shadow->edistance = vset(0);
-    vd above = v3_dot(shadow->p.d, h->geometric), e = shadow->p.ed + h->eg + SURE_2(49);
+    vd above = v3_dot(shadow->p.d, h->geometric), e = shadow->p.ed + h->eg + P2M(49);
     lanes = sure_of(f, lanes, mor(unsure, vle(vabs(above), e)), p->r.slot);
     unsigned below = lanes & mbits(vlt(above, vset(0))), open = lanes & ~below;
     shadow->blocked = shadow->unsure = mnone();

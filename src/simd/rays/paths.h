@@ -137,13 +137,13 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
         uint32_t slot = r->slot[k];
         if (!(lanes >> k & 1))
             continue;
-        if (!(most < SURE_2(8)) || s->generations == 0) {
+        if (!(most < P2M(8)) || s->generations == 0) {
             mark(w, slot);
             continue;
         }
         for (int c = 0; c < 3; c++)
             w->block->colour[c][slot] += half;
-        w->block->error[slot] += half + SURE_2(42);
+        w->block->error[slot] += half + P2M(42);
         count_rays(w, slot, 1 + (weight[k] + e[k]) * 65536 * s->generations);
     }
 }
@@ -151,7 +151,7 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
 /* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
 static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
 {
-    vd top = most3(next->weight), least = vset(SURE_2(16)), margin = next->ew + SURE_2(40);
+    vd top = most3(next->weight), least = vset(P2M(16)), margin = next->ew + P2M(40);
     unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
     double number[COLUMNS][LANES];
 

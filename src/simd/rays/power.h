@@ -14,7 +14,7 @@
 
 #include "vector.h"
 
-#define SURE_POWER SURE_2(44) /* see above */
+#define SURE_POWER P2M(44) /* see above */
 
 /* x + SHIFT is rounded to a whole number, which its lowest bits are. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */

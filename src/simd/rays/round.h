@@ -32,9 +32,9 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->estart = p->eo + b->l1 * (p->ed + 8 * EPS) + UNIT;
     b->near = v3_along(o, p->d, b->start);
     b->enear = p->eo + b->l1 * (2 * p->ed + 16 * EPS) + 2 * UNIT;
-    vd lambda = p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * SURE_2(49);
+    vd lambda = p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * P2M(49);
     vd square = v3_dot(b->near, b->near), out = reach + b->enear;
-    b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - SURE_2(40))));
+    b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - P2M(40))));
     b->miss = mor(b->miss, vlt(b->start + reach + b->estart, vset(0)));
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!any(mand(q->active, mnot(b->miss))))
@@ -43,9 +43,9 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
      * integers round by at a tangent, some units */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
-    vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * SURE_2(48);
-    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + SURE_2(38)) + lambda;
-    vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + SURE_2(40));
+    vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * P2M(48);
+    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + P2M(38)) + lambda;
+    vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + P2M(40));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
     return any(mand(q->active, mnot(b->miss)));
 }
@@ -54,18 +54,18 @@ LANE_OP void beam_of(const struct pack *p, struct beam *b)
 {
     const struct sure_round *k = b->k;
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]), axis = v3_set(k->axis);
-    vd edir = p->ed + vset(SURE_2(44)), epos = b->enear + v3_sum(b->near) * (8 * EPS) + UNIT;
+    vd edir = p->ed + vset(P2M(44)), epos = b->enear + v3_sum(b->near) * (8 * EPS) + UNIT;
     b->d0 = ve_of(v3_dot(p->d, a0), edir);
     b->d1 = ve_of(v3_dot(p->d, a1), edir);
     b->flat = vsqrt(b->d0.v * b->d0.v + b->d1.v * b->d1.v);
     vm some = vlt(32 * edir, b->flat);
     b->fine = mand(b->fine, some);
-    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * 1.0625 * over + SURE_2(48);
+    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * 1.0625 * over + P2M(48);
     struct ve q0 = ve_of(b->d0.v * over, eq), q1 = ve_of(b->d1.v * over, eq);
     struct ve p0 = ve_of(v3_dot(b->near, a0), epos), p1 = ve_of(v3_dot(b->near, a1), epos);
     b->height = ve_of(v3_dot(b->near, axis), epos);
     b->rise = ve_of(v3_dot(p->d, axis), edir);
-    b->pace = ve_of(b->flat, edir + SURE_2(44));
+    b->pace = ve_of(b->flat, edir + P2M(44));
     b->nearest = ve_neg(ve_add(ve_mul(p0, q0), ve_mul(p1, q1)));
     b->passing = ve_sub(ve_mul(p0, q1), ve_mul(p1, q0));
 }
@@ -89,11 +89,11 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
     struct ve fx = ve_mul(b->pace, c), fy = ve_mul(b->rise, s);
     vd f = vsqrt(fx.v * fx.v + fy.v * fy.v), ef = fx.e + fy.e;
     vm good = vlt(32 * ef, f);
-    vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + SURE_2(48);
+    vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + P2M(48);
     struct quadratic u = {.n0 = ve_of(fx.v * inverse, en), .n1 = ve_of(fy.v * inverse, en)};
 
     b->fine = mand(b->fine, good);
-    u.length = ve_of(f, ef + SURE_2(44));
+    u.length = ve_of(f, ef + P2M(44));
     u.g = ve_add(ve_mul(radius, c), ve_mul(b->height, s));
     u.m = ve_mul(b->nearest, c);
     u.w = ve_mul(b->passing, c);

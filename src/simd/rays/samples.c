@@ -5,7 +5,7 @@
 #include "simd/simd.h"
 
 /* 1024 bounces with three additions each, of doubles, are off by 2^-41 of the sum. */
-#define SUMMED SURE_2(41)
+#define SUMMED P2M(41)
 
 struct drawing {
     const struct tia_view *view;

@@ -26,14 +26,14 @@ static void cut_chances(const double part[4], double e, struct sure_lobes *to)
     to->known = part[3] > 16 * e;
     for (int i = 0; i < 3; i++) {
         before += part[i];
-        double share = before / sum, error = share * (e / sum * 1.125 + SURE_2(50));
+        double share = before / sum, error = share * (e / sum * 1.125 + P2M(50));
         double low = (share - error) * 4294967296.0, high = (share + error) * 4294967296.0;
         to->known = to->known && high < 4294967295.0 && (before == 0 || (uint32_t)low == (uint32_t)high);
         to->below[i] = to->known && before > 0 ? (uint32_t)low : 0;
-        to->chance[i] = (to->below[i] - last) * SURE_2(32);
+        to->chance[i] = (to->below[i] - last) * P2M(32);
         last = to->below[i];
     }
-    to->chance[CHANCE_DIFFUSE] = 1 - last * SURE_2(32);
+    to->chance[CHANCE_DIFFUSE] = 1 - last * P2M(32);
 }
 
 static void cut_textured(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
@@ -92,7 +92,7 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
                        struct response *r)
 {
     vm m = mof(l->glossy);
-    vd along = v3_dot(l->mirrored, to), ealong = l->emirrored + eto + SURE_2(49), n = h->exponent;
+    vd along = v3_dot(l->mirrored, to), ealong = l->emirrored + eto + P2M(49), n = h->exponent;
     vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = n * ealong + vset(SURE_POWER);
     vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
     vd e = most * (broad * ep * (cosine + ecosine) + height * ecosine) + 3 * UNIT * (1 + most);
@@ -112,7 +112,7 @@ LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to,
     for (int c = 0; c < 3; c++)
         r->rgb[c] = h->colour[c] * cosine;
     r->e = most3(h->colour) * ecosine + h->ecolour + 2 * UNIT;
-    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * cosine, ecosine + SURE_2(51));
+    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * cosine, ecosine + P2M(51));
     if (l->glossy)
         add_glossy(h, l, to, eto, cosine, ecosine, r);
 }
@@ -134,7 +134,7 @@ static struct v3 phong_direction(const struct shade *h, const vu u[2], unsigned 
             continue;
         tia_sample_phong(pair, (tia_q16)(exponent[k] * 65536), local);
         for (int i = 0; i < 3; i++)
-            d[i][k] = (double)local[i] * SURE_2(62);
+            d[i][k] = (double)local[i] * P2M(62);
     }
     return (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
 }

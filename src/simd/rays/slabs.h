@@ -21,12 +21,12 @@
  * False in lanes whose rays are too far off for a margin around them. */
 LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm active)
 {
-    vd tiny = vset(SURE_2(60)), zero = vset(0);
+    vd tiny = vset(P2M(60)), zero = vset(0);
     const vd o[3] = {p->o.x, p->o.y, p->o.z},
              d[3] = {vsel(vlt(vabs(p->d.x), tiny), tiny, p->d.x), vsel(vlt(vabs(p->d.y), tiny), tiny, p->d.y),
                      vsel(vlt(vabs(p->d.z), tiny), tiny, p->d.z)};
     vd size = v3_sum(p->o), reach = v3_sum(v3_sub(p->o, v3_set(centre))) + vset(extent);
-    vd off = p->eo + reach * p->ed, pad = off + (size + reach) * SURE_2(21);
+    vd off = p->eo + reach * p->ed, pad = off + (size + reach) * P2M(21);
     struct slabs *s = &p->slabs;
     unsigned all = mbits(active);
 
@@ -45,13 +45,13 @@ LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm 
         s->in[i] = vp_of(middle + aside);
         s->out[i] = vp_of(middle - aside);
     }
-    return vlt(off, vset((extent + SURE_2(10)) * SURE_2(9)));
+    return vlt(off, vset((extent + P2M(10)) * P2M(9)));
 }
 
 /* What is farther than a limit is so in floats, too. */
 LANE_OP vd up(vd limit)
 {
-    return limit + vabs(limit) * SURE_2(22);
+    return limit + vabs(limit) * P2M(22);
 }
 
 /* The lanes that may enter a node's children before their limits, and where. */

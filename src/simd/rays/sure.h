@@ -199,9 +199,9 @@ struct sure_kernels {
     size_t block_memory, gather_memory; /* bytes for the first, and for the last two; aligned to 64 */
 };
 
-#define SURE_2(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
-#define SURE_UNIT SURE_2(45)                           /* of the integers' coordinates */
-#define SURE_EPS SURE_2(53)                            /* half a unit of a double of 1 */
+#define P2M(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
+#define SURE_UNIT P2M(45)                           /* of the integers' coordinates */
+#define SURE_EPS P2M(53)                            /* half a unit of a double of 1 */
 
 static inline double sure_length(num_length x)
 {
@@ -216,7 +216,7 @@ static inline double sure_two_to(int bits)
 
 static inline double sure_cosine(num_unit d)
 {
-    return (double)d * SURE_2(62);
+    return (double)d * P2M(62);
 }
 
 static inline void sure_point(double to[3], struct num_point p)
@@ -235,9 +235,9 @@ static inline void sure_dir(double to[3], struct num_dir d)
 
 static inline void sure_rgb(double to[3], const struct tia_rgb *c)
 {
-    to[0] = (double)c->r * SURE_2(30);
-    to[1] = (double)c->g * SURE_2(30);
-    to[2] = (double)c->b * SURE_2(30);
+    to[0] = (double)c->r * P2M(30);
+    to[1] = (double)c->g * P2M(30);
+    to[2] = (double)c->b * P2M(30);
 }
 
 static inline double sure_most3(const double c[3])

@@ -143,7 +143,7 @@ static unsigned find_local(struct shade *h)
                        v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 3)) * vgather(p, INSTANCE_AT(inverse) + 1),
                        v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 6)) * vgather(p, INSTANCE_AT(inverse) + 2)};
     h->local = v3_sel(mof(placed), local, h->local);
-    h->elocal = vsel(mof(placed), e / vgather(p, INSTANCE_AT(least)) + UNIT + v3_sum(local) * SURE_2(50), h->elocal);
+    h->elocal = vsel(mof(placed), e / vgather(p, INSTANCE_AT(least)) + UNIT + v3_sum(local) * P2M(50), h->elocal);
     return placed;
 }
 
@@ -154,8 +154,8 @@ static struct v3 world_normal(const struct shade *h, struct v3 n, vd e, vd *ew)
     struct v3 m = {n.x * vgather(p, INSTANCE_AT(inverse)), n.y * vgather(p, INSTANCE_AT(inverse) + 1),
                    n.z * vgather(p, INSTANCE_AT(inverse) + 2)};
 
-    m = v3_unit(m, (e + SURE_2(50)) / vgather(p, INSTANCE_AT(least)), ew);
-    *ew = *ew + SURE_2(48);
+    m = v3_unit(m, (e + P2M(50)) / vgather(p, INSTANCE_AT(least)), ew);
+    *ew = *ew + P2M(48);
     return v3_add(
         v3_scale(v3_gather(p, INSTANCE_AT(axes)), m.x),
         v3_add(v3_scale(v3_gather(p, INSTANCE_AT(axes) + 3), m.y), v3_scale(v3_gather(p, INSTANCE_AT(axes) + 6), m.z)));
@@ -223,12 +223,12 @@ static void side_normals(struct shade *h, unsigned lanes)
     struct v3 v = v3_sub(h->local, v3_gather(at, ROUND_AT(base)));
     vd cosine = vgather(at, ROUND_AT(cosine)), sine = vgather(at, ROUND_AT(sine));
     vd y0 = v3_dot(h->viewer, a0), y1 = v3_dot(h->viewer, a1);
-    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + SURE_2(50), vset(1)), vset(1));
+    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + P2M(50), vset(1)), vset(1));
     struct v3 out = {v3_dot(v, a0), v3_dot(v, a1), vset(0)};
-    out = v3_unit(out, h->across * h->elocal + (v3_sum(h->local) + 2 * v3_sum(v)) * SURE_2(51) + 2 * UNIT, &e);
+    out = v3_unit(out, h->across * h->elocal + (v3_sum(h->local) + 2 * v3_sum(v)) * P2M(51) + 2 * UNIT, &e);
     struct v3 n = v3_sub(v3_add(v3_scale(a0, out.x * cosine), v3_scale(a1, out.y * cosine)), v3_scale(axis, sine));
     h->geometric = v3_sel(mof(side), n, h->geometric);
-    h->eg = vsel(mof(side), e + SURE_2(48), h->eg);
+    h->eg = vsel(mof(side), e + P2M(48), h->eg);
 }
 
 /* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. The corners
@@ -261,13 +261,13 @@ static void smooth_normals(struct shade *h, const struct sure_face *const face[L
         struct v3 c = v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]);
         w[i] = vsel(is_x, c.x, vsel(is_y, c.y, c.z));
     }
-    vd sum = w[0] + w[1] + w[2], ew = vgather(f, 21) * h->elocal + far * far * SURE_2(49);
+    vd sum = w[0] + w[1] + w[2], ew = vgather(f, 21) * h->elocal + far * far * P2M(49);
     vm fine = vlt(32 * ew, vabs(sum));
-    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = ew * vabs(inverse) + SURE_2(50);
+    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = ew * vabs(inverse) + P2M(50);
     vm clear = vlt(2 * epart, vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
     struct v3 total =
         v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
-    struct v3 unit = v3_unit(total, vsel(clear, epart, 3 * epart) * vgather(f, 22) + SURE_2(47), &e);
+    struct v3 unit = v3_unit(total, vsel(clear, epart, 3 * epart) * vgather(f, 22) + P2M(47), &e);
     vm m = mof(smooth);
     h->normal = v3_sel(m, unit, h->normal);
     h->en = vsel(m, e, h->en);
@@ -322,7 +322,7 @@ static void find_normals(struct shade *h, unsigned lanes)
     h->geometric = v3_gather(flat, 0);
     if (back)
         h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
-    h->eg = vset(SURE_2(51));
+    h->eg = vset(P2M(51));
     h->across = vset(1);
     h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
@@ -336,22 +336,21 @@ static void find_normals(struct shade *h, unsigned lanes)
 /* Turns the normals to the viewer. */
 LANE_OP void turn(struct shade *h)
 {
-    vd side = v3_dot(h->geometric, h->viewer), bound = h->eg + h->ev + SURE_2(49);
+    vd side = v3_dot(h->geometric, h->viewer), bound = h->eg + h->ev + P2M(49);
 
     h->back = vlt(side, vset(0));
     h->unsure = mor(h->unsure, vle(vabs(side), bound));
     h->geometric = v3_sel(h->back, v3_neg(h->geometric), h->geometric);
     h->normal = v3_sel(h->back, v3_neg(h->normal), h->normal);
     h->facing = v3_dot(h->normal, h->viewer);
-    h->efacing = h->en + h->ev + SURE_2(49);
+    h->efacing = h->en + h->ev + P2M(49);
 }
 
 /* Mirrored rays: (R' - R) D for two mirrors, whose normals differ by dn and thus by no less than the sine of the angle
  * between them, turns what of D lies in the plane of the normals by twice that angle: it is 2 dn |that part| long. */
 LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
 {
-    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->across * h->en + h->ev + SURE_2(46),
-                   ed);
+    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->across * h->en + h->ev + P2M(46), ed);
 }
 
 /* P + b G, or P - b G: where rays start. */
@@ -359,14 +358,14 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
 {
     struct v3 o = v3_along(h->point, h->geometric, vset(bias));
 
-    *eo = h->ep + h->eg * vset(s->bias) + 2 * UNIT + v3_sum(o) * SURE_2(51);
+    *eo = h->ep + h->eg * vset(s->bias) + 2 * UNIT + v3_sum(o) * P2M(51);
     return o;
 }
 
 /* For rays in direction d from there, `sign` times G off the surface: whether they surely move away. */
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
-    vm away = vlt(h->eg + ed + vset(SURE_2(49) + least), v3_dot(h->geometric, d) * sign);
+    vm away = vlt(h->eg + ed + vset(P2M(49) + least), v3_dot(h->geometric, d) * sign);
     vm inside = sign > 0 ? h->back : mnot(h->back);
 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
@@ -380,7 +379,7 @@ static void find_surfaces(const struct sure_scene *s, const struct pack *p, cons
     vd t = vsel(m, q->t, vset(0));
 
     h->point = v3_along(p->o, p->d, t);
-    h->ep = vsel(m, q->ep, vset(0)) + (v3_sum(p->o) + t) * SURE_2(51);
+    h->ep = vsel(m, q->ep, vset(0)) + (v3_sum(p->o) + t) * P2M(51);
     h->viewer = v3_neg(p->d);
     h->ev = p->ed;
     find_objects(s, q, lanes, h);

@@ -30,7 +30,7 @@ LANE_OP struct line line_of(const struct pack *p, const double centre[3], double
 {
     struct v3 o = v3_sub(p->o, v3_set(centre));
     vd far = v3_sum(o) + vset(extent) + p->eo;
-    vd e = far * (SURE_2(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
+    vd e = far * (P2M(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
 
     return (struct line){v3_cross(o, p->d), centre, e, each};
 }
@@ -61,7 +61,7 @@ LANE_OP vm returns_to(const struct query *q, vd element)
 LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)
 {
     vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)), turn = q->p->ed + SURE_WAY * EPS;
-    vd t = -q->p->from.side / size, e = (SURE_2(40) + round + 2 * UNIT + t * turn) / (size - turn) + more;
+    vd t = -q->p->from.side / size, e = (P2M(40) + round + 2 * UNIT + t * turn) / (size - turn) + more;
 
     f->t = vsel(back, t, f->t);
     f->e = vsel(back, e, f->e);
@@ -75,7 +75,7 @@ LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t 
     if (!any(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
         return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
-    vd l = v3_sum(a) + vset(f->extent), round = l * SURE_2(48), more = 4 * UNIT + l * SURE_2(50);
+    vd l = v3_sum(a) + vset(f->extent), round = l * P2M(48), more = 4 * UNIT + l * P2M(50);
     struct flat flat = flat_meet(q->p, v3_set(f->normal), a, round, more);
     vd ep = flat.e + UNIT;
     vm back = returns_to(q, element);

@@ -134,7 +134,7 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
 
-    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + SURE_2(10)) + vset(SURE_NORMAL * EPS), vset(4));
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + P2M(10)) + vset(SURE_NORMAL * EPS), vset(4));
     return v3_scale(v, inverse);
 }
 

@@ -25,7 +25,7 @@ static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
     vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
     vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
     lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
-    divide_by(p, low * SURE_2(32), mand(open, mof(lanes)));
+    divide_by(p, low * P2M(32), mand(open, mof(lanes)));
     return lanes;
 }
 
@@ -62,7 +62,7 @@ static __attribute__((noinline)) void scatter_paths(struct flight *f, unsigned l
     }
     next.r.p.d = around(axis, e, exact, local, vset(SURE_LOCAL), &next.r.p.ed, &unsure);
     vd cosine = v3_dot(next.r.p.d, h->normal), above = v3_dot(next.r.p.d, h->geometric);
-    vd ec = next.r.p.ed + h->en + SURE_2(49), ea = next.r.p.ed + h->eg + SURE_2(49);
+    vd ec = next.r.p.ed + h->en + P2M(49), ea = next.r.p.ed + h->eg + P2M(49);
     vm lit = mand(vlt(ec, cosine), vlt(ea, above)), dark = mor(vlt(cosine, -ec), vlt(above, -ea));
     lanes = sure_of(f, lanes, mor(unsure, mnot(mor(lit, dark))), p->r.slot) & mbits(lit);
     if (!lanes)
@@ -72,14 +72,13 @@ static __attribute__((noinline)) void scatter_paths(struct flight *f, unsigned l
     unsigned mixed = 0;
     for (int k = 0; k < LANES; k++)
         mixed |= (unsigned)(l->of[k]->below[2] != 0) << k;
-    vm m = mof(mixed),
-       fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(SURE_2(40)), r.density.v)));
+    vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(P2M(40)), r.density.v)));
     vd share = most3(r.rgb) * inverse, eshare = 1.125 * inverse * (r.e + share * r.density.e) + UNIT;
-    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * SURE_2(50), h->ecolour);
+    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * P2M(50), h->ecolour);
     lanes = sure_of(f, lanes, mnot(mand(fine, vlt(factor, vset(4096)))), p->r.slot);
     for (int c = 0; c < 3; c++)
         next.r.weight[c] = p->r.weight[c] * vsel(m, r.rgb[c] * inverse, h->colour[c]);
-    next.r.ew = p->r.ew * (factor + efactor) + most * efactor + UNIT + most * factor * SURE_2(51);
+    next.r.ew = p->r.ew * (factor + efactor) + most * efactor + UNIT + most * factor * P2M(51);
     next.density = r.density;
     next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.r.p.o = h->outside;
