@@ -46,7 +46,7 @@ static struct exact {
     struct ray ray;
     struct media media;
     unsigned class; /* of its pixel */
-} now, waiting[ITEMS];
+} now, waiting[QUEUE_SIZE];
 static struct shading shading;
 static struct path path;
 

@@ -9,7 +9,7 @@
 #include "float_modes.h"
 #include "ray_edges.h"
 
-static bool is_refracted[ITEMS];
+static bool is_refracted[QUEUE_SIZE];
 
 static void check_push(int item, bool refracted)
 {
@@ -158,7 +158,7 @@ static void compare_light(const struct shade *h, const struct shading *shading, 
         use(OWN, fabs(sure_length(colour[c]) - lit.own[c]), lit.eown);
 }
 
-static void compare_rays(const struct item *item, const struct ray *ray, const num_length throughput[3])
+static void compare_rays(const struct queued *item, const struct ray *ray, const num_length throughput[3])
 {
     const double *n = item->number;
     const struct v3 o = {n[0], n[1], n[2]}, d = {n[3], n[4], n[5]};
@@ -189,7 +189,7 @@ static void compare_bounces(const struct pack *p, const struct shade *h, const s
         return;
     shade_bounce(view, shading, &none, &next);
     for (int i = 0; i < w.count; i++)
-        compare_rays(&w.items[i], is_refracted[i] ? &next.refracted : &next.reflected,
+        compare_rays(&w.queue[i], is_refracted[i] ? &next.refracted : &next.reflected,
                      is_refracted[i] ? next.refracts : next.reflects);
 }
 

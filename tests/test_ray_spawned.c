@@ -305,7 +305,7 @@ static void try_spawned(struct used *through, struct used *back)
     struct shade h = {.refraction = {1, 1, 1}, .geometric = {0, 0, 1}, .normal = {0, 0, 1}, .viewer = {0, 0, 1}};
     struct refraction f = {.to = {0, 0, -1}, .bends = 1, .fresnel = some_part(), .efresnel = some_size(4, 40)};
     const vd reflects[3] = {f.fresnel, f.fresnel, f.fresnel};
-    const double *n = one->work.items[0].number;
+    const double *n = one->work.queue[0].number;
     long double weight = one->rays.weight[0] + (long double)theirs,
                 fresnel = f.fresnel + f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);
 
@@ -330,7 +330,7 @@ static void try_straight(struct used *u)
     struct real point = real_random(), viewer = real_random(), off = real_random();
     struct shade h = {.refraction = {1, 1, 1}, .point = v3_of(point), .viewer = v3_of(viewer), .ep = some_size(20, 40)};
     struct refraction f = {.straight = 1};
-    const double *n = one->work.items[0].number;
+    const double *n = one->work.queue[0].number;
 
     h.ev = some_size(4, 30);
     one->rays.weight[0] = 1;

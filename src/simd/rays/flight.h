@@ -9,7 +9,7 @@
 #define FLIGHT_COLUMNS 17
 
 /* A ray that waits; the media that it is in stay here while it is followed. */
-struct waiter {
+struct queued_path {
     double number[FLIGHT_COLUMNS];
     uint32_t bounce, layers;
     bool specular;
@@ -39,7 +39,7 @@ struct flight {
     struct sure_gather *gather;
     uint32_t blocker;
     uint32_t seed[SURE_GATHERED]; /* of each sample's pixel */
-    struct waiter ray[SURE_GATHERED];
+    struct queued_path ray[SURE_GATHERED];
     uint16_t waits[OCTANTS][SURE_GATHERED];
     int count[OCTANTS];
 };
@@ -81,7 +81,7 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
         if (!(lanes >> k & 1))
             continue;
         uint32_t slot = next->r.slot[k];
-        struct waiter *to = &f->ray[slot];
+        struct queued_path *to = &f->ray[slot];
         unsigned octant =
             (unsigned)(number[3][k] < 0) | (unsigned)(number[4][k] < 0) << 1 | (unsigned)(number[5][k] < 0) << 2;
         for (int i = 0; i < FLIGHT_COLUMNS; i++)
@@ -116,7 +116,7 @@ static unsigned flight_pop(struct flight *f, struct paths *p)
     }
     for (; taken < LANES && f->count[octant]; taken++) {
         uint32_t slot = f->waits[octant][--f->count[octant]];
-        const struct waiter *from = &f->ray[slot];
+        const struct queued_path *from = &f->ray[slot];
         row[taken] = from->number;
         p->r.slot[taken] = slot;
         p->r.depth[taken] = from->bounce;

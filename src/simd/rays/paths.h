@@ -8,16 +8,15 @@
 
 #define COLUMNS 15
 
-/* A ray that waits, see struct bounce of whitted.c, or what one has met: its numbers lie in the order of ray_column, or
- * of hit_column. */
-struct item {
+/* A queued ray, see struct bounce of whitted.c, or hit: its numbers in the order of ray_column, or of hit_column. */
+struct queued {
     double number[COLUMNS];
     uint32_t slot, depth, layers;
     struct media media;
 };
 
-#define ITEMS 256
-#define MANY 24 /* more than these go on before further camera rays begin */
+#define QUEUE_SIZE 256
+#define QUEUE_FULL 24 /* more than these go on before further camera rays begin */
 #define BLOCKERS 16
 
 /* Rays of a packet: their throughput is within ew. */
@@ -37,7 +36,7 @@ struct work {
     uint16_t order[SURE_SLOTS];  /* in which slots go into packets */
     double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
     double rays[SURE_SLOTS];     /* how many there are at most so far, once paths may have layers */
-    struct item items[ITEMS], hits[2 * LANES];
+    struct queued queue[QUEUE_SIZE], hits[2 * LANES];
     int count, hit_count;
     struct rays packet; /* this and what follows are one packet's, too large for a stack */
     struct query query;
@@ -64,7 +63,7 @@ LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
     return column[i];
 }
 
-LANE_OP void keep_item(struct item *to, double number[COLUMNS][LANES], const struct rays *r, int k)
+LANE_OP void enqueue(struct queued *to, double number[COLUMNS][LANES], const struct rays *r, int k)
 {
     for (int i = 0; i < COLUMNS; i++)
         to->number[i] = number[i][k];
@@ -76,13 +75,13 @@ LANE_OP void keep_item(struct item *to, double number[COLUMNS][LANES], const str
 
 /* Takes up to LANES items off the end of a list, one for each lane: row[k] are the numbers of lane k, all else is in r.
  * Returns how many. */
-LANE_OP int take_items(const struct item *items, int *count, struct rays *r, const double *row[LANES])
+LANE_OP int dequeue(const struct queued *queue, int *count, struct rays *r, const double *row[LANES])
 {
-    static const struct item none;
+    static const struct queued none;
     int taken = *count < LANES ? *count : LANES;
 
     for (int k = 0; k < LANES; k++) {
-        const struct item *from = k < taken ? &items[--*count] : &none;
+        const struct queued *from = k < taken ? &queue[--*count] : &none;
         row[k] = from->number;
         r->slot[k] = from->slot;
         r->depth[k] = from->depth;
@@ -162,13 +161,13 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     for (int k = 0; yes >> k; k++) {
         if (!(yes >> k & 1))
             continue;
-        if (w->count == ITEMS) {
+        if (w->count == QUEUE_SIZE) {
             mark(w, next->slot[k]);
             continue;
         }
         check_push(w->count, refracted);
-        struct item *to = &w->items[w->count++];
-        keep_item(to, number, next, k);
+        struct queued *to = &w->queue[w->count++];
+        enqueue(to, number, next, k);
         to->depth += !straight;
         to->layers += straight;
     }
@@ -178,7 +177,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
 static unsigned pop(struct work *w, struct rays *r)
 {
     const double *row[LANES];
-    int taken = take_items(w->items, &w->count, r, row);
+    int taken = dequeue(w->queue, &w->count, r, row);
     unsigned lanes = 0;
 
     for (int i = 0; i < COLUMNS; i++)
@@ -201,13 +200,13 @@ static void push_hits(struct work *w, unsigned lanes, struct rays *r, struct que
     for (int i = 0; i < COLUMNS; i++)
         vstore(number[i], *hit_column(r, q, i));
     for (; lanes; lanes &= lanes - 1)
-        keep_item(&w->hits[w->hit_count++], number, r, __builtin_ctz(lanes));
+        enqueue(&w->hits[w->hit_count++], number, r, __builtin_ctz(lanes));
 }
 
 static unsigned pop_hits(struct work *w, struct rays *r, struct query *q)
 {
     const double *row[LANES];
-    int taken = take_items(w->hits, &w->hit_count, r, row);
+    int taken = dequeue(w->hits, &w->hit_count, r, row);
     unsigned lanes = 0;
 
     for (int i = 0; i < COLUMNS; i++)

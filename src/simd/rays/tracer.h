@@ -228,7 +228,7 @@ static void trace(struct sure_block *b, void *memory)
     for (int from = 0; from < count && !cancel->stopped; from += LANES) {
         unsigned lanes = first_rays(w, from, count, r);
         follow(w, r, lanes);
-        while (w->count > MANY && !cancel->stopped)
+        while (w->count > QUEUE_FULL && !cancel->stopped)
             go_on_with(w, r);
     }
     while ((w->count || w->hit_count) && !cancel->stopped)
