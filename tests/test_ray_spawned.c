@@ -348,7 +348,7 @@ static void try_pass(struct used *u)
     static const struct sure_scene scene = {.bias = P2M(26)};
     static const struct media none[LANES];
     static struct sure_gather gather = {.scene = &scene};
-    static struct flight f = {.gather = &gather};
+    static struct path_state f = {.gather = &gather};
     struct real point = real_random(), viewer = real_random(), off = real_random();
     struct shade h = {.point = v3_of(point), .viewer = v3_of(viewer), .ep = some_size(20, 40)};
     struct paths p = {.specular = 0}, next;
@@ -359,7 +359,7 @@ static void try_pass(struct used *u)
     p.r.weight[0] = 1;
     next = p;
     pass_straight(&f, 1, &p, &next, &h, none);
-    CHECK_EQ(flight_pop(&f, &p), 1);
+    CHECK_EQ(path_pop(&f, &p), 1);
     viewer = real_along(real_of(h.viewer), off, h.ev * WITHIN);
     point = real_along(real_of(h.point), off, -h.ep * WITHIN);
     use(u, real_gap(real_along(point, viewer, -(long double)scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);

@@ -121,7 +121,7 @@ static void compare_sample(const struct sure_gather *g, int i)
 static void check_bounds(const struct tia_scene *scene)
 {
     static struct sure_gather g;
-    static struct flight flight;
+    static struct path_state flight;
     struct environment caller;
     struct simd_frames f;
 

@@ -9,7 +9,7 @@
 #include "light.h"
 
 /* What points see of an emitter. */
-struct sight {
+struct emitter_view {
     struct v3 to;
     vd eto, distance, edistance;
     struct ve density; /* of surfaces */
@@ -60,7 +60,8 @@ LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from
 }
 
 /* The way to a place with a normal that is turned to the point; `way` leads to where a shadow ray ends. */
-LANE_OP void see_place(struct sight *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine, vd *ecosine)
+LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine,
+                       vd *ecosine)
 {
     a->distance = vsqrt(v3_dot(way, way));
     a->edistance = e + a->distance * P2M(50) + UNIT;
@@ -75,7 +76,7 @@ LANE_OP void see_place(struct sight *a, struct v3 way, vd e, struct v3 normal, v
 
 /* A rectangle or a disc. */
 static void see_plane(const struct sure_scene *s, const struct sure_light *l, const struct sure_shine *shine,
-                      struct v3 from, vd efrom, const vu u[2], struct sight *a)
+                      struct v3 from, vd efrom, const vu u[2], struct emitter_view *a)
 {
     vd x, y, cosine, ecosine;
 
@@ -121,7 +122,7 @@ LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 
 }
 
 static void see_ball(const struct sure_scene *s, const double at[3], double radius, struct v3 from, vd efrom,
-                     const vu u[2], struct sight *a)
+                     const vu u[2], struct emitter_view *a)
 {
     struct v3 way = v3_sub(v3_set(at), from), local;
     vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51) + UNIT, d = vsqrt(v3_dot(way, way)), ed, part, en, ep;
@@ -149,7 +150,7 @@ static void see_ball(const struct sure_scene *s, const double at[3], double radi
 }
 
 /* A point, a spot or a directional light. */
-static void see_point(const struct sure_light *l, struct v3 from, vd efrom, struct sight *a)
+static void see_point(const struct sure_light *l, struct v3 from, vd efrom, struct emitter_view *a)
 {
     struct falloff f = {vset(1), vset(0), mnone()};
 
@@ -177,7 +178,7 @@ static void see_point(const struct sure_light *l, struct v3 from, vd efrom, stru
 }
 
 static void see_emitter(const struct sure_scene *s, const struct sure_emitter *e, struct v3 from, vd efrom,
-                        const vu u[2], struct sight *a)
+                        const vu u[2], struct emitter_view *a)
 {
     const struct sure_light *l = e->light == TIA_NO_OBJECT ? NULL : &s->lights[e->light];
 

@@ -2,11 +2,11 @@
 #ifndef TIA_SIMD_RAYS_ENDS_H
 #define TIA_SIMD_RAYS_ENDS_H
 
-#include "flight.h"
+#include "path_state.h"
 
 /* Products are rounded by half a unit each, sums are exact; those of 2^17 and more are cut, which is for the integers.
  */
-static void add_part(struct flight *f, unsigned lanes, const struct paths *p, const vd rgb[3], vd e)
+static void add_part(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3], vd e)
 {
     vd most = most3(rgb), thick = most3(p->r.weight) + p->r.ew;
     double part[3][LANES], error[LANES];
@@ -37,8 +37,8 @@ LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *
 }
 
 /* The integers multiply by the weight last: before that products of 2^17 and more are cut. */
-LANE_OP void add_weighted(struct flight *f, unsigned lanes, const struct paths *p, const vd rgb[3], struct ve weight,
-                          vm fine)
+LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3],
+                          struct ve weight, vm fine)
 {
     vd most = most3(rgb), part[3];
 
@@ -50,7 +50,8 @@ LANE_OP void add_weighted(struct flight *f, unsigned lanes, const struct paths *
 }
 
 /* Light number n, which these lanes see. */
-static void add_seen_light(struct flight *f, unsigned lanes, uint32_t n, const struct paths *p, const struct query *q)
+static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, const struct paths *p,
+                           const struct query *q)
 {
     const struct sure_scene *s = f->gather->scene;
     const struct sure_light *l = &s->lights[n];
@@ -73,7 +74,7 @@ static void add_seen_light(struct flight *f, unsigned lanes, uint32_t n, const s
 }
 
 /* Paths that end at no object. */
-static unsigned add_far_ends(struct flight *f, unsigned lanes, const struct paths *p, const struct query *q)
+static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
     const struct sure_scene *s = f->gather->scene;
     unsigned sky = lanes & mbits(vle(vset(INFINITE), q->t)),
@@ -96,7 +97,7 @@ static unsigned add_far_ends(struct flight *f, unsigned lanes, const struct path
 }
 
 /* What surfaces send by themselves. Emitting spheres of the scene are looked for as well. */
-static void add_glow(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
+static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                      const struct lobes *l)
 {
     const struct sure_scene *s = f->gather->scene;

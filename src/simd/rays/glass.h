@@ -2,7 +2,7 @@
 #ifndef TIA_SIMD_RAYS_GLASS_H
 #define TIA_SIMD_RAYS_GLASS_H
 
-#include "flight.h"
+#include "path_state.h"
 
 /* Throughputs times a material's constants. */
 LANE_OP void multiply_by(struct paths *p, const vd factor[3])
@@ -26,12 +26,12 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
 
 /* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
  * cut once stays too small, however little the path adds in the end. */
-LANE_OP unsigned uncut(struct flight *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
+LANE_OP unsigned uncut(struct path_state *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
 {
     return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
 }
 
-LANE_OP void keep_media(struct flight *f, unsigned lanes, const struct paths *p, const struct media media[LANES])
+LANE_OP void keep_media(struct path_state *f, unsigned lanes, const struct paths *p, const struct media media[LANES])
 {
     for (; lanes; lanes &= lanes - 1) {
         int k = __builtin_ctz(lanes);
@@ -41,7 +41,7 @@ LANE_OP void keep_media(struct flight *f, unsigned lanes, const struct paths *p,
 
 /* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput
  * ends; where the integers' has none and ours has a little, ours goes on and adds no more than the bound says. */
-LANE_OP void go_on(struct flight *f, unsigned lanes, const struct paths *p, struct paths *next,
+LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media *media)
 {
     lanes = uncut(f, lanes, next, p->r.slot) & mbits(vlt(vset(0), most3(next->r.weight)));
@@ -52,7 +52,7 @@ LANE_OP void go_on(struct flight *f, unsigned lanes, const struct paths *p, stru
     }
     if (media)
         keep_media(f, lanes, p, media);
-    flight_push(f, next, lanes);
+    path_push(f, next, lanes);
 }
 
 /* Which of the lanes reflect, as Fresnel's equations have it; `unsure` where the chance, cut to 32 bits, may lie on
@@ -81,7 +81,7 @@ static unsigned reflected_by(const struct refraction *r, const struct shade *h, 
 }
 
 /* Of equal indices on both sides nothing but the layers are counted. */
-static void pass_straight(struct flight *f, unsigned lanes, const struct paths *p, struct paths *next,
+static void pass_straight(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                           const struct shade *h, const struct media media[LANES])
 {
     const double bias = f->gather->scene->bias;
@@ -101,11 +101,11 @@ static void pass_straight(struct flight *f, unsigned lanes, const struct paths *
         passes |= (unsigned)(next->r.layers[k] <= TIA_LAYERS) << k & lanes;
     }
     keep_media(f, passes, p, media);
-    flight_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
+    path_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
 }
 
 /* See go_through of path.c. */
-static __attribute__((noinline)) void enter_glass(struct flight *f, unsigned lanes, const struct paths *p,
+static __attribute__((noinline)) void enter_glass(struct path_state *f, unsigned lanes, const struct paths *p,
                                                   const struct shade *h, const struct lobes *l, vu number)
 {
     const struct sure_scene *s = f->gather->scene;
@@ -120,7 +120,7 @@ static __attribute__((noinline)) void enter_glass(struct flight *f, unsigned lan
     refract(h, mof(lanes), q, part, &r);
     lanes = sure_of(f, lanes, r.unsure, p->r.slot);
     unsigned reflected = reflected_by(&r, h, lanes, number, &unsure), straight = mbits(r.straight) & lanes;
-    doubt(f, unsure, p->r.slot);
+    mark_unsure(f, unsure, p->r.slot);
     lanes &= ~unsure;
     multiply_by(&next, h->refraction);
     divide_by(&next, l->chance[CHANCE_GLASS], mof(lanes));

@@ -29,6 +29,6 @@ LANE_OP double two_floats(const float *p)
 #define SURE(simd)                                                                                                     \
     extern const struct sure_kernels tia_sure_##simd;                                                                  \
     const struct sure_kernels tia_sure_##simd = {trace,      set_pixels,          occlude,                             \
-                                                 walk_paths, sizeof(struct work), sizeof(struct flight)}
+                                                 walk_paths, sizeof(struct work), sizeof(struct path_state)}
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "ends.h"
 
-LANE_OP void merge_sights(vm m, const struct sight *one, struct sight *a)
+LANE_OP void merge_sights(vm m, const struct emitter_view *one, struct emitter_view *a)
 {
     a->to = v3_sel(m, one->to, a->to);
     a->eto = vsel(m, one->eto, a->eto);
@@ -18,11 +18,11 @@ LANE_OP void merge_sights(vm m, const struct sight *one, struct sight *a)
 }
 
 /* Each emitter that a lane has chosen is looked at once. *surface: lanes of those that have one. */
-static void find_sights(struct flight *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
+static void find_sights(struct path_state *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
                         const vu u[2], vd radiance[3], unsigned *surface)
 {
     const struct sure_scene *s = f->gather->scene;
-    struct sight *a = &f->sight, *one = &f->other;
+    struct emitter_view *a = &f->sight, *one = &f->other;
     unsigned same;
 
     *surface = 0;
@@ -44,8 +44,8 @@ static void find_sights(struct flight *f, unsigned lanes, const uint32_t which[L
 }
 
 /* Reflectance times radiance over the sum of the densities with which this place could have been chosen. */
-static void add_sights(struct flight *f, unsigned lanes, const struct paths *p, const struct response *r,
-                       const struct sight *a, const vd radiance[3], unsigned surface)
+static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct response *r,
+                       const struct emitter_view *a, const vd radiance[3], unsigned surface)
 {
     const double one_of = f->gather->scene->paths->one_of;
     vm m = mof(surface);
@@ -66,7 +66,7 @@ static void add_sights(struct flight *f, unsigned lanes, const struct paths *p, 
 }
 
 /* Which emitter each lane looks at, and the numbers of a place on it. */
-LANE_OP void choose_emitters(const struct flight *f, const struct paths *p, uint32_t which[LANES], vu u[2])
+LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, uint32_t which[LANES], vu u[2])
 {
     uint64_t count = f->gather->scene->paths->emitter_count;
     struct quads quads = path_quads(f, p, 0);
@@ -79,13 +79,13 @@ LANE_OP void choose_emitters(const struct flight *f, const struct paths *p, uint
 }
 
 /* What one of the emitters sends to the surface. Returns the lanes that are sure. */
-static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
+static unsigned look_for_lights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                                 const struct lobes *l)
 {
     const struct sure_scene *s = f->gather->scene;
     uint32_t which[LANES], ends[LANES];
     unsigned rough = 0, surface;
-    const struct sight *a = &f->sight;
+    const struct emitter_view *a = &f->sight;
     struct response *r = &f->response;
     struct shadow *shadow = &f->shadow;
     vd radiance[3];
@@ -103,7 +103,7 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
     unsigned unsure = rough & mbits(open);
-    doubt(f, unsure, p->r.slot);
+    mark_unsure(f, unsure, p->r.slot);
     lanes &= ~unsure;
     rough &= ~unsure & ~mbits(none);
     if (!rough)
@@ -120,7 +120,7 @@ static unsigned look_for_lights(struct flight *f, unsigned lanes, const struct p
     find_hidden(s, &f->room, shadow, rough, ends, &f->blocker);
     (void)cancelled(&f->gather->cancel, shadow->work);
     unsure = rough & mbits(shadow->unsure);
-    doubt(f, unsure, p->r.slot);
+    mark_unsure(f, unsure, p->r.slot);
     lanes &= ~unsure;
     rough &= ~unsure & ~mbits(shadow->blocked);
     if (!rough)

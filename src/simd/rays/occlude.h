@@ -2,10 +2,10 @@
 #ifndef TIA_SIMD_RAYS_OCCLUDE_H
 #define TIA_SIMD_RAYS_OCCLUDE_H
 
-#include "flight.h"
+#include "path_state.h"
 
 /* Ambient occlusion: decisions alone. */
-static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, const struct quads *first)
+static void occlude_packet(struct path_state *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;
     struct shadow *shadow = &f->shadow;
@@ -39,7 +39,7 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
         find_hidden(s, &f->room, shadow, open, NULL, &f->blocker);
         (void)cancelled(&f->gather->cancel, shadow->work);
     }
-    doubt(f, open & mbits(shadow->unsure), p->r.slot);
+    mark_unsure(f, open & mbits(shadow->unsure), p->r.slot);
     below |= open & mbits(shadow->blocked);
     for (int k = 0; below >> k; k++)
         for (int c = 0; c < 3 && (below >> k & 1); c++)
@@ -48,12 +48,12 @@ static void occlude_packet(struct flight *f, struct paths *p, unsigned lanes, co
 
 static void occlude(struct sure_gather *g, void *memory)
 {
-    struct flight *f = memory;
+    struct path_state *f = memory;
     struct quads first;
 
-    flight_open(f, g);
+    path_open(f, g);
     for (int from = 0; from < g->count && !g->cancel.stopped; from += LANES) {
-        unsigned lanes = flight_start(f, from, &f->paths, &first);
+        unsigned lanes = path_start(f, from, &f->paths, &first);
         occlude_packet(f, &f->paths, lanes, &first);
     }
 }

@@ -9,7 +9,7 @@
 
 /* Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits, and must be the same all over
  * m +- ew where the path survives. */
-static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
+static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
 {
     const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
     vd most = most3(p->r.weight), e = p->r.ew + UNIT, low = (most - e) * all, high = vfloor((most + e) * all);
@@ -30,7 +30,7 @@ static unsigned survivors(struct flight *f, unsigned lanes, struct paths *p)
 }
 
 /* The numbers of directions are those of the first quad at the first bounce, and that may come after layers. */
-LANE_OP void direction_numbers(const struct flight *f, const struct paths *p, vu u[2])
+LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
     uint32_t quad[LANES];
 
@@ -42,7 +42,7 @@ LANE_OP void direction_numbers(const struct flight *f, const struct paths *p, vu
 }
 
 /* Paths that go on by Lambert's law or Phong's lobe. */
-static __attribute__((noinline)) void scatter_paths(struct flight *f, unsigned lanes, unsigned shiny,
+static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsigned lanes, unsigned shiny,
                                                     const struct paths *p, const struct shade *h, const struct lobes *l)
 {
     vu u[2];
@@ -87,7 +87,7 @@ static __attribute__((noinline)) void scatter_paths(struct flight *f, unsigned l
     go_on(f, lanes, p, &next, NULL);
 }
 
-static __attribute__((noinline)) void reflect_paths(struct flight *f, unsigned lanes, const struct paths *p,
+static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsigned lanes, const struct paths *p,
                                                     const struct shade *h, const struct lobes *l)
 {
     struct paths next = *p;
@@ -104,7 +104,7 @@ static __attribute__((noinline)) void reflect_paths(struct flight *f, unsigned l
 }
 
 /* Each path takes one of its surface's lobes. */
-static void bounce_paths(struct flight *f, unsigned lanes, const struct paths *p, const struct shade *h,
+static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                          struct lobes *l)
 {
     unsigned mirror = 0, glass = 0, shiny = 0, rough = 0;
@@ -139,7 +139,7 @@ static void bounce_paths(struct flight *f, unsigned lanes, const struct paths *p
 }
 
 /* Lanes whose paths end at their surface; and those whose lobes are not known. */
-static unsigned going_on(struct flight *f, unsigned lanes, const struct paths *p, const struct lobes *l)
+static unsigned going_on(struct path_state *f, unsigned lanes, const struct paths *p, const struct lobes *l)
 {
     unsigned black = 0, unknown = 0;
 
@@ -147,11 +147,11 @@ static unsigned going_on(struct flight *f, unsigned lanes, const struct paths *p
         black |= (unsigned)(l->of[k]->black || p->r.depth[k] >= f->gather->scene->paths->bounces) << k;
         unknown |= (unsigned)!l->of[k]->known << k;
     }
-    doubt(f, lanes & unknown & ~black, p->r.slot);
+    mark_unsure(f, lanes & unknown & ~black, p->r.slot);
     return lanes & ~(black | unknown);
 }
 
-static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
+static void step_paths(struct path_state *f, struct paths *p, unsigned lanes)
 {
     const struct sure_scene *s = f->gather->scene;
     struct query *q = &f->query;
@@ -184,20 +184,20 @@ static void step_paths(struct flight *f, struct paths *p, unsigned lanes)
 
 static void walk_paths(struct sure_gather *g, void *memory)
 {
-    struct flight *f = memory;
+    struct path_state *f = memory;
     struct paths *p = &f->paths;
     struct quads first;
     int from = 0;
 
-    flight_open(f, g);
+    path_open(f, g);
     while (!g->cancel.stopped) {
         if (from < g->count && f->count[fullest(f)] < LANES) {
-            unsigned lanes = flight_start(f, from, p, &first);
+            unsigned lanes = path_start(f, from, p, &first);
             step_paths(f, p, lanes);
             from += LANES;
             continue;
         }
-        unsigned lanes = flight_pop(f, p);
+        unsigned lanes = path_pop(f, p);
         if (!lanes)
             return;
         step_paths(f, p, lanes);

@@ -1,16 +1,16 @@
-/* flight.h - the samples of a block while they are followed: each has one ray that waits, at most. */
-#ifndef TIA_SIMD_RAYS_FLIGHT_H
-#define TIA_SIMD_RAYS_FLIGHT_H
+/* path_state.h - the samples of a block while they are followed: each has one ray that waits, at most. */
+#ifndef TIA_SIMD_RAYS_PATH_STATE_H
+#define TIA_SIMD_RAYS_PATH_STATE_H
 
 #include "render/path/path.h"
 #include "scatter.h"
 #include "tracer.h"
 
-#define FLIGHT_COLUMNS 17
+#define PATH_COLUMNS 17
 
 /* A ray that waits; the media that it is in stay here while it is followed. */
 struct queued_path {
-    double number[FLIGHT_COLUMNS];
+    double number[PATH_COLUMNS];
     uint32_t bounce, layers;
     bool specular;
     struct media media;
@@ -27,12 +27,12 @@ struct paths {
     unsigned specular;
 };
 
-struct flight {
+struct path_state {
     struct room room; /* this and what follows are one packet's, too large for a stack */
     struct query query;
     struct shade shade;
     struct lobes lobes;
-    struct sight sight, other;
+    struct emitter_view sight, other;
     struct shadow shadow;
     struct response response;
     struct paths paths;
@@ -44,10 +44,10 @@ struct flight {
     int count[OCTANTS];
 };
 
-LANE_OP vd *flight_column(struct paths *p, int i)
+LANE_OP vd *path_column(struct paths *p, int i)
 {
     struct pack *ray = &p->r.p;
-    vd *const column[FLIGHT_COLUMNS] = {
+    vd *const column[PATH_COLUMNS] = {
         &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,      &ray->d.z,
         &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,       &p->r.ew,
         &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.side};
@@ -55,7 +55,7 @@ LANE_OP vd *flight_column(struct paths *p, int i)
     return column[i];
 }
 
-LANE_OP void doubt(struct flight *f, unsigned lanes, const uint32_t slot[LANES])
+LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t slot[LANES])
 {
     for (int k = 0; lanes >> k; k++)
         if (lanes >> k & 1)
@@ -63,20 +63,20 @@ LANE_OP void doubt(struct flight *f, unsigned lanes, const uint32_t slot[LANES])
 }
 
 /* Leaves the lanes that are sure. */
-LANE_OP unsigned sure_of(struct flight *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
+LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
 {
     unsigned gone = lanes & mbits(unsure);
 
-    doubt(f, gone, slot);
+    mark_unsure(f, gone, slot);
     return lanes & ~gone;
 }
 
-LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
+LANE_OP void path_push(struct path_state *f, struct paths *next, unsigned lanes)
 {
-    double number[FLIGHT_COLUMNS][LANES];
+    double number[PATH_COLUMNS][LANES];
 
-    for (int i = 0; i < FLIGHT_COLUMNS; i++)
-        vstore(number[i], *flight_column(next, i));
+    for (int i = 0; i < PATH_COLUMNS; i++)
+        vstore(number[i], *path_column(next, i));
     for (int k = 0; lanes >> k; k++) {
         if (!(lanes >> k & 1))
             continue;
@@ -84,7 +84,7 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
         struct queued_path *to = &f->ray[slot];
         unsigned octant =
             (unsigned)(number[3][k] < 0) | (unsigned)(number[4][k] < 0) << 1 | (unsigned)(number[5][k] < 0) << 2;
-        for (int i = 0; i < FLIGHT_COLUMNS; i++)
+        for (int i = 0; i < PATH_COLUMNS; i++)
             to->number[i] = number[i][k];
         to->bounce = next->r.depth[k];
         to->layers = next->r.layers[k];
@@ -93,7 +93,7 @@ LANE_OP void flight_push(struct flight *f, struct paths *next, unsigned lanes)
     }
 }
 
-static int fullest(const struct flight *f)
+static int fullest(const struct path_state *f)
 {
     int most = 0;
 
@@ -103,9 +103,9 @@ static int fullest(const struct flight *f)
 }
 
 /* Takes as many rays as there are lanes, those of one octant first; the lanes. */
-static unsigned flight_pop(struct flight *f, struct paths *p)
+static unsigned path_pop(struct path_state *f, struct paths *p)
 {
-    static const double none[FLIGHT_COLUMNS];
+    static const double none[PATH_COLUMNS];
     const double *row[LANES];
     int octant = fullest(f), taken = 0;
 
@@ -124,12 +124,12 @@ static unsigned flight_pop(struct flight *f, struct paths *p)
         p->specular |= (unsigned)from->specular << taken;
         octant = f->count[octant] ? octant : fullest(f);
     }
-    for (int i = 0; i < FLIGHT_COLUMNS; i++)
-        *flight_column(p, i) = vgather(row, i);
+    for (int i = 0; i < PATH_COLUMNS; i++)
+        *path_column(p, i) = vgather(row, i);
     return (1u << taken) - 1;
 }
 
-LANE_OP struct quads quads_of_paths(const struct flight *f, const uint32_t slot[LANES], const uint32_t quad[LANES])
+LANE_OP struct quads quads_of_paths(const struct path_state *f, const uint32_t slot[LANES], const uint32_t quad[LANES])
 {
 #define SEED(k) f->seed[slot[k]]
 #define INDEX(k) f->gather->index[slot[k]]
@@ -140,7 +140,7 @@ LANE_OP struct quads quads_of_paths(const struct flight *f, const uint32_t slot[
 
 /* Quads of bounces: 0 for a place on a light and the next direction, 1 for choices. What no lane asks for is not
  * computed. */
-LANE_OP struct quads path_quads(const struct flight *f, const struct paths *p, uint32_t which)
+LANE_OP struct quads path_quads(const struct path_state *f, const struct paths *p, uint32_t which)
 {
     uint32_t quad[LANES];
 
@@ -149,7 +149,7 @@ LANE_OP struct quads path_quads(const struct flight *f, const struct paths *p, u
     return quads_of_paths(f, p->r.slot, quad);
 }
 
-LANE_OP vu path_choice(const struct flight *f, const struct paths *p, unsigned dimension)
+LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsigned dimension)
 {
     struct quads quads = path_quads(f, p, 1);
 
@@ -158,7 +158,7 @@ LANE_OP vu path_choice(const struct flight *f, const struct paths *p, unsigned d
 
 /* First rays, by the integers: their window has 2^-45 as unit too, and is small, so that a bound on how they round it
  * would be the largest one of all. */
-static void first_paths(const struct flight *f, struct paths *p, const struct quads *first)
+static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
     double o[3][LANES], d[3][LANES];
@@ -187,7 +187,7 @@ static void first_paths(const struct flight *f, struct paths *p, const struct qu
 }
 
 /* Starts up to LANES samples, from number `from` on; the lanes. *first: their first quads. */
-static unsigned flight_start(struct flight *f, int from, struct paths *p, struct quads *first)
+static unsigned path_start(struct path_state *f, int from, struct paths *p, struct quads *first)
 {
     const struct sure_gather *g = f->gather;
     uint32_t quad[LANES];
@@ -208,7 +208,7 @@ static unsigned flight_start(struct flight *f, int from, struct paths *p, struct
     return lanes;
 }
 
-static void flight_open(struct flight *f, struct sure_gather *g)
+static void path_open(struct path_state *f, struct sure_gather *g)
 {
     uint32_t seed = g->scene->view->scene->integration.seed;
 
