@@ -226,10 +226,10 @@ static struct ray edge_ray(struct real3 origin, long double gap)
 }
 
 /* The ray as doubles have it: off by up to eo and ed. */
-static struct pack moved(const struct ray *ray, double eo, double ed)
+static struct packet moved(const struct ray *ray, double eo, double ed)
 {
     struct real3 o = random_unit(), d = random_unit();
-    struct pack p = {.eo = eo + P2M(50), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
+    struct packet p = {.eo = eo + P2M(50), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
     double at[3], to[3], length;
 
     sure_point(at, ray->origin);

@@ -77,7 +77,7 @@ static double object_of(const struct hit *hit)
 }
 
 /* What the ray meets: false when that is not sure. */
-static bool compare_hit(const struct ray *ray, struct pack *p, struct query *q, struct hit *hit)
+static bool compare_hit(const struct ray *ray, struct packet *p, struct query *q, struct hit *hit)
 {
     double at[3];
 
@@ -102,7 +102,7 @@ static bool compare_hit(const struct ray *ray, struct pack *p, struct query *q, 
 }
 
 /* Whether light comes from a place close to what the ray meets. */
-static void compare_shadow(const struct ray *ray, const struct pack *p, double distance, double e)
+static void compare_shadow(const struct ray *ray, const struct packet *p, double distance, double e)
 {
     struct shadow shadow = {.p = *p, .distance = distance + e * random_double(), .edistance = e};
     num_length through[3], limit = (num_length)(distance / UNIT);
@@ -172,7 +172,7 @@ static void compare_rays(const struct queued *item, const struct ray *ray, const
         use(BOUNCE, fabs(sure_length(throughput[c]) - n[6 + c]), n[11]);
 }
 
-static void compare_bounces(const struct pack *p, const struct shade *h, const struct shading *shading)
+static void compare_bounces(const struct packet *p, const struct shade *h, const struct shading *shading)
 {
     const struct media none = {.count = 0};
     static struct work w;
@@ -212,7 +212,7 @@ static void compare_leaving(const struct shade *h, const struct shading *shading
 {
     struct ray ray = {num_point_at(shading->point, shading->geometric, sign > 0 ? view->bias : -view->bias),
                       grazing(h->geometric)};
-    struct pack p = moved(&ray, 0, random_size(10, 40));
+    struct packet p = moved(&ray, 0, random_size(10, 40));
     struct query q;
     struct hit hit;
 
@@ -222,7 +222,7 @@ static void compare_leaving(const struct shade *h, const struct shading *shading
         (void)compare_hit(&ray, &p, &q, &hit);
 }
 
-static void compare(const struct ray *ray, struct pack *p)
+static void compare(const struct ray *ray, struct packet *p)
 {
     struct path path = {.view = view, .class = (unsigned)random_bits() % 16, .next_reached = PATH_REACHED};
     struct shading shading;
@@ -258,7 +258,7 @@ static void check_world(const struct world *world, int rays)
         struct real3 origin = random3(unit * (random_bits() % 2 ? 1.5L : 5));
         struct ray ray = edge_ray(origin, (long double)(size * fabs(random_double())));
         for (int k = 0; k < 4; k++) {
-            struct pack p = moved(&ray, eo * (double)unit, ed);
+            struct packet p = moved(&ray, eo * (double)unit, ed);
             compare(&ray, &p);
         }
     }

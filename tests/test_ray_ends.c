@@ -100,11 +100,11 @@ static struct real3 real3_of(const double v[3], long double by)
 }
 
 /* The ray as doubles have it: its ends moved by up to eo and turned by up to ed. */
-static void move(const struct end *end, const struct ray *ray, double part, struct pack *p)
+static void move(const struct end *end, const struct ray *ray, double part, struct packet *p)
 {
     double at[3], to[3], length = 0, eo = end->eo * part * (double)unit, ed = end->ed * part;
 
-    *p = (struct pack){.eo = eo + P2M(44), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
+    *p = (struct packet){.eo = eo + P2M(44), .ed = ed * 1.0001 + P2M(50), .from = {-1, 0, 0}};
     sure_point(at, ray->origin);
     sure_dir(to, ray->direction);
     for (int i = 0; i < 3; i++) {
@@ -129,7 +129,7 @@ static void check_end(const struct end *end, struct used *distances)
     struct ray ray = {place(real3_of(end->o, unit)), towards(real3_of(end->d, 1))};
     meet(&ray, &hit);
     for (int i = 0; i <= 1024; i++) {
-        struct pack p;
+        struct packet p;
         struct query q;
         move(end, &ray, i / 1024.0, &p);
         find_nearest(scene, &lights.room, &q, &p, 1);

@@ -8,7 +8,7 @@
 struct tried {
     double half[3];
     struct sure_face face;
-    struct pack pack;
+    struct packet packet;
 };
 
 static double some_corner(double half)
@@ -24,8 +24,8 @@ static void some_tried(struct tried *t)
         t->half[i] = ldexp(1 + some_part(), -(int)(random_bits() % 6));
     for (int k = 0; k < 9; k++)
         t->face.at[k / 3][k % 3] = some_corner(t->half[k % 3]);
-    t->pack.d = v3_of(real_random());
-    t->pack.o = v3_scale(v3_of(real_random()), 4 * some_part());
+    t->packet.d = v3_of(real_random());
+    t->packet.o = v3_scale(v3_of(real_random()), 4 * some_part());
 }
 
 /* Something of it, by much or by next to nothing. */
@@ -41,14 +41,14 @@ static void change(struct tried *t)
         *at = fabs(to) <= t->half[k % 3] ? to : *at;
         break;
     case 1:
-        t->pack.d = v3_of(real_unit(real_of(v3_add(t->pack.d, off))));
+        t->packet.d = v3_of(real_unit(real_of(v3_add(t->packet.d, off))));
         break;
     default:
-        t->pack.o = v3_add(t->pack.o, off);
+        t->packet.o = v3_add(t->packet.o, off);
     }
 }
 
-static long double area_of(const struct sure_face *f, int edge, const struct pack *p)
+static long double area_of(const struct sure_face *f, int edge, const struct packet *p)
 {
     const double *from = f->at[edge], *to = f->at[(edge + 1) % 3];
     struct real a = {{from[0], from[1], from[2]}}, b = {{to[0], to[1], to[2]}}, o = real_of(p->o);
@@ -69,11 +69,11 @@ static double used_by(const struct tried *t)
 
     tree.extent = t->half[0] + t->half[1] + t->half[2];
     (void)tia_sure_set_pairs(&made, &node, &tree);
-    lines_of(&l, &t->pack, &tree);
+    lines_of(&l, &t->packet, &tree);
     vp a = pair_edge(&l, pair->edge[0]), b = pair_edge(&l, pair->edge[1]), c = pair_dot(l.way, pair->whole) - a - b;
     const float area[3] = {a[0], b[0], c[0]}, e = (l.off + l.by * vp_load(pair->size))[0];
     for (int i = 0; i < 3; i++)
-        most = fmax(most, fabs((double)(area_of(&t->face, i, &t->pack) - (long double)area[i])) / (double)e);
+        most = fmax(most, fabs((double)(area_of(&t->face, i, &t->packet) - (long double)area[i])) / (double)e);
     return most;
 }
 

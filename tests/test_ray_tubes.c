@@ -65,7 +65,7 @@ static void some_passing(struct passing *p)
     p->theirs[1] = real_turned(p->d, some_way(&p->d), p->ed * WITHIN);
 }
 
-static void meet_tube(const struct passing *p, struct pack *pack, struct query *q)
+static void meet_tube(const struct passing *p, struct packet *packet, struct query *q)
 {
     static const struct sure_round round = {.axis = {0, 0, 1},
                                             .across = {{1, 0, 0}, {0, 1, 0}},
@@ -76,20 +76,20 @@ static void meet_tube(const struct passing *p, struct pack *pack, struct query *
                                             .top_radius = 1,
                                             .cosine = 1};
 
-    *pack = (struct pack){.o = v3_of(p->o), .d = v3_of(p->d), .eo = p->eo, .ed = p->ed, .from = {-1, 0, 0}};
+    *packet = (struct packet){.o = v3_of(p->o), .d = v3_of(p->d), .eo = p->eo, .ed = p->ed, .from = {-1, 0, 0}};
     *q = (struct query){
-        .p = pack, .active = 1, .limit = INFINITE, .t = INFINITE, .low = INFINITE, .id = -1, .element = -1};
+        .p = packet, .active = 1, .limit = INFINITE, .t = INFINITE, .low = INFINITE, .id = -1, .element = -1};
     meet_cylinder(q, &round);
 }
 
 static void try_tube(struct used *ends, struct used *points)
 {
     struct passing p;
-    struct pack pack;
+    struct packet packet;
     struct query q;
 
     some_passing(&p);
-    meet_tube(&p, &pack, &q);
+    meet_tube(&p, &packet, &q);
     if (q.t >= INFINITE || !(q.t + q.e < q.low)) {
         ends->open++;
         return;
@@ -100,7 +100,7 @@ static void try_tube(struct used *ends, struct used *points)
     bool first = q.t < -p.start / p.d.v[0];
     long double t = (-(o[0] * d[0] + o[1] * d[1]) + (first ? -1 : 1) * sqrtl(root)) / square;
     use(ends, t - q.t, q.e);
-    use(points, real_gap(real_along(p.theirs[0], p.theirs[1], t), v3_along(pack.o, pack.d, q.t)), q.ep);
+    use(points, real_gap(real_along(p.theirs[0], p.theirs[1], t), v3_along(packet.o, packet.d, q.t)), q.ep);
 }
 
 TEST(moved_rays)
@@ -170,7 +170,7 @@ static struct ray grazing_ray(const struct thin *c, long double away)
 /* The same in doubles, which have its origin as it is and its direction rounded. */
 static void try_exact(const struct ray *ray, struct used *ends, struct used *points)
 {
-    struct pack p = {.ed = EPS, .from = {-1, 0, 0}};
+    struct packet p = {.ed = EPS, .from = {-1, 0, 0}};
     double at[3];
     struct query q;
     struct hit hit;

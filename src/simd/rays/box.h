@@ -15,12 +15,12 @@ struct slab_times {
     vm back;
 };
 
-LANE_OP vd plane_bound(const struct pack *p, vd t, vd round, vd over)
+LANE_OP vd plane_bound(const struct packet *p, vd t, vd round, vd over)
 {
     return (p->eo + round + vabs(t) * (p->ed + SURE_SLAB * EPS)) * over + UNIT;
 }
 
-LANE_OP struct slab_times slab_times_of(const struct pack *p, vd o, vd d, vd inv, double min, double max, vd reach)
+LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd inv, double min, double max, vd reach)
 {
     vd size = vabs(d), round = (vabs(o) + vset(__builtin_fabs(min) + __builtin_fabs(max))) * (4 * EPS) + 2 * UNIT;
     vm steep = vlt(64 * p->ed + vset(P2M(24)), size);
@@ -70,7 +70,7 @@ LANE_OP vd comes_back(const struct slab_times s[3], vd axis)
 
 LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
     struct v3 centre = {vset((min[0] + max[0]) / 2), vset((min[1] + max[1]) / 2), vset((min[2] + max[2]) / 2)};
     vd reach = v3_sum(v3_sub(p->o, centre)) + vset((max[0] - min[0] + max[1] - min[1] + max[2] - min[2]) / 2);

@@ -53,7 +53,7 @@
  * of pad at least. */
 LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 across = v3_cross(p->d, v3_set(k->axis));
     vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))), widest = vset(k->base_radius) + p->pad;
     vd sure = vmax(aside - p->pad * P2M(24), vset(0));
@@ -88,7 +88,7 @@ LANE_OP vd eta_of(vd radius, vd lambda)
  * - (p x y)^2/f^2. False: all miss. */
 LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct tube *b)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 o = v3_sub(p->o, v3_set(k->base)), a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     struct v3 axis = v3_set(k->axis);
     vd p0 = v3_dot(o, a0), p1 = v3_dot(o, a1), y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1), l1 = v3_sum(o);

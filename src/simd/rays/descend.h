@@ -11,20 +11,20 @@ struct child {
 };
 
 /* A child that waits, and which bits are its lanes. */
-struct waiting {
+struct pending {
     vp near;
     unsigned lanes;
     struct child child;
 };
 
 /* A child that is visited. */
-struct visit {
+struct node_ref {
     struct child child;
     const vp *near;
 };
 
 /* What a packet still looks for. Of each lane there are two bits, as there are floats of a `vp`. */
-struct outlook {
+struct search {
     vd farthest;
     vp limit;
     unsigned active;
@@ -48,7 +48,7 @@ LANE_OP unsigned half(unsigned bits)
     return (bits | bits >> 4) & 0xff;
 }
 
-LANE_OP void look(struct outlook *w, const struct query *q)
+LANE_OP void search_begin(struct search *w, const struct query *q)
 {
     w->farthest = q->limit;
     w->limit = vp_of(up(q->limit));
@@ -57,21 +57,21 @@ LANE_OP void look(struct outlook *w, const struct query *q)
 
 /* After a leaf: what is farther than now known does not count. Mostly nothing is new, so that the branch is less than
  * what it saves the next node from waiting for. */
-LANE_OP void look_again(struct outlook *w, const struct query *q)
+LANE_OP void search_update(struct search *w, const struct query *q)
 {
     if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
-        look(w, q);
+        search_begin(w, q);
 }
 
 /* Called for 0 or for 1, in branches: they are foreseen, where an index that is computed is waited for. */
-LANE_OP void visit(struct child *to, const struct sure_node *n, int place)
+LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
 {
     *to = (struct child){n->index[place], n->count[place], place};
 }
 
 /* Goes to the child that more lanes enter first; the other one waits, at `other`, if it is entered. -1: none is, else
  * whether one waits. */
-LANE_OP int descend(struct visit *v, const struct outlook *w, vp *near, struct waiting *other,
+LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct pending *other,
                     const struct sure_tree *tree, const struct query *q)
 {
     const struct sure_node *n = &tree->nodes[v->child.index];
@@ -91,25 +91,25 @@ LANE_OP int descend(struct visit *v, const struct outlook *w, vp *near, struct w
         other->near = in;
         other->lanes = lanes & EVEN << !turn;
         if (turn)
-            visit(&other->child, n, 0);
+            child_of(&other->child, n, 0);
         else
-            visit(&other->child, n, 1);
+            child_of(&other->child, n, 1);
     }
     if (turn)
-        visit(&v->child, n, 1);
+        child_of(&v->child, n, 1);
     else
-        visit(&v->child, n, 0);
+        child_of(&v->child, n, 0);
     v->near = near;
     return first && second;
 }
 
 /* The next child that waits and is still of use; returns how many wait behind it, -1: there is none. */
-LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waiting *stack, int depth)
+LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pending *stack, int depth)
 {
     while (depth > 0 && w->active) {
-        const struct waiting *next = &stack[--depth];
+        const struct pending *next = &stack[--depth];
         if (next->lanes & w->active & vp_le(next->near, w->limit)) {
-            *v = (struct visit){next->child, &next->near};
+            *v = (struct node_ref){next->child, &next->near};
             return depth;
         }
     }
@@ -121,22 +121,22 @@ LANE_OP int resume(struct visit *v, const struct outlook *w, const struct waitin
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \
     {                                                                                                                  \
-        struct waiting *restrict stack = q->room->waits;                                                               \
-        struct visit v = {.child = {.count = SURE_INNER}};                                                             \
-        struct outlook w;                                                                                              \
+        struct pending *restrict stack = q->room->waits;                                                               \
+        struct node_ref v = {.child = {.count = SURE_INNER}};                                                          \
+        struct search w;                                                                                               \
         int depth = 0, more = 0;                                                                                       \
         vp near;                                                                                                       \
                                                                                                                        \
         if (!tree->node_count)                                                                                         \
             return;                                                                                                    \
-        look(&w, q);                                                                                                   \
+        search_begin(&w, q);                                                                                           \
         do {                                                                                                           \
             while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
                 depth += more;                                                                                         \
             if (v.child.count != SURE_INNER) {                                                                         \
                 q->work += v.child.count;                                                                              \
                 leaf(s, tree, &v, q);                                                                                  \
-                look_again(&w, q);                                                                                     \
+                search_update(&w, q);                                                                                  \
             }                                                                                                          \
         } while ((depth = resume(&v, &w, stack, depth)) >= 0);                                                         \
     }

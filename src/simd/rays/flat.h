@@ -12,7 +12,7 @@ struct flat {
     vd t, e;
 };
 
-LANE_OP struct flat flat_meet(const struct pack *p, struct v3 n, struct v3 way, vd round, vd more)
+LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way, vd round, vd more)
 {
     vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + SURE_WAY * EPS;
     struct flat f;
@@ -49,7 +49,7 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
 
 /* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former
  * keep the integers' quotient from being rounded to 0. */
-LANE_OP vm flat_behind(const struct pack *p, struct v3 n, struct v3 way, vd round)
+LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd round)
 {
     vd slope = v3_dot(p->d, n), turn = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
     vd eheight = p->eo + round + 4 * UNIT;
@@ -78,7 +78,7 @@ LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 /* Within the radius of the centre: |O + t D - C| is within ep. */
 LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, double radius, vd element)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
     vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(50) + vabs(f->t) * p->ed;
     vd r = vset(radius), square = v3_dot(at, at), less = vmax(r - e, vset(0)), more = r + e;
@@ -100,7 +100,7 @@ LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
 /* A rectangle light: |p.across| against the reach. */
 LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const struct flat *f, struct v3 way)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
     vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(49) + vabs(f->t) * p->ed;
     vd a = vabs(v3_dot(at, v3_set(l->across[0]))), b = vabs(v3_dot(at, v3_set(l->across[1])));

@@ -37,7 +37,8 @@ LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
 }
 
 /* As set_axis of grid_ray.h. */
-LANE_OP vm set_grid_axis(struct grid_axis *x, const struct pack *p, const struct sure_grid *grid, int i, double stride)
+LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const struct sure_grid *grid, int i,
+                         double stride)
 {
     const vd o = i == 0 ? p->o.x : i == 1 ? p->o.y : p->o.z, d = i == 0 ? p->d.x : i == 1 ? p->d.y : p->d.z;
     double far = grid->edge * grid->from->size[i];
@@ -148,7 +149,7 @@ LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
 }
 
 /* The first cells, and what is hit where rays enter. */
-LANE_OP void start_grids(struct grid_walk *g, const struct pack *p, vm lanes, const struct grid_entry *entry)
+LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, const struct grid_entry *entry)
 {
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
     const vm enters[3] = {mand(entry->first, mnot(entry->inside)), mand(entry->second, mnot(entry->inside)),
@@ -247,7 +248,7 @@ LANE_OP void step_grids(struct grid_walk *g, vd limit)
 /* One lane by itself. */
 static void walk_alone(struct grid_walk *g, const struct query *q, int k)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
     struct cell_walk w = {
         .grid = g->grid, .eo = lane_of(p->eo, k), .ed = lane_of(p->ed, k), .limit = lane_of(q->limit, k)};
@@ -281,7 +282,7 @@ static void walk_alone(struct grid_walk *g, const struct query *q, int k)
 
 static __attribute__((noinline)) void meet_grid(struct query *q, const struct sure_grid *grid, struct grid_walk *g)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     const struct tia_grid *from = grid->from;
     const double stride[3] = {1, from->size[0], (double)from->size[0] * from->size[1]};
     struct grid_entry entry;

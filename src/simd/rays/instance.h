@@ -19,12 +19,12 @@
 #include "slabs.h"
 
 struct placed {
-    struct pack p;
+    struct packet p;
     vd k, ek;
     vm fine;
 };
 
-static void place_rays(const struct sure_instance *i, const struct pack *p, bool box, vm active, struct placed *to)
+static void place_rays(const struct sure_instance *i, const struct packet *p, bool box, vm active, struct placed *to)
 {
     struct v3 a[3] = {v3_set(i->axes[0]), v3_set(i->axes[1]), v3_set(i->axes[2])},
               v = v3_sub(p->o, v3_set(i->position));
@@ -42,7 +42,7 @@ static void place_rays(const struct sure_instance *i, const struct pack *p, bool
     if (!box && i->least < i->most)
         to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
     to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are others there */
-    to->fine = mand(pack_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
+    to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
 }
 
 /* The query in the instance's axes: always for the nearest. */
@@ -62,7 +62,7 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
 /* The point is off by `most` times as much as there, and by no more than the ray and the distance along it. */
 static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     vm met = vlt(inner->t, vset(INFINITE)), sure = mand(met, vlt(inner->t + inner->e, inner->low));
     vm wild = mand(q->active, mnot(placed->fine)), may = mand(mnot(sure), mor(met, vlt(inner->low, vset(INFINITE))));
     vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(INFINITE))),

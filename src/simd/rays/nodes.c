@@ -57,12 +57,12 @@ static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from
 }
 
 /* A node that waits for the number of its second child. */
-struct waiting {
+struct pending {
     uint32_t node, second;
 };
 
 /* Goes on to the next node that stays one: below a leaf there is none. */
-static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct waiting *stack, int *depth,
+static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct pending *stack, int *depth,
                           uint32_t end)
 {
     while (*depth && stack[*depth - 1].second == i) {
@@ -80,7 +80,7 @@ static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const
  */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few)
 {
-    struct waiting stack[TIA_BVH_DEPTH_MAX + 1];
+    struct pending stack[TIA_BVH_DEPTH_MAX + 1];
     uint32_t made = 0, i = 0;
     int depth = 0;
 
@@ -90,7 +90,7 @@ uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *fro
         const struct tia_bvh_node *n = &from->nodes[i];
         set_child(&to[made], 0, n + 1, made + 1, few);
         set_child(&to[made], 1, &from->nodes[n->index], 0, few);
-        stack[depth++] = (struct waiting){made, n->index};
+        stack[depth++] = (struct pending){made, n->index};
         i = to[made++].count[0] == SURE_INNER ? i + 1 : n->index;
         i = next_node(i, to, made, stack, &depth, from->node_count);
     }

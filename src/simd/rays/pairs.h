@@ -36,7 +36,7 @@ struct passes {
     unsigned inside, outside;
 };
 
-LANE_OP void lines_of(struct lines *l, const struct pack *p, const struct sure_tree *mesh)
+LANE_OP void lines_of(struct lines *l, const struct packet *p, const struct sure_tree *mesh)
 {
     const double up = 1 + P2M(21);
 

@@ -46,7 +46,7 @@ struct path_state {
 
 LANE_OP vd *path_column(struct paths *p, int i)
 {
-    struct pack *ray = &p->r.p;
+    struct packet *ray = &p->r.p;
     vd *const column[PATH_COLUMNS] = {
         &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,      &ray->d.z,
         &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,       &p->r.ew,
@@ -225,7 +225,7 @@ static void path_open(struct path_state *f, struct sure_gather *g)
 
 /* What a ray meets first: objects, and where `lights` is set those of the kinds that paths meet; points only in the
  * lanes of rays that see them. */
-static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, unsigned lanes,
+static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, unsigned lanes,
                        bool lights, unsigned specular)
 {
     vm wild = begin_nearest(s, room, q, p, mof(lanes));
@@ -266,7 +266,7 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
 static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
                         const uint32_t *ends, uint32_t *blocker)
 {
-    vm active = mof(lanes), fine = pack_start(s->centre, s->extent, &shadow->p, active);
+    vm active = mof(lanes), fine = packet_start(s->centre, s->extent, &shadow->p, active);
     struct query *q = &room->any;
 
     q->p = &shadow->p;

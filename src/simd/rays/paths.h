@@ -21,7 +21,7 @@ struct queued {
 
 /* Rays of a packet: their throughput is within ew. */
 struct rays {
-    struct pack p;
+    struct packet p;
     vd weight[3], ew;
     uint32_t slot[LANES], depth[LANES], layers[LANES];
     struct media media[LANES];

@@ -32,7 +32,7 @@ struct origin {
 };
 
 /* Rays: the integers' origin is within eo of o, their direction within ed of d. */
-struct pack {
+struct packet {
     struct v3 o, d;
     vd eo, ed, pad; /* pad: how far they are apart anywhere in the scene, see slabs.h */
     struct origin from;
@@ -66,7 +66,7 @@ struct lines;
 struct room;
 
 struct query {
-    const struct pack *p;
+    const struct packet *p;
     struct room *room;         /* of the call, see walk.h */
     const struct lines *lines; /* about the centre of a mesh */
     vm active;

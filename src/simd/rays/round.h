@@ -21,7 +21,7 @@ struct beam {
 /* The nearest point to the anchor, and two quick tests. False: all miss. */
 LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam *b)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 o = v3_sub(p->o, v3_set(k->anchor));
     vd reach = vset(k->reach);
 
@@ -50,7 +50,7 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     return any(mand(q->active, mnot(b->miss)));
 }
 
-LANE_OP void beam_of(const struct pack *p, struct beam *b)
+LANE_OP void beam_of(const struct packet *p, struct beam *b)
 {
     const struct sure_round *k = b->k;
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]), axis = v3_set(k->axis);

@@ -19,7 +19,7 @@
 
 /* Makes a pack ready for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
  * False in lanes whose rays are too far off for a margin around them. */
-LANE_OP vm pack_start(const double centre[3], double extent, struct pack *p, vm active)
+LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p, vm active)
 {
     vd tiny = vset(P2M(60)), zero = vset(0);
     const vd o[3] = {p->o.x, p->o.y, p->o.z},

@@ -17,7 +17,7 @@
 
 LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
 {
-    const struct pack *p = q->p;
+    const struct packet *p = q->p;
     struct v3 l = v3_sub(v3_set(at), p->o);
     vd r = vset(radius), tca = v3_dot(l, p->d), l1 = v3_sum(l);
     struct v3 side = v3_sub(l, v3_scale(p->d, tca));

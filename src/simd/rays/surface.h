@@ -372,7 +372,7 @@ LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double 
 }
 
 /* All of the points that the rays of these lanes meet. */
-static void find_surfaces(const struct sure_scene *s, const struct pack *p, const struct query *q, unsigned lanes,
+static void find_surfaces(const struct sure_scene *s, const struct packet *p, const struct query *q, unsigned lanes,
                           struct shade *h)
 {
     vm m = mof(lanes);

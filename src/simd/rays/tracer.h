@@ -108,7 +108,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
 
 /* The rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit, the
  * window and the depth by as much. */
-static void camera_rays(const struct sure_camera *c, vd x, vd y, struct pack *p)
+static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *p)
 {
     vd h = vset(c->left) + vset(c->across) * x, v = vset(c->top) - vset(c->upward) * y;
     struct v3 aside = v3_add(v3_scale(v3_set(c->u), h), v3_scale(v3_set(c->v), v));

@@ -26,7 +26,7 @@ struct sides {
 };
 
 /* `extent`: R. */
-LANE_OP struct line line_of(const struct pack *p, const double centre[3], double extent)
+LANE_OP struct line line_of(const struct packet *p, const double centre[3], double extent)
 {
     struct v3 o = v3_sub(p->o, v3_set(centre));
     vd far = v3_sum(o) + vset(extent) + p->eo;
@@ -35,7 +35,7 @@ LANE_OP struct line line_of(const struct pack *p, const double centre[3], double
     return (struct line){v3_cross(o, p->d), centre, e, each};
 }
 
-LANE_OP struct sides face_sides(const struct pack *p, const struct line *l, const struct sure_face *f)
+LANE_OP struct sides face_sides(const struct packet *p, const struct line *l, const struct sure_face *f)
 {
     struct sure_edges edges = sure_edges_of(f, l->centre);
     vd w[3], e = l->e + l->each * vset(f->extent);

@@ -17,7 +17,7 @@
 
 /* Shadow rays, and what is known of them. */
 struct shadow {
-    struct pack p;
+    struct packet p;
     vd distance, edistance;
     vm blocked, unsure;
     vd through[3], ethrough;
@@ -26,7 +26,7 @@ struct shadow {
 
 /* What walks need and a thread's stack may have no room for: it lies in the level's memory, one for each call. */
 struct room {
-    struct waiting objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
+    struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
     struct placed placed;
     struct query inner; /* of an instance */
     struct query any;   /* of shadow rays */
@@ -70,7 +70,7 @@ LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pai
     }
 }
 
-LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct visit *v,
+LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
                         struct query *q)
 {
     (void)s;
@@ -103,7 +103,7 @@ LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, 
 
 /* `scale`: how much longer distances are in the object's axes than those of its box. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
-                        const struct visit *at, vd scale)
+                        const struct node_ref *at, vd scale)
 {
     switch (o->kind) {
     case SURE_SPHERE:
@@ -140,7 +140,7 @@ LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o,
 }
 
 static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, const struct sure_object *o,
-                                                  struct query *q, const struct visit *at)
+                                                  struct query *q, const struct node_ref *at)
 {
     struct placed *placed = &q->room->placed;
     struct query *inner = &q->room->inner;
@@ -181,7 +181,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     filter_groups(q, groups, o->transmission);
 }
 
-LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, const struct visit *at)
+LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, const struct node_ref *at)
 {
     const struct sure_object *o = &s->object[index];
 
@@ -201,7 +201,7 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
         filter(q, o);
 }
 
-LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct visit *v,
+LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
                           struct query *q)
 {
     for (uint32_t i = v->child.index; i < v->child.index + v->child.count; i++)
@@ -214,7 +214,7 @@ WALK(walk_objects, meet_objects, objects)
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
 {
     static const vp zero;
-    const struct visit start = {{0, 0, 0}, &zero};
+    const struct node_ref start = {{0, 0, 0}, &zero};
 
     meet_object(s, object, q, &start);
 }
@@ -252,9 +252,9 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
 }
 
 /* The nearest object, before lights are tried. Returns the lanes that are too far off, for end_nearest(). */
-LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, vm active)
+LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
-    vm fine = pack_start(s->centre, s->extent, p, active);
+    vm fine = packet_start(s->centre, s->extent, p, active);
 
     q->p = p;
     q->room = room;
@@ -278,7 +278,7 @@ LANE_OP void end_nearest(struct query *q, vm wild)
 }
 
 /* The nearest, lights included. */
-static void find_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct pack *p, vm active)
+static void find_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
     vm wild = begin_nearest(s, room, q, p, active);
 
@@ -290,7 +290,7 @@ static void find_nearest(const struct sure_scene *s, struct room *room, struct q
 static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
                         uint32_t *blocker)
 {
-    vm fine = pack_start(s->centre, s->extent, &shadow->p, active);
+    vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
     struct query *q = &room->any; /* field by field: what only the nearest hit has is not used, and it is large */
 
     check_shadow(mbits(active));
