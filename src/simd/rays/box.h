@@ -6,7 +6,7 @@
 #ifndef TIA_SIMD_RAYS_BOX_H
 #define TIA_SIMD_RAYS_BOX_H
 
-#include "report.h"
+#include "hit_report.h"
 
 /* One slab: where the ray enters and leaves it. `fine`: that is known. */
 struct slab_times {
@@ -104,13 +104,13 @@ LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
     vd t = vsel(leaving, -leaves.t, enters.t), e = vsel(leaving, leaves.e, enters.e);
     vd axis = vsel(leaving, leaves.axis, enters.axis), back = comes_back(s, axis);
 
-    report(q, (struct report){.sure = sure,
-                              .may = mnot(mor(sure, miss)),
-                              .t = t,
-                              .e = e,
-                              .ep = e + p->eo + vabs(t) * p->ed + UNIT,
-                              .low = vmax(vsel(fine, enters.t - enters.e, vset(0)), vset(0)),
-                              .element = 2 * axis + vsel(leaving, 1 - back, back)});
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = mnot(mor(sure, miss)),
+                                      .t = t,
+                                      .e = e,
+                                      .ep = e + p->eo + vabs(t) * p->ed + UNIT,
+                                      .low = vmax(vsel(fine, enters.t - enters.e, vset(0)), vset(0)),
+                                      .element = 2 * axis + vsel(leaving, 1 - back, back)});
 }
 
 #endif

@@ -45,8 +45,8 @@
 #ifndef TIA_SIMD_RAYS_CYLINDER_H
 #define TIA_SIMD_RAYS_CYLINDER_H
 
+#include "hit_report.h"
 #include "render/geometry/round.h"
-#include "report.h"
 
 /* Whether any line passes the axis so close that it may meet the side, by what most packets tell that do not: (D x A).O
  * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21
@@ -172,13 +172,13 @@ LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tub
     vd e = vsel(first, in->e, out->e), beyond = vmax(b->from, out->t - out->e);
     vm later = b->k->capped ? mand(passed, out->hit) : passed;
 
-    report(q, (struct report){.sure = sure,
-                              .may = mnot(done),
-                              .t = vsel(first, in->t, out->t),
-                              .e = e,
-                              .ep = e,
-                              .low = vmax(vsel(later, beyond, b->from), vset(0)),
-                              .element = vsel(first, in->element, out->element)});
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = mnot(done),
+                                      .t = vsel(first, in->t, out->t),
+                                      .e = e,
+                                      .ep = e,
+                                      .low = vmax(vsel(later, beyond, b->from), vset(0)),
+                                      .element = vsel(first, in->element, out->element)});
 }
 
 static __attribute__((noinline)) void meet_cylinder(struct query *q, const struct sure_round *k)

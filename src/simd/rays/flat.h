@@ -2,7 +2,7 @@
 #ifndef TIA_SIMD_RAYS_FLAT_H
 #define TIA_SIMD_RAYS_FLAT_H
 
-#include "report.h"
+#include "hit_report.h"
 
 /* Where rays meet a plane: t = (P - O).N / (D.N). The quotient's parts are within eo + (|P - O|) 16 u + 2 U and
  * ed + 16 u, so t is within (the former + |t| times the latter) over |D.N| less its bound. Of rays that are nearly
@@ -38,13 +38,13 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
     vm not = mor(mor(own, outside), mand(f->steep, vlt(f->t + f->e, vset(0))));
     vm sure = mand(mand(mand(f->steep, inside), vlt(f->e, f->t)), mnot(not ));
 
-    report(q, (struct report){.sure = sure,
-                              .may = mnot(mor(sure, not )),
-                              .t = f->t,
-                              .e = f->e,
-                              .ep = ep,
-                              .low = vsel(f->steep, vmax(f->t - f->e, vset(0)), vset(0)),
-                              .element = element});
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = mnot(mor(sure, not )),
+                                      .t = f->t,
+                                      .e = f->e,
+                                      .ep = ep,
+                                      .low = vsel(f->steep, vmax(f->t - f->e, vset(0)), vset(0)),
+                                      .element = element});
 }
 
 /* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former

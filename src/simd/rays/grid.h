@@ -304,8 +304,8 @@ static __attribute__((noinline)) void meet_grid(struct query *q, const struct su
         if (mbits(g->alone) >> k & 1)
             walk_alone(g, q, k);
     vd bound = g->e + p->eo + g->t * p->ed + UNIT;
-    report(q,
-           (struct report){
+    report_hit(
+        q, (struct hit_report){
                .sure = g->sure, .may = g->may, .t = g->t, .e = g->e, .ep = bound, .low = g->t, .element = g->element});
 }
 

@@ -7,7 +7,7 @@
 #ifndef TIA_SIMD_RAYS_GRID_RAY_H
 #define TIA_SIMD_RAYS_GRID_RAY_H
 
-#include "report.h"
+#include "hit_report.h"
 
 /* One ray in a grid. */
 struct cell_walk {

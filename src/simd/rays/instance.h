@@ -15,7 +15,7 @@
 #ifndef TIA_SIMD_RAYS_INSTANCE_H
 #define TIA_SIMD_RAYS_INSTANCE_H
 
-#include "report.h"
+#include "hit_report.h"
 #include "slabs.h"
 
 struct placed {
@@ -71,14 +71,14 @@ static void report_placed(struct query *q, const struct placed *placed, const st
     vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * P2M(50);
     vd low = vsel(vlt(least, vset(INFINITE)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(INFINITE));
 
-    report(q, (struct report){
-                  .sure = mand(sure, mnot(wild)),
-                  .may = mor(may, wild),
-                  .t = t,
-                  .e = e,
-                  .ep = vmin(inner->ep * vset(most) + p->eo + t * P2M(50) + 4 * UNIT, p->eo + e + t * p->ed + 2 * UNIT),
-                  .low = vmax(vsel(wild, vset(0), low), vset(0)),
-                  .element = inner->element});
+    report_hit(q, (struct hit_report){.sure = mand(sure, mnot(wild)),
+                                      .may = mor(may, wild),
+                                      .t = t,
+                                      .e = e,
+                                      .ep = vmin(inner->ep * vset(most) + p->eo + t * P2M(50) + 4 * UNIT,
+                                                 p->eo + e + t * p->ed + 2 * UNIT),
+                                      .low = vmax(vsel(wild, vset(0), low), vset(0)),
+                                      .element = inner->element});
 }
 
 #endif

@@ -116,7 +116,7 @@ LANE_OP vm starts_inside(const struct query *q)
 }
 
 /* What a shape tells: it is surely met at t, within e, the point there within ep; or it may be met, not before low. */
-struct report {
+struct hit_report {
     vm sure, may;
     vd t, e, ep, low, element;
 };

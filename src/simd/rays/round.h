@@ -2,9 +2,9 @@
 #ifndef TIA_SIMD_RAYS_ROUND_H
 #define TIA_SIMD_RAYS_ROUND_H
 
+#include "hit_report.h"
 #include "interval.h"
 #include "render/geometry/round.h"
-#include "report.h"
 
 #define MOST 131072.0 /* NUM_LENGTH_MAX */
 
@@ -175,14 +175,15 @@ LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *si
     vm at_base = mor(mand(take1, rises), mand(mnot(take1), mnot(rises)));
     t.e = t.e + 2 * UNIT;
 
-    report(q, (struct report){
-                  .sure = mand(mand(b->fine, mnot(b->miss)), mor(take1, take2)),
-                  .may = mand(mnot(b->fine), mnot(b->miss)),
-                  .t = t.v,
-                  .e = t.e,
-                  .ep = q->p->eo + t.e + t.v * q->p->ed + 2 * UNIT,
-                  .low = vmax(b->start - vset(b->k->reach) - q->p->eo - b->l1 * (q->p->ed + 8 * EPS) - UNIT, vset(0)),
-                  .element = vsel(by_side, vset(ROUND_SIDE), vsel(at_base, vset(ROUND_BASE), vset(ROUND_TOP)))});
+    report_hit(q,
+               (struct hit_report){
+                   .sure = mand(mand(b->fine, mnot(b->miss)), mor(take1, take2)),
+                   .may = mand(mnot(b->fine), mnot(b->miss)),
+                   .t = t.v,
+                   .e = t.e,
+                   .ep = q->p->eo + t.e + t.v * q->p->ed + 2 * UNIT,
+                   .low = vmax(b->start - vset(b->k->reach) - q->p->eo - b->l1 * (q->p->ed + 8 * EPS) - UNIT, vset(0)),
+                   .element = vsel(by_side, vset(ROUND_SIDE), vsel(at_base, vset(ROUND_BASE), vset(ROUND_TOP)))});
 }
 
 static __attribute__((noinline)) void meet_round(struct query *q, const struct sure_round *k)

@@ -13,7 +13,7 @@
 #ifndef TIA_SIMD_RAYS_SPHERE_H
 #define TIA_SIMD_RAYS_SPHERE_H
 
-#include "report.h"
+#include "hit_report.h"
 
 LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
 {
@@ -41,13 +41,13 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vm passed = vlt(tca + reach, vset(0));
     vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));
 
-    report(q, (struct report){.sure = sure,
-                              .may = may,
-                              .t = vsel(ahead, t0, t1),
-                              .e = e,
-                              .ep = vsqrt(across * across + along * along) + 2 * UNIT,
-                              .low = vsel(hit, vset(0), tca - reach),
-                              .element = vset(0)});
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = may,
+                                      .t = vsel(ahead, t0, t1),
+                                      .e = e,
+                                      .ep = vsqrt(across * across + along * along) + 2 * UNIT,
+                                      .low = vsel(hit, vset(0), tca - reach),
+                                      .element = vset(0)});
 }
 
 #endif

@@ -85,13 +85,13 @@ WALK(walk_faces, meet_faces, faces)
 /* What is not known may be hit from its box on. */
 LANE_OP void meet_unknown(struct query *q, vd near)
 {
-    report(q, (struct report){.sure = mnone(),
-                              .may = vle(near, q->limit),
-                              .t = vset(0),
-                              .e = vset(0),
-                              .ep = vset(0),
-                              .low = near,
-                              .element = vset(0)});
+    report_hit(q, (struct hit_report){.sure = mnone(),
+                                      .may = vle(near, q->limit),
+                                      .t = vset(0),
+                                      .e = vset(0),
+                                      .ep = vset(0),
+                                      .low = near,
+                                      .element = vset(0)});
 }
 
 LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)

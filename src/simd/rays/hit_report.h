@@ -1,10 +1,10 @@
-/* report.h - what a query makes of a hit. */
-#ifndef TIA_SIMD_RAYS_REPORT_H
-#define TIA_SIMD_RAYS_REPORT_H
+/* hit_report.h - what a query makes of a hit. */
+#ifndef TIA_SIMD_RAYS_HIT_REPORT_H
+#define TIA_SIMD_RAYS_HIT_REPORT_H
 
 #include "groups.h"
 
-LANE_OP void report_any(struct query *q, const struct report *r)
+LANE_OP void report_any_hit(struct query *q, const struct hit_report *r)
 {
     vm before = mand(r->sure, vlt(r->t + r->e, q->distance - q->edistance));
     vm not_behind = mor(mand(r->sure, vle(r->t - r->e, q->distance + q->edistance)),
@@ -25,7 +25,7 @@ LANE_OP void report_any(struct query *q, const struct report *r)
 }
 
 /* The integers meet nothing beyond 2^17: what may be there is for them. */
-LANE_OP void report(struct query *q, struct report r)
+LANE_OP void report_hit(struct query *q, struct hit_report r)
 {
     vm far = mand(r.sure, mnot(vlt(r.t + r.e, vset(131072))));
 
@@ -33,7 +33,7 @@ LANE_OP void report(struct query *q, struct report r)
     r.may = mand(mor(r.may, far), q->active);
     r.sure = mand(mand(r.sure, mnot(far)), q->active);
     if (q->any) {
-        report_any(q, &r);
+        report_any_hit(q, &r);
         return;
     }
     vm nearer = mand(r.sure, vlt(r.t + r.e, q->t - q->e));
