@@ -248,17 +248,17 @@ static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
 static void try_kept(const struct simd_fine *run)
 {
     static struct simd_fine kept, alone;
-    static struct simd_shelf shelf;
+    static struct simd_cache_line line;
     static const struct tia_scene *scene;
 
     if (scene != run->view->scene || run->row->y < 3)
-        shelf.single.known = shelf.fine.known = false;
+        line.single.known = line.fine.known = false;
     scene = run->view->scene;
     for (int i = 0; i < 2; i++) {
         kept = alone = *run;
         double unit = i ? SIMD_DOUBLE : SIMD_FLOAT, cut = i ? SIMD_DOUBLE_CUT : SIMD_FLOAT_CUT;
         bool good = tia_simd_fine_bounds(&alone, unit, cut, NULL);
-        CHECK(tia_simd_fine_bounds(&kept, unit, cut, i ? &shelf.fine : &shelf.single) == good || !good);
+        CHECK(tia_simd_fine_bounds(&kept, unit, cut, i ? &line.fine : &line.single) == good || !good);
         if (!good)
             continue;
         no_less(&kept, &alone);

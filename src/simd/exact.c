@@ -104,10 +104,10 @@ static bool decide(const struct simd_fine *fine, int i, double half, tia_rgb565 
     return sure;
 }
 
-void tia_simd_decide(struct simd_fine *fine, struct simd_kept *kept, const uint16_t *list, int count,
+void tia_simd_decide(struct simd_fine *fine, struct simd_bound_cache *cache, const uint16_t *list, int count,
                      const num_u threshold[8], tia_rgb565 *out)
 {
-    bool fit = count > 0 && tia_simd_fine_bounds(fine, SIMD_DOUBLE, SIMD_DOUBLE_CUT, kept);
+    bool fit = count > 0 && tia_simd_fine_bounds(fine, SIMD_DOUBLE, SIMD_DOUBLE_CUT, cache);
 
     for (int i = 0; i < count; i++) {
         int x = fine->first + list[i];

@@ -2,7 +2,7 @@
 #ifndef TIA_SIMD_EXACT_H
 #define TIA_SIMD_EXACT_H
 
-#include "kept.h"
+#include "bound_cache.h"
 
 /* Pixels x .. x + count - 1 of row y, which all see the sphere, by the integer code. */
 void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, int count, const num_u threshold[8],
@@ -11,7 +11,7 @@ void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, 
 /* The run's pixels listed, counted from its first: in double precision, and what that leaves open by the integer
  * code. `out` is the run's first pixel, `kept` for bounds in
  * double precision. */
-void tia_simd_decide(struct simd_fine *fine, struct simd_kept *kept, const uint16_t *list, int count,
+void tia_simd_decide(struct simd_fine *fine, struct simd_bound_cache *cache, const uint16_t *list, int count,
                      const num_u threshold[8], tia_rgb565 *out);
 
 #endif

@@ -40,7 +40,7 @@ struct carried {
     uint16_t list[SIMD_RUN + SIMD_MORE];
     struct flat flat;
     struct simd_dither dither;
-    struct simd_shelf shelves[SIMD_SHELVES];
+    struct simd_cache_line lines[SIMD_CACHE_LINES];
 };
 
 static void find_flat(const struct span_view *spans, const struct tia_rgb *colour, int first, const num_u threshold[8],
@@ -91,15 +91,15 @@ static void light_part(const struct tia_view *view, const struct simd_row *row, 
     struct simd_fine *fine = &carried->fine;
 
     bool good = tia_simd_fine(view, row, sphere, first, end, fine);
-    struct simd_shelf *shelf = good ? simd_shelf_of(carried->shelves, fine) : NULL;
-    if (!good || !tia_simd_fine_bounds(fine, SIMD_FLOAT, SIMD_FLOAT_CUT, &shelf->single)) {
+    struct simd_cache_line *line = good ? simd_cache_line_of(carried->lines, fine) : NULL;
+    if (!good || !tia_simd_fine_bounds(fine, SIMD_FLOAT, SIMD_FLOAT_CUT, &line->single)) {
         tia_simd_plain(view, sphere, first, row->y, end - first, threshold, out);
         return;
     }
     tia_simd_run(fine, &carried->dither, &carried->run);
     int count =
         view->simd->kernels->shade(&carried->run, out, carried->list, simd_kernels_room(carried, sizeof *carried));
-    tia_simd_decide(fine, &shelf->fine, carried->list, count, threshold, out);
+    tia_simd_decide(fine, &line->fine, carried->list, count, threshold, out);
 }
 
 static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
@@ -150,8 +150,8 @@ static void light_strip(const struct tia_view *view, struct tia_tile tile, const
     carried->flat.known = false;
     for (int i = 0; i < SIMD_GUESSES; i++)
         carried->guess[i] = (struct span){0, 0};
-    for (int i = 0; i < SIMD_SHELVES; i++)
-        carried->shelves[i].single.known = carried->shelves[i].fine.known = false;
+    for (int i = 0; i < SIMD_CACHE_LINES; i++)
+        carried->lines[i].single.known = carried->lines[i].fine.known = false;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !(y % ROWS == 0 && view_stops(view)); y++) {
         struct simd_row row;
         if (dither || y == (int)tile.y)

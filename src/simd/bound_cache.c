@@ -1,7 +1,7 @@
-/* kept.c - bounds change little from row to row, and every one of them holds for all runs whose limits are no worse
- * than those it was derived from (row.c and bounds.c ask for nothing else): so they are derived from limits that are
- * worse by a tenth than a run's own, and kept while these suffice. */
-#include "kept.h"
+/* bound_cache.c - bounds change little from row to row, and every one of them holds for all runs whose limits are no
+ * worse than those it was derived from (row.c and bounds.c ask for nothing else): so they are derived from limits that
+ * are worse by a tenth than a run's own, and kept while these suffice. */
+#include "bound_cache.h"
 
 #include <math.h>
 
@@ -106,62 +106,62 @@ static bool derive(struct simd_fine *fine, double unit, double cut, const double
 
 /* ---- kept ---- */
 
-static bool suffices(const struct simd_kept *kept, uint32_t sphere, const double *limit, int limits)
+static bool suffices(const struct simd_bound_cache *cache, uint32_t sphere, const double *limit, int limits)
 {
-    bool good = kept->known && kept->sphere == sphere && kept->limits == limits;
+    bool good = cache->known && cache->sphere == sphere && cache->limits == limits;
 
     for (int i = 0; good && i < limits; i++)
-        good = limit[i] <= kept->limit[i];
+        good = limit[i] <= cache->limit[i];
     return good;
 }
 
-static void keep(const struct simd_fine *fine, struct simd_kept *kept)
+static void keep(const struct simd_fine *fine, struct simd_bound_cache *cache)
 {
     int n = 0;
 
-    kept->depth = fine->depth;
-    kept->near31 = fine->near31;
-    kept->near63 = fine->near63;
+    cache->depth = fine->depth;
+    cache->near31 = fine->near31;
+    cache->near63 = fine->near63;
     for (uint32_t l = 0; l < fine->view->light_count; l++) {
-        kept->light[l] = fine->light[l].bounds;
+        cache->light[l] = fine->light[l].bounds;
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
-            kept->cast[n++] = fine->light[l].cast[j].bounds;
+            cache->cast[n++] = fine->light[l].cast[j].bounds;
     }
 }
 
-static void take_kept(const struct simd_kept *kept, struct simd_fine *fine)
+static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *fine)
 {
     int n = 0;
 
-    fine->depth = kept->depth;
-    fine->near31 = kept->near31;
-    fine->near63 = kept->near63;
+    fine->depth = cache->depth;
+    fine->near31 = cache->near31;
+    fine->near63 = cache->near63;
     for (uint32_t l = 0; l < fine->view->light_count; l++) {
-        fine->light[l].bounds = kept->light[l];
+        fine->light[l].bounds = cache->light[l];
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
-            fine->light[l].cast[j].bounds = kept->cast[n++];
+            fine->light[l].cast[j].bounds = cache->cast[n++];
     }
 }
 
 /* Bounds that are too large may be fine for the run's own limits: those are not kept. */
-bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_kept *kept)
+bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache)
 {
     double limit[FORMS_MOST];
     int limits = limits_of(fine, limit);
 
-    if (!kept || limits > SIMD_LIMITS)
+    if (!cache || limits > SIMD_LIMITS)
         return derive(fine, unit, cut, limit);
-    if (suffices(kept, fine->sphere, limit, limits)) {
-        take_kept(kept, fine);
+    if (suffices(cache, fine->sphere, limit, limits)) {
+        take_cached(cache, fine);
         return true;
     }
-    kept->sphere = fine->sphere;
-    kept->limits = limits;
+    cache->sphere = fine->sphere;
+    cache->limits = limits;
     for (int i = 0; i < limits; i++)
-        kept->limit[i] = limit[i] > 0 ? limit[i] * WIDER : limit[i] / WIDER;
-    kept->known = derive(fine, unit, cut, kept->limit);
-    if (!kept->known)
+        cache->limit[i] = limit[i] > 0 ? limit[i] * WIDER : limit[i] / WIDER;
+    cache->known = derive(fine, unit, cut, cache->limit);
+    if (!cache->known)
         return derive(fine, unit, cut, limit);
-    keep(fine, kept);
+    keep(fine, cache);
     return true;
 }
