@@ -185,8 +185,8 @@
 #define curved_intersect NAMES(curved_intersect)
 #define curved_passes NAMES(curved_passes)
 #define curved_mark NAMES(curved_mark)
-#define matte_init NAMES(matte_init)
-#define matte_pixel NAMES(matte_pixel)
+#define diffuse_init NAMES(diffuse_init)
+#define diffuse_pixel NAMES(diffuse_pixel)
 #define whitted_light_tile NAMES(whitted_light_tile)
 #define dither_thresholds NAMES(dither_thresholds)
 

@@ -1,7 +1,7 @@
 /* light.c - a technique for shadows tells which lights reach flat faces past each other; colours come about as the ray
  * renderer makes them. */
 #include "curved.h"
-#include "matte.h"
+#include "diffuse.h"
 #include "render/dither.h"
 #include "render/whitted/whitted.h"
 #include "view.h"
@@ -11,7 +11,7 @@ struct rasterised {
     const struct raster_view *raster;
     const struct ray_view *rays;
     const struct tia_hits *hits;
-    struct matte matte;
+    struct diffuse diffuse;
 };
 
 static const tia_share *shares_at(const struct rasterised *r, const struct raster_buffers *b, size_t at)
@@ -101,7 +101,7 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
         whitted_light_tile(view, r->hits, run, &part, options, &r->first);
 }
 
-/* What matte.h knows, and between these pixels runs of others. */
+/* What diffuse.h knows, and between these pixels runs of others. */
 static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
@@ -113,8 +113,8 @@ static void light_row(struct rasterised *r, const struct tia_view *view, struct 
 
     dither_thresholds(options->dither, y, threshold);
     for (int x = left; x < tile_right(tile); x++, at++) {
-        struct matte_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
-        if (!matte_pixel(&r->matte, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
+        struct diffuse_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
+        if (!diffuse_pixel(&r->diffuse, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
             continue;
         light_run(r, view, tile, y, open, x, surface, options);
         open = x + 1;
@@ -138,7 +138,7 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &cancel);
     if (raster->place_count || options->path_hash || options->lit || options->colours ||
-        !matte_init(&r.matte, view, raster->shadow, raster->first_bit)) {
+        !diffuse_init(&r.diffuse, view, raster->shadow, raster->first_bit)) {
         whitted_light_tile(view, hits, tile, surface, options, &r.first);
         return;
     }

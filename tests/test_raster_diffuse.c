@@ -138,7 +138,7 @@ static size_t differing(const struct tia_scene *scene, bool dither)
     return wrong;
 }
 
-TEST(matte_faces_have_the_colours_of_rays)
+TEST(diffuse_faces_have_the_colours_of_rays)
 {
     for (int round = 0; round < (int)check_count(150); round++) {
         struct tia_scene scene = make_scene();
@@ -149,6 +149,6 @@ TEST(matte_faces_have_the_colours_of_rays)
 
 int main(void)
 {
-    RUN(matte_faces_have_the_colours_of_rays);
+    RUN(diffuse_faces_have_the_colours_of_rays);
     return check_status();
 }

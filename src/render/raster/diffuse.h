@@ -1,21 +1,21 @@
-/* matte.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel and with the same bits:
- * with 20 bits they are known but for a bound, and where the bound leaves no doubt which level of the display a colour
- * becomes, nothing more is needed. Other pixels are left to whitted_light_tile.
+/* diffuse.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel and with the same
+ * bits: with 20 bits they are known but for a bound, and where the bound leaves no doubt which level of the display a
+ * colour becomes, nothing more is needed. Other pixels are left to whitted_light_tile.
  *
  * What a pixel sees is at P = D r from the eye, r linear in x and y; a light at L gives max(0, N.w/|w|), w = L - P.
  * Places are in units of 2^-bits, at most 2^38 of them. With r within 2^-25, D within 2^-29 and 1, and N within 2^-20,
  * P is within 2^-23.8 D + 4; where |w| is at least D/64 and 2^20, N.w/|w| errs by less than 2^-16, and the integers of
  * whitted_light_tile by less than 2^-30. The bound is four times that. */
-#ifndef TIA_RENDER_RASTER_MATTE_H
-#define TIA_RENDER_RASTER_MATTE_H
+#ifndef TIA_RENDER_RASTER_DIFFUSE_H
+#define TIA_RENDER_RASTER_DIFFUSE_H
 
 #include "render/trace/trace.h"
 #include "shadow/technique.h"
 #include "shadow/world.h"
 
-#define MATTE_LIGHTS 8
+#define DIFFUSE_LIGHTS 8
 
-struct matte_light {
+struct diffuse_light {
     enum tia_light_kind kind; /* point, spot, directional or ambient */
     unsigned bit;             /* its number in the pixels' bits and shares */
     int64_t at[3];            /* from the eye; of a directional light the direction to it, Q.30 */
@@ -25,14 +25,14 @@ struct matte_light {
 };
 
 /* A face, whose normal is turned to the eye. */
-struct matte_face {
+struct diffuse_face {
     uint32_t face;
     bool fits;         /* matte and flat */
     int64_t normal[3]; /* Q.20 */
     const struct tia_material *material;
 };
 
-struct matte {
+struct diffuse {
     const struct ray_view *rays;
     const struct tia_flat_scene *flat;
     struct tia_world world;
@@ -41,12 +41,12 @@ struct matte {
     int64_t row[3], right[3];
     int64_t row_y;
     unsigned light_count;
-    struct matte_light lights[MATTE_LIGHTS];
-    struct matte_face face; /* the last one */
+    struct diffuse_light lights[DIFFUSE_LIGHTS];
+    struct diffuse_face face; /* the last one */
 };
 
 /* What is known of a pixel. */
-struct matte_pixel {
+struct diffuse_pixel {
     int x, y;
     uint32_t face; /* TIA_NO_FACE: the background is seen */
     uint64_t nearness, lit;
@@ -54,10 +54,10 @@ struct matte_pixel {
 };
 
 /* False when nothing in the view can be drawn so. `first_bit` as of struct first_hits. */
-bool matte_init(struct matte *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
-                const uint8_t *first_bit);
+bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
+                  const uint8_t *first_bit);
 
 /* False when there is doubt. */
-bool matte_pixel(struct matte *m, const struct matte_pixel *p, num_u threshold, tia_rgb565 *out);
+bool diffuse_pixel(struct diffuse *m, const struct diffuse_pixel *p, num_u threshold, tia_rgb565 *out);
 
 #endif

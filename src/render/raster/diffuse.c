@@ -1,4 +1,4 @@
-#include "matte.h"
+#include "diffuse.h"
 
 #include "math/rotation.h"
 #include "math/wide.h"
@@ -7,7 +7,7 @@
 #define RAY_BITS 24
 #define NORMAL_BITS 20
 #define MOST_BITS 38
-#define DOUBT_SHIFT 14 /* the bound of N.w/|w| is 2^-14 */
+#define UNCERTAIN_SHIFT 14 /* the bound of N.w/|w| is 2^-14 */
 #define NEAREST (INT64_C(1) << 20)
 #define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by 2^15, and is clamped to 2^62 */
 #define NEARNESS_MOST ((UINT64_C(1) << 62) - 65536)
@@ -34,7 +34,7 @@ static void emission_of(const struct tia_light *light, int32_t rgb[3])
     rgb[2] = light->emission.b;
 }
 
-static bool place_light(const struct matte *m, const struct tia_light *light, int64_t at[3])
+static bool place_light(const struct diffuse *m, const struct tia_light *light, int64_t at[3])
 {
     const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
 
@@ -52,24 +52,24 @@ static void direct_light(const struct tia_light *light, int64_t to[3])
         to[i] = tia_round_shift(to[i], 32);
 }
 
-static void aim_spot(const struct tia_light *light, struct matte_light *l)
+static void aim_spot(const struct tia_light *light, struct diffuse_light *l)
 {
-    const int64_t doubt = INT64_C(1) << (30 - DOUBT_SHIFT);
+    const int64_t uncertain = INT64_C(1) << (30 - UNCERTAIN_SHIFT);
     int64_t sine, cosine;
 
     direct_light(light, l->back);
     for (int i = 0; i < 3; i++)
         l->back[i] = tia_round_shift(l->back[i], 30 - NORMAL_BITS);
     tia_sincos(light->inner, &sine, &cosine);
-    l->inner = (cosine >> 32) + doubt;
+    l->inner = (cosine >> 32) + uncertain;
     tia_sincos(light->outer, &sine, &cosine);
-    l->outer = (cosine >> 32) - doubt;
+    l->outer = (cosine >> 32) - uncertain;
 }
 
 /* Lights that are seen, fade or have an area are for rays. */
-static bool add_light(struct matte *m, const struct tia_light *light, unsigned bit)
+static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned bit)
 {
-    struct matte_light *l = &m->lights[m->light_count++];
+    struct diffuse_light *l = &m->lights[m->light_count++];
 
     l->kind = light->kind;
     l->bit = bit;
@@ -87,7 +87,7 @@ static bool add_light(struct matte *m, const struct tia_light *light, unsigned b
 }
 
 /* Places to 2^(range + 10), and no hit is beyond 2^16. */
-static void choose_unit(struct matte *m)
+static void choose_unit(struct diffuse *m)
 {
     int range = m->flat->bits - m->flat->lattice.fraction, most;
 
@@ -102,8 +102,8 @@ static bool is_fine(void)
     return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
 }
 
-bool matte_init(struct matte *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
-                const uint8_t *first_bit)
+bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
+                  const uint8_t *first_bit)
 {
     m->rays = view->prepared;
     m->flat = &shadow->flat;
@@ -111,7 +111,7 @@ bool matte_init(struct matte *m, const struct tia_view *view, const struct tia_s
     m->row_y = -1;
     m->face.face = TIA_NO_FACE;
     if (!is_fine() || m->flat->eye.projection == TIA_ORTHOGRAPHIC || tia_flat_samples(view->scene) > 1 ||
-        view->light_count > MATTE_LIGHTS)
+        view->light_count > DIFFUSE_LIGHTS)
         return false;
     choose_unit(m);
     tia_world_init(&m->world, m->flat);
@@ -132,7 +132,7 @@ static int64_t digits(num_unit a)
     return (int64_t)whole * 8 + num_floor((scaled - num_integer(whole)) * 8);
 }
 
-static bool is_matte(const struct tia_material *m)
+static bool is_diffuse(const struct tia_material *m)
 {
     return !m->texture && !m->opacity && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
            colour_is_black(&m->refraction) && colour_is_black(&m->facing);
@@ -145,18 +145,18 @@ static bool is_smooth(const struct tia_scene *scene, const struct tia_flat_objec
     return object->kind == TIA_MESH && scene->meshes[shape->mesh].faces[element].corner[0].normal != TIA_NO_INDEX;
 }
 
-static void look_up(struct matte *m, uint32_t face)
+static void look_up(struct diffuse *m, uint32_t face)
 {
     const struct tia_flat_object *object = tia_flat_object_of(m->flat, face);
     const struct tia_scene *scene = m->rays->scene;
     uint32_t element = tia_flat_element_of(m->flat, face);
     struct surface surface;
 
-    m->face = (struct matte_face){.face = face};
+    m->face = (struct diffuse_face){.face = face};
     if (object->divided || is_smooth(scene, object, element))
         return;
     m->face.material = &scene->materials[ray_material(m->rays, object->object, element)];
-    m->face.fits = is_matte(m->face.material);
+    m->face.fits = is_diffuse(m->face.material);
     if (!m->face.fits)
         return;
     const struct hit hit = {.object = object->object, .element = element, .light = TIA_NO_OBJECT};
@@ -168,7 +168,7 @@ static void look_up(struct matte *m, uint32_t face)
 
 /* ---- places ---- */
 
-static void begin_row(struct matte *m, int y)
+static void begin_row(struct diffuse *m, int y)
 {
     for (int i = 0; i < 3; i++) {
         m->row[i] = m->world.first[i] + y * m->world.down[i];
@@ -178,7 +178,7 @@ static void begin_row(struct matte *m, int y)
 }
 
 /* D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
-static int64_t distance_of(const struct matte *m, uint64_t nearness)
+static int64_t distance_of(const struct diffuse *m, uint64_t nearness)
 {
     const struct tia_lattice *l = &m->flat->lattice;
     unsigned zeros = tia_clz64(nearness);
@@ -188,7 +188,7 @@ static int64_t distance_of(const struct matte *m, uint64_t nearness)
     return shift < 0 || shift > 63 ? 0 : (int64_t)(product >> shift);
 }
 
-static bool find_place(const struct matte *m, const struct matte_pixel *p, int64_t *distance, int64_t at[3])
+static bool find_place(const struct diffuse *m, const struct diffuse_pixel *p, int64_t *distance, int64_t at[3])
 {
     if (p->nearness < NEARNESS_LEAST || p->nearness > NEARNESS_MOST)
         return false;
@@ -210,7 +210,7 @@ static int64_t dot(const int64_t n[3], const int64_t v[3])
 }
 
 /* Turns the normal; false when the eye may be in the plane. */
-static bool turn(struct matte *m, const int64_t at[3])
+static bool turn(struct diffuse *m, const int64_t at[3])
 {
     int64_t side = dot(m->face.normal, at);
 
@@ -245,7 +245,7 @@ static int64_t cosine_of(const int64_t normal[3], const int64_t w[3], int64_t di
     return (int64_t)(((uint64_t)facing >> down) * y >> shift);
 }
 
-static int64_t lambert(const struct matte *m, const struct matte_light *l, const int64_t at[3], int64_t distance)
+static int64_t lambert(const struct diffuse *m, const struct diffuse_light *l, const int64_t at[3], int64_t distance)
 {
     if (l->kind == TIA_DIRECTIONAL_LIGHT) {
         int64_t facing = dot(m->face.normal, l->at);
@@ -261,11 +261,12 @@ static int64_t lambert(const struct matte *m, const struct matte_light *l, const
 }
 
 /* A colour, Q.30, and by how much it may be off. */
-struct matte_colour {
-    int64_t rgb[3], doubt[3];
+struct diffuse_colour {
+    int64_t rgb[3], uncertain[3];
 };
 
-static void add(struct matte_colour *c, const struct matte *m, const struct matte_light *l, int64_t part, bool exact)
+static void add(struct diffuse_colour *c, const struct diffuse *m, const struct diffuse_light *l, int64_t part,
+                bool exact)
 {
     const struct tia_rgb *own = &m->face.material->colour;
     const int64_t colour[3] = {own->r, own->g, own->b};
@@ -273,15 +274,15 @@ static void add(struct matte_colour *c, const struct matte *m, const struct matt
     for (int i = 0; i < 3; i++) {
         int64_t most = colour[i] * l->emission[i] >> 30;
         c->rgb[i] += most * part >> 30;
-        c->doubt[i] += 4 + (exact ? 0 : most >> DOUBT_SHIFT);
+        c->uncertain[i] += 4 + (exact ? 0 : most >> UNCERTAIN_SHIFT);
     }
 }
 
-static bool add_lights(struct matte_colour *c, const struct matte *m, const struct matte_pixel *p, const int64_t at[3],
-                       int64_t distance)
+static bool add_lights(struct diffuse_colour *c, const struct diffuse *m, const struct diffuse_pixel *p,
+                       const int64_t at[3], int64_t distance)
 {
     for (unsigned n = 0; n < m->light_count; n++) {
-        const struct matte_light *l = &m->lights[n];
+        const struct diffuse_light *l = &m->lights[n];
         if (l->kind == TIA_AMBIENT_LIGHT) {
             add(c, m, l, INT64_C(1) << 30, true);
             continue;
@@ -303,31 +304,31 @@ static unsigned level(int64_t q30, unsigned levels, num_u threshold)
     return num_levels(num_length_of_q45(within * 32768), levels, threshold);
 }
 
-static bool pack(const struct matte_colour *c, num_u threshold, tia_rgb565 *out)
+static bool pack(const struct diffuse_colour *c, num_u threshold, tia_rgb565 *out)
 {
     static const unsigned levels[3] = {31, 63, 31};
     unsigned found[3];
 
     for (int i = 0; i < 3; i++) {
-        found[i] = level(c->rgb[i] - c->doubt[i], levels[i], threshold);
-        if (found[i] != level(c->rgb[i] + c->doubt[i], levels[i], threshold))
+        found[i] = level(c->rgb[i] - c->uncertain[i], levels[i], threshold);
+        if (found[i] != level(c->rgb[i] + c->uncertain[i], levels[i], threshold))
             return false;
     }
     *out = (tia_rgb565)(found[0] << 11 | found[1] << 5 | found[2]);
     return true;
 }
 
-static struct matte_colour colour_of(const struct tia_rgb *rgb)
+static struct diffuse_colour colour_of(const struct tia_rgb *rgb)
 {
-    return (struct matte_colour){.rgb = {rgb->r, rgb->g, rgb->b}};
+    return (struct diffuse_colour){.rgb = {rgb->r, rgb->g, rgb->b}};
 }
 
-bool matte_pixel(struct matte *m, const struct matte_pixel *p, num_u threshold, tia_rgb565 *out)
+bool diffuse_pixel(struct diffuse *m, const struct diffuse_pixel *p, num_u threshold, tia_rgb565 *out)
 {
     int64_t distance, at[3];
 
     if (p->face == TIA_NO_FACE) {
-        struct matte_colour behind = colour_of(&m->rays->scene->background);
+        struct diffuse_colour behind = colour_of(&m->rays->scene->background);
         return pack(&behind, threshold, out);
     }
     if (p->y != m->row_y)
@@ -336,6 +337,6 @@ bool matte_pixel(struct matte *m, const struct matte_pixel *p, num_u threshold, 
         look_up(m, p->face);
     if (!m->face.fits || !find_place(m, p, &distance, at) || !turn(m, at))
         return false;
-    struct matte_colour c = colour_of(&m->face.material->emission);
+    struct diffuse_colour c = colour_of(&m->face.material->emission);
     return add_lights(&c, m, p, at, distance) && pack(&c, threshold, out);
 }
