@@ -37,22 +37,22 @@ static struct point middle(struct point a, struct point b)
     return on_ball((struct point){a.x + b.x, a.y + b.y, a.z + b.z});
 }
 
-static void add_ball_part(struct mesh *m, struct point a, struct point b, struct point c, int level)
+static void add_ball_part(struct mesh *m, struct point a, struct point b, struct point c, int depth)
 {
-    if (level == 0) {
+    if (depth == 0) {
         add(m, placed(ball_centre, a.x, a.y, a.z), placed(ball_centre, b.x, b.y, b.z),
             placed(ball_centre, c.x, c.y, c.z));
         return;
     }
     struct point ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    add_ball_part(m, a, ab, ca, level - 1);
-    add_ball_part(m, b, bc, ab, level - 1);
-    add_ball_part(m, c, ca, bc, level - 1);
-    add_ball_part(m, ab, bc, ca, level - 1);
+    add_ball_part(m, a, ab, ca, depth - 1);
+    add_ball_part(m, b, bc, ab, depth - 1);
+    add_ball_part(m, c, ca, bc, depth - 1);
+    add_ball_part(m, ab, bc, ca, depth - 1);
 }
 
 /* An icosahedron, its faces divided into four `level` times. */
-static void add_ball(struct mesh *m, int level)
+static void add_ball(struct mesh *m, int depth)
 {
     static const double g = 1.618033988749895;
     static const uint8_t face[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
@@ -63,7 +63,7 @@ static void add_ball(struct mesh *m, int level)
                                 {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
 
     for (int i = 0; i < 20; i++)
-        add_ball_part(m, on_ball(p[face[i][0]]), on_ball(p[face[i][1]]), on_ball(p[face[i][2]]), level);
+        add_ball_part(m, on_ball(p[face[i][0]]), on_ball(p[face[i][1]]), on_ball(p[face[i][2]]), depth);
 }
 
 static struct point on_ring(double u, double v)
@@ -99,16 +99,16 @@ static void add_box(struct mesh *m)
         add_quad(m, p[side[i][0]], p[side[i][1]], p[side[i][2]], p[side[i][3]]);
 }
 
-void bench_mesh(struct mesh *m, int level)
+void bench_mesh(struct mesh *m, int depth)
 {
     m->count = 0;
     add_quad(m, (struct point){-12, 0, -12}, (struct point){-12, 0, 12}, (struct point){12, 0, 12},
              (struct point){12, 0, -12});
     m->first[0] = m->count;
-    add_ball(m, level);
+    add_ball(m, depth);
     m->first[1] = m->count;
     add_box(m);
     m->first[2] = m->count;
-    add_ring(m, 8 << level, 4 << level);
+    add_ring(m, 8 << depth, 4 << depth);
     m->first[3] = m->count;
 }

@@ -8,7 +8,7 @@ struct point {
     double x, y, z;
 };
 
-#define MESH_LEVELS 6
+#define MESH_SIZES 6
 #define MESH_FACES_MAX 100000
 #define MESH_SOLIDS 3
 
@@ -20,6 +20,6 @@ struct mesh {
 };
 
 /* 98, 350, 1358, 5390, 21518 or 86030 faces, into corners for MESH_FACES_MAX. */
-void bench_mesh(struct mesh *m, int level);
+void bench_mesh(struct mesh *m, int depth);
 
 #endif

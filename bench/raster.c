@@ -100,9 +100,9 @@ void bench_raster(void)
     raster_bench_must(m.corner != NULL);
     printf(
         "\n| size | faces | nearest face, ms | counting behind it, ms | exact comparisons |\n|---|---|---|---|---|\n");
-    for (int level = 0; level < MESH_LEVELS; level++)
+    for (int level = 0; level < MESH_SIZES; level++)
         measure(&m, 640, 480, level);
-    for (int level = 0; level < MESH_LEVELS; level++)
+    for (int level = 0; level < MESH_SIZES; level++)
         measure(&m, 1920, 1080, level);
     free(m.corner);
 }

@@ -72,23 +72,23 @@ static struct point turned(struct point v, struct point w)
     return (struct point){v.x + along * w.x, v.y + along * w.y, w.z * v.z - w.x * v.x - w.y * v.y};
 }
 
-static size_t write_balls(char *text, struct ball b, int level)
+static size_t write_balls(char *text, struct ball b, int depth)
 {
     size_t length = (size_t)sprintf(text, "s %.9g %.9g %.9g %.9g\n", b.at.x, b.at.y, b.at.z, b.radius);
 
-    for (int i = 0; level > 0 && i < 9; i++) {
+    for (int i = 0; depth > 0 && i < 9; i++) {
         struct ball next = {b.at, turned(place(i), b.away), b.radius / 3};
         next.at.x += next.away.x * (b.radius + next.radius);
         next.at.y += next.away.y * (b.radius + next.radius);
         next.at.z += next.away.z * (b.radius + next.radius);
-        length += write_balls(text + length, next, level - 1);
+        length += write_balls(text + length, next, depth - 1);
     }
     return length;
 }
 
 #define LINE 80 /* bytes of a ball's, at most */
 
-void ray_scene_balls(struct ray_scene *s, int level)
+void ray_scene_balls(struct ray_scene *s, int depth)
 {
     char head[4096];
     FILE *file = fopen("scenes/nff/balls_1.nff", "r");
@@ -100,9 +100,9 @@ void ray_scene_balls(struct ray_scene *s, int level)
     (void)fclose(file);
     *s = (struct ray_scene){.memory_bytes = 0};
     length = (size_t)(balls + 1 - head);
-    char *text = s->memory[1] = ray_scene_memory(length + (size_t)(LINE * pow(9, level + 1) / 8) + LINE);
+    char *text = s->memory[1] = ray_scene_memory(length + (size_t)(LINE * pow(9, depth + 1) / 8) + LINE);
     memcpy(text, head, length);
-    length += write_balls(text + length, (struct ball){{0, 0, 0}, {0, 0, 1}, 0.5}, level);
+    length += write_balls(text + length, (struct ball){{0, 0, 0}, {0, 0, 1}, 0.5}, depth);
     struct tia_reader reader = {.format = TIA_FORMAT_NFF, .text = text, .length = length};
     (void)tia_read(&reader, &s->scene, NULL, 0, &need);
     s->memory[2] = ray_scene_memory(need);
@@ -127,7 +127,7 @@ static void set_mesh(struct ray_scene *s, const struct mesh *m, struct tia_mesh 
     *to = (struct tia_mesh){.vertices = points, .faces = faces, .vertex_count = 3 * count, .face_count = count};
 }
 
-void ray_scene_mesh(struct ray_scene *s, int level)
+void ray_scene_mesh(struct ray_scene *s, int depth)
 {
     static const struct tia_material grey = {.colour = {ONE / 2, ONE / 2, ONE / 2},
                                              .mirror = {ONE / 4, ONE / 4, ONE / 4}};
@@ -136,8 +136,8 @@ void ray_scene_mesh(struct ray_scene *s, int level)
     struct mesh mesh;
 
     *s = (struct ray_scene){.memory_bytes = 0};
-    mesh.corner = s->memory[1] = ray_scene_memory(((size_t)84 << 2 * level) * sizeof *mesh.corner + 4096);
-    bench_mesh(&mesh, level);
+    mesh.corner = s->memory[1] = ray_scene_memory(((size_t)84 << 2 * depth) * sizeof *mesh.corner + 4096);
+    bench_mesh(&mesh, depth);
     struct tia_mesh *solids = s->memory[4] = ray_scene_memory(sizeof *solids);
     set_mesh(s, &mesh, solids);
     s->scene = (struct tia_scene){.camera = {.eye = {Q(0.5), Q(4.2), Q(9)},

@@ -15,10 +15,10 @@ struct ray_scene {
 
 /* The databases' sphere flake: (9^(level + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff; levels
  * 1 to 4 are balls_1.nff to balls_4.nff. */
-void ray_scene_balls(struct ray_scene *s, int level);
+void ray_scene_balls(struct ray_scene *s, int depth);
 
 /* The solids of bench_mesh as one mesh of 84 4^level + 12 faces. */
-void ray_scene_mesh(struct ray_scene *s, int level);
+void ray_scene_mesh(struct ray_scene *s, int depth);
 
 void ray_scene_free(struct ray_scene *s);
 

@@ -20,7 +20,7 @@ struct shadow_scene {
 /* Ends the program when something is not fine. */
 void shadow_must(bool fine);
 
-/* Memory for all levels; then a scene of one, MESH_LEVELS in all. */
+/* Memory for all levels; then a scene of one, MESH_SIZES in all. */
 void shadow_scene_init(struct shadow_scene *s);
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);

@@ -34,7 +34,7 @@ static void measure_passes(void)
     printf("\n| size | faces | depth alone, ms | z-fail alone, ms | z-pass alone, ms | z-fail alone/depth alone |\n"
            "|---|--:|--:|--:|--:|--:|\n");
     for (int i = 0; i < 2; i++)
-        for (int level = 0; level < MESH_LEVELS; level++) {
+        for (int level = 0; level < MESH_SIZES; level++) {
             shadow_scene_make(&s, level);
             measure(&s, sizes[i][0], sizes[i][1]);
         }

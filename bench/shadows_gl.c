@@ -149,7 +149,7 @@ static bool measure_size(const char *driver, struct shadow_scene *s, const uint1
     printf("\n| size | faces | depth, ms | %s with colour, ms | depth/%s | z-fail, ms | %s, ms | z-fail/%s |\n"
            "|---|--:|--:|--:|--:|--:|--:|--:|\n",
            driver, driver, driver, driver);
-    for (int level = 0; level < MESH_LEVELS; level++) {
+    for (int level = 0; level < MESH_SIZES; level++) {
         shadow_scene_make(s, level);
         measure(gl, s, size);
         (void)fflush(stdout);

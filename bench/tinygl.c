@@ -123,9 +123,9 @@ void bench_tinygl(void)
     printf(
         "\n| size | faces | nearest face, ms | TinyGL, ms | nearest face/TinyGL | pixels where TinyGL has another face "
         "|\n|---|--:|--:|--:|--:|--:|\n");
-    for (int level = 0; level < MESH_LEVELS; level++)
+    for (int level = 0; level < MESH_SIZES; level++)
         measure(&m, 640, 480, level);
-    for (int level = 0; level < MESH_LEVELS; level++)
+    for (int level = 0; level < MESH_SIZES; level++)
         measure(&m, 1920, 1080, level);
     free(m.corner);
 }

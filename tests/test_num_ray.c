@@ -90,10 +90,10 @@ TEST(slopes_reach_planes_early)
         real got = (real)num_walk_to(&slope, plane), size = want < 0 ? -want : want, got_size = got < 0 ? -got : got;
         CHECK(size < 1 || got_size < 1 || (got < 0) == (want < 0));
         CHECK(got_size <= size + 1);
-        CHECK(slope.level || got_size >= size * (1 - (real)0x1p-21) - 1);
-        CHECK_EQ(slope.level, (d < 0 ? -d : d) < (num_unit)1 << 54);
+        CHECK(slope.parallel || got_size >= size * (1 - (real)0x1p-21) - 1);
+        CHECK_EQ(slope.parallel, (d < 0 ? -d : d) < (num_unit)1 << 54);
     }
-    CHECK(num_slope(NUM_LENGTH_FAR, NUM_UNIT_ONE).level && num_slope(-NUM_LENGTH_FAR, -1).level);
+    CHECK(num_slope(NUM_LENGTH_FAR, NUM_UNIT_ONE).parallel && num_slope(-NUM_LENGTH_FAR, -1).parallel);
 }
 
 TEST(within_has_its_edge)

@@ -18,11 +18,11 @@
 static void clip_to(long double min, long double max, long double o, long double d, long double least,
                     long double *near, long double *far)
 {
-    bool level = fabsl(d) < least;
-    long double slope = level ? (d < 0 ? -least : least) : d, from = (min - o) / slope, to = (max - o) / slope;
+    bool parallel = fabsl(d) < least;
+    long double slope = parallel ? (d < 0 ? -least : least) : d, from = (min - o) / slope, to = (max - o) / slope;
 
     *near = fmaxl(*near, fminl(from, to));
-    if (!level || fmaxl(from, to) < 0)
+    if (!parallel || fmaxl(from, to) < 0)
         *far = fminl(*far, fmaxl(from, to));
 }
 

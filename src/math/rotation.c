@@ -58,13 +58,14 @@ static tia_q16 degrees(int64_t y, int64_t x)
  * rounding, x and z turn alike: with z = 0 axes[1] is at (sy sx, cx, 0). */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
 {
-    int64_t level = wide_sqrt(wide_sum(wide_product(axes[0][0], axes[0][0]), wide_product(axes[0][1], axes[0][1])));
+    int64_t horizontal =
+        wide_sqrt(wide_sum(wide_product(axes[0][0], axes[0][0]), wide_product(axes[0][1], axes[0][1])));
     int64_t up = -axes[0][2];
 
-    rotation->y = degrees(up, level);
+    rotation->y = degrees(up, horizontal);
     rotation->z = 0;
     rotation->x = degrees(up < 0 ? -axes[1][0] : axes[1][0], axes[1][1]);
-    if (level < INT64_C(1) << 38) /* 2^-24, an eighth of the angles' unit */
+    if (horizontal < INT64_C(1) << 38) /* 2^-24, an eighth of the angles' unit */
         return;
     rotation->z = degrees(axes[0][1], axes[0][0]);
     rotation->x = degrees(axes[1][2], axes[2][2]);

@@ -246,15 +246,15 @@ static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 
 #include "num_power_q16.h"
 
-#define NUM_UNIT_LEVEL ((num_unit)1 << 42) /* 2^-20 */
+#define NUM_UNIT_PARALLEL ((num_unit)1 << 42) /* 2^-20 */
 
-/* 1/d with 42 fractional bits, below 2^62, rounded towards 0; |d| is raised to NUM_UNIT_LEVEL.
+/* 1/d with 42 fractional bits, below 2^62, rounded towards 0; |d| is raised to NUM_UNIT_PARALLEL.
  *
  * wide_reciprocal gives 2^126/(|d| 2^z), and z is at most 21. */
 static inline num_length num_reciprocal(num_unit d)
 {
     num_unit size = d < 0 ? -d : d;
-    uint64_t divisor = (uint64_t)(size < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : size);
+    uint64_t divisor = (uint64_t)(size < NUM_UNIT_PARALLEL ? NUM_UNIT_PARALLEL : size);
     unsigned z = tia_clz64(divisor);
     num_length reciprocal = wide_reciprocal(divisor << z) >> (22 - z);
 
@@ -290,22 +290,22 @@ struct num_slope {
     int64_t start;   /* origin/d */
     int32_t inverse; /* 1/d, 22 fraction bits */
     bool backward;   /* d < 0 */
-    bool level;      /* 1/|d| is larger than said */
+    bool parallel;   /* 1/|d| is larger than said */
 };
 
 static inline struct num_slope num_slope(num_length origin, num_unit d)
 {
     const uint64_t least = UINT64_C(1) << 54;
     uint64_t size = d < 0 ? 0 - (uint64_t)d : (uint64_t)d;
-    bool level = size < least;
+    bool parallel = size < least;
 
     if (origin >= NUM_LENGTH_FAR || origin <= -NUM_LENGTH_FAR)
         return (struct num_slope){0, 0, false, true};
-    size = level ? least : size;
+    size = parallel ? least : size;
     unsigned z = tia_clz64(size);
     int32_t inverse = (int32_t)((tia_reciprocal((uint32_t)(size << z >> 32)) - 3) >> (11 - z));
     inverse = d < 0 ? -inverse : inverse;
-    return (struct num_slope){wide_round(wide_product(origin, inverse), 29), inverse, d < 0, level};
+    return (struct num_slope){wide_round(wide_product(origin, inverse), 29), inverse, d < 0, parallel};
 }
 
 static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)

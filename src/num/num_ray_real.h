@@ -237,11 +237,13 @@ static inline num_length num_power_length(num_unit d, tia_q16 e)
     return num_power(d, e);
 }
 
-#define NUM_UNIT_LEVEL ((num_real)1 / 1048576)
+#define NUM_UNIT_PARALLEL ((num_real)1 / 1048576)
 
 static inline num_length num_reciprocal(num_unit d)
 {
-    return 1 / (d < 0 ? (d > -NUM_UNIT_LEVEL ? -NUM_UNIT_LEVEL : d) : d < NUM_UNIT_LEVEL ? NUM_UNIT_LEVEL : d);
+    return 1 / (d < 0                   ? (d > -NUM_UNIT_PARALLEL ? -NUM_UNIT_PARALLEL : d)
+                : d < NUM_UNIT_PARALLEL ? NUM_UNIT_PARALLEL
+                                        : d);
 }
 
 static inline num_length num_slab(num_length x, num_length reciprocal)
@@ -266,14 +268,14 @@ typedef num_real num_walk;
 
 struct num_slope {
     num_real origin, inverse;
-    bool backward, level;
+    bool backward, parallel;
 };
 
 static inline struct num_slope num_slope(num_length origin, num_unit d)
 {
-    bool level = d < NUM_UNIT_LEVEL && d > -NUM_UNIT_LEVEL;
+    bool parallel = d < NUM_UNIT_PARALLEL && d > -NUM_UNIT_PARALLEL;
 
-    return (struct num_slope){origin, num_reciprocal(d), d < 0, level};
+    return (struct num_slope){origin, num_reciprocal(d), d < 0, parallel};
 }
 
 static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)

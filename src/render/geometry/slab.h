@@ -6,16 +6,16 @@
 
 struct slab {
     num_length origin, reciprocal; /* 1/direction, see num_reciprocal */
-    bool level;
+    bool parallel;
 };
 
 /* num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes it enter early, which is safe,
  * but it would also leave early: so a parallel ray between the planes never leaves. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
-    bool level = direction < NUM_UNIT_LEVEL && direction > -NUM_UNIT_LEVEL;
+    bool parallel = direction < NUM_UNIT_PARALLEL && direction > -NUM_UNIT_PARALLEL;
 
-    return (struct slab){origin, num_reciprocal(direction), level};
+    return (struct slab){origin, num_reciprocal(direction), parallel};
 }
 
 static inline void slab_clip(const struct slab *slab, num_length min, num_length max, num_length *near, num_length *far)
@@ -24,7 +24,7 @@ static inline void slab_clip(const struct slab *slab, num_length min, num_length
     num_length enter = a < b ? a : b, leave = a < b ? b : a;
 
     *near = enter > *near ? enter : *near;
-    if (!slab->level || leave < 0)
+    if (!slab->parallel || leave < 0)
         *far = leave < *far ? leave : *far;
 }
 

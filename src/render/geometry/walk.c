@@ -7,7 +7,7 @@ static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num
     num_walk enter = num_walk_to(s, s->backward ? max : min), leave = num_walk_to(s, s->backward ? min : max);
 
     *near = enter > *near ? enter : *near;
-    if (leave < *far && (!s->level || leave < 0))
+    if (leave < *far && (!s->parallel || leave < 0))
         *far = leave;
 }
 

@@ -65,7 +65,7 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 /* Where in the shape's box the ray may be inside the side, `from` before `to`; nothing of it is hit elsewhere. */
 struct tube {
     const struct sure_round *k;
-    vd square, towards, level; /* f^2, -p.y, D^2 */
+    vd square, towards, discriminant; /* f^2, -p.y, D^2 */
     vd height, rise;
     vd off, turn; /* lambda(t) is off + |t| turn */
     vd over;      /* 1/f^2 */
@@ -99,11 +99,11 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->rise = v3_dot(p->d, axis);
     b->square = y0 * y0 + y1 * y1;
     b->towards = -(p0 * y0 + p1 * y1);
-    b->level = r * r * b->square - aside * aside;
+    b->discriminant = r * r * b->square - aside * aside;
     b->off = p->eo + l1 * (SURE_TUBE * EPS) + reach * (8 * EPS) + 5.25 * UNIT;
     b->turn = p->ed + SURE_TUBE * EPS;
     vd start = b->towards - b->height * b->rise, estart = b->off + l1 * b->turn;
-    vd lambda = lambda_at(b, vabs(start) + reach + estart), most = b->level + eta_of(r, lambda) * b->square;
+    vd lambda = lambda_at(b, vabs(start) + reach + estart), most = b->discriminant + eta_of(r, lambda) * b->square;
     b->miss = mor(starts_outside(q), vlt(most, vset(0)));
     b->from = start - reach - estart;
     b->to = start + reach + estart;
@@ -187,7 +187,7 @@ static __attribute__((noinline)) void meet_cylinder(struct query *q, const struc
 
     if (!tube_of(q, k, &b))
         return;
-    vd r = vset(k->base_radius), d = vsqrt(vmax(b.level, vset(0)));
+    vd r = vset(k->base_radius), d = vsqrt(vmax(b.discriminant, vset(0)));
     vd t0 = (b.towards - d) * b.over, t1 = (b.towards + d) * b.over;
     vd lambda = lambda_at(&b, vmax(vabs(t0), vabs(t1))), g = d - r * b.turn - lambda;
     vd rest = g * g * (1 - P2M(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
