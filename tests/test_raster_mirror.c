@@ -13,8 +13,8 @@
 
 #include "check.h"
 #include "common/image/image.h"
+#include "flat/faces.h"
 #include "random.h"
-#include "shadow/faces.h"
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRROR = 2, SCENES = 20 };
 

@@ -5,7 +5,7 @@
 #include <tia/bvh.h>
 
 #include "check.h"
-#include "shadow/curved.h"
+#include "flat/curved.h"
 #include "shadow_world.h"
 
 enum { WIDTH = 128, HEIGHT = 96, PIXELS = WIDTH * HEIGHT, MOST = 16 * PIXELS };

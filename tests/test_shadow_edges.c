@@ -6,9 +6,9 @@
 #include <tia/scene.h>
 
 #include "check.h"
+#include "flat/edges.h"
 #include "math/sort.h"
 #include "random.h"
-#include "shadow/edges.h"
 
 #define MANY 400
 

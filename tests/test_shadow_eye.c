@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "flat/eye.h"
 #include "random.h"
-#include "shadow/eye.h"
 
 #define FRACTION 20
 #define BITS 25 /* of directions */

@@ -5,8 +5,8 @@
 #include <tia/render.h>
 
 #include "check.h"
+#include "flat/source.h"
 #include "random.h"
-#include "shadow/source.h"
 
 #define Q TIA_Q16
 #define PI 3.14159265358979323846

@@ -1,10 +1,10 @@
 /* faces.c - the flat faces of a scene's objects. */
 #include "faces.h"
 
+#include "flat/source.h"
 #include "math/align.h"
 #include "scene/bvh/tree.h"
 #include "scene/cancel.h"
-#include "shadow/source.h"
 
 #define FACES_MOST (UINT32_C(1) << 28)
 #define ITEM_COST 2 /* of testing a face, in visits to a node's children */

@@ -7,8 +7,8 @@
 #ifndef TIA_SHADOW_MAP_H
 #define TIA_SHADOW_MAP_H
 
+#include "flat/world.h"
 #include "scene/cancel.h"
-#include "world.h"
 
 #define TIA_CUBE_VIEWS 6
 #define TIA_MAP_NOTHING UINT32_MAX

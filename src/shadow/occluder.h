@@ -16,7 +16,7 @@
 #ifndef TIA_SHADOW_OCCLUDER_H
 #define TIA_SHADOW_OCCLUDER_H
 
-#include "lights.h"
+#include "flat/lights.h"
 
 /* The plane of a visible face. */
 struct tia_seen_face {

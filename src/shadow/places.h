@@ -2,7 +2,7 @@
 #ifndef TIA_SHADOW_PLACES_H
 #define TIA_SHADOW_PLACES_H
 
-#include "lights.h"
+#include "flat/lights.h"
 #include "ranges.h"
 
 /* Coordinates of vertices with SEEN_BITS more. */

@@ -8,7 +8,7 @@
 #ifndef TIA_SHADOW_VOLUME_H
 #define TIA_SHADOW_VOLUME_H
 
-#include "lights.h"
+#include "flat/lights.h"
 #include "scene/cancel.h"
 
 /* On which side of a face's plane it is: 1 where the corners run counterclockwise seen from it, -1 behind, 0 in the

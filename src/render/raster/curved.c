@@ -1,7 +1,7 @@
 #include "curved.h"
 
+#include "flat/faces.h"
 #include "render/geometry/walk.h"
-#include "shadow/faces.h"
 
 /* The next curved object that the ray may meet at 0 <= t <= limit, or TIA_NO_OBJECT. Flat objects in its way cost a
  * look each; their faces are not asked. */

@@ -2,8 +2,8 @@
 #ifndef TIA_RENDER_RASTER_CURVED_H
 #define TIA_RENDER_RASTER_CURVED_H
 
+#include "flat/curved.h"
 #include "render/trace/trace.h"
-#include "shadow/curved.h"
 
 /* Puts the nearest curved object in place of what the ray hits if it is nearer, or as near with a lower index. */
 void curved_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);

@@ -9,9 +9,9 @@
 #ifndef TIA_RENDER_RASTER_DIFFUSE_H
 #define TIA_RENDER_RASTER_DIFFUSE_H
 
+#include "flat/world.h"
 #include "render/trace/trace.h"
 #include "shadow/technique.h"
-#include "shadow/world.h"
 
 #define DIFFUSE_LIGHTS 8
 

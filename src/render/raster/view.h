@@ -2,9 +2,9 @@
 #ifndef TIA_RENDER_RASTER_VIEW_H
 #define TIA_RENDER_RASTER_VIEW_H
 
+#include "flat/curved.h"
 #include "math/align.h"
 #include "render/trace/trace.h"
-#include "shadow/curved.h"
 #include "shadow/technique.h"
 
 /* Behind the struct ray_view that the ray renderer prepares. */

@@ -1,6 +1,6 @@
 /* faces.h - a scene as flat faces in front of the camera, for the rasteriser. */
-#ifndef TIA_SHADOW_FACES_H
-#define TIA_SHADOW_FACES_H
+#ifndef TIA_FLAT_FACES_H
+#define TIA_FLAT_FACES_H
 
 #include "reach.h"
 #include "source.h"

@@ -1,6 +1,6 @@
 /* curved.h - where in the image the objects are that have no flat faces: rays look for them there. */
-#ifndef TIA_SHADOW_CURVED_H
-#define TIA_SHADOW_CURVED_H
+#ifndef TIA_FLAT_CURVED_H
+#define TIA_FLAT_CURVED_H
 
 #include "faces.h"
 

@@ -1,6 +1,6 @@
 /* source.h - an object of a scene as points and flat faces, before a camera looks at it. */
-#ifndef TIA_SHADOW_SOURCE_H
-#define TIA_SHADOW_SOURCE_H
+#ifndef TIA_FLAT_SOURCE_H
+#define TIA_FLAT_SOURCE_H
 
 #include "facets.h"
 #include "scene/hull.h"

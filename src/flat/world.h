@@ -1,6 +1,6 @@
 /* world.h - from the coordinates of faces before the camera back to the world's axes and units, without its origin. */
-#ifndef TIA_SHADOW_WORLD_H
-#define TIA_SHADOW_WORLD_H
+#ifndef TIA_FLAT_WORLD_H
+#define TIA_FLAT_WORLD_H
 
 #include "lights.h"
 

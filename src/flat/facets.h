@@ -1,6 +1,6 @@
 /* facets.h - the corners and faces of curved shapes that are divided into flat faces, see scene/facets.h. */
-#ifndef TIA_SHADOW_FACETS_H
-#define TIA_SHADOW_FACETS_H
+#ifndef TIA_FLAT_FACETS_H
+#define TIA_FLAT_FACETS_H
 
 #include "edges.h"
 #include "scene/facets.h"

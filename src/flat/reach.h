@@ -2,8 +2,8 @@
  *
  * A light at a point is a vertex like any other as long as it is in range. The faces alone decide the fraction bits
  * where the lights are in range then; else the lights do. */
-#ifndef TIA_SHADOW_REACH_H
-#define TIA_SHADOW_REACH_H
+#ifndef TIA_FLAT_REACH_H
+#define TIA_FLAT_REACH_H
 
 #include "eye.h"
 #include "scene/cancel.h"

@@ -1,6 +1,6 @@
 /* eye.h - the camera in integers: points of the world become vertices for the rasteriser. */
-#ifndef TIA_SHADOW_EYE_H
-#define TIA_SHADOW_EYE_H
+#ifndef TIA_FLAT_EYE_H
+#define TIA_FLAT_EYE_H
 
 #include <tia/raster.h>
 #include <tia/scene.h>

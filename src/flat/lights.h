@@ -1,6 +1,6 @@
 /* lights.h - the points that lights shine from, as vertices. */
-#ifndef TIA_SHADOW_LIGHTS_H
-#define TIA_SHADOW_LIGHTS_H
+#ifndef TIA_FLAT_LIGHTS_H
+#define TIA_FLAT_LIGHTS_H
 
 #include "faces.h"
 

@@ -1,7 +1,7 @@
 /* edges.h - finds the face across each edge of faces that share corners. Where one of two neighbours faces the light
  * and the other does not, their edge is part of the silhouette. */
-#ifndef TIA_SHADOW_EDGES_H
-#define TIA_SHADOW_EDGES_H
+#ifndef TIA_FLAT_EDGES_H
+#define TIA_FLAT_EDGES_H
 
 #include <tia/vec.h>
 
