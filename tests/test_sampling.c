@@ -1,7 +1,7 @@
 /* Sobol points: how evenly they lie, by their definition. Directions, powers: against long double. */
 #include "math/power.h"
-#include "sampling/direction.h"
-#include "sampling/sobol.h"
+#include "samples/direction.h"
+#include "samples/sobol.h"
 
 #include <math.h>
 #include <tia/material.h>

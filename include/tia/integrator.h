@@ -24,7 +24,7 @@
  * material's lobes. The two are combined by the balance heuristic (Veach 1997). Other emitting shapes are met by
  * chance. From the fourth bounce on paths end by roulette, at the latest after TIA_BOUNCES_MAX.
  *
- * Samples draw Owen-scrambled Sobol points, src/sampling/sobol.h: a pixel's first numbers are its place in the pixel,
+ * Samples draw Owen-scrambled Sobol points, src/samples/sobol.h: a pixel's first numbers are its place in the pixel,
  * without a filter, and the first direction. Rays start 2^-26 off a surface.
  */
 #ifndef TIA_INTEGRATOR_H

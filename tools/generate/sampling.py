@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""sampling.py - prints src/sampling/tables.c: Sobol points for each four bits."""
+"""sampling.py - prints src/samples/tables.c: Sobol points for each four bits."""
 
 # Joe and Kuo, new-joe-kuo-6.21201, the third and fourth dimension: degree, coefficients, first direction numbers.
 KUO = ((2, 1, (1, 3)), (3, 1, (1, 3, 1)))

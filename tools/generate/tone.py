@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tone.py - prints src/tone/thresholds.c: where the transfer function of sRGB, IEC 61966-2-1, goes to the next level.
+"""tone.py - prints src/samples/thresholds.c: where the transfer function of sRGB, IEC 61966-2-1, goes to the next level.
 
 A level k of n is shown from the least linear value whose code is (k - 1/2)/n or more.
 """

@@ -4,7 +4,7 @@
 
 #include "num/num_estimate.h"
 #include "render/trace/shading.h"
-#include "sampling/sobol.h"
+#include "samples/sobol.h"
 
 /* A sample, and what samples share that come one after the other. */
 struct estimate {

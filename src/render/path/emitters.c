@@ -1,7 +1,7 @@
 #include "emitters.h"
 
 #include "math/align.h"
-#include "sampling/direction.h"
+#include "samples/direction.h"
 #include "scene/colour.h"
 
 void emitter_radiance(const struct tia_rgb *emission, uint8_t bits, num_length radiance[3])

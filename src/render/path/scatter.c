@@ -1,6 +1,6 @@
 #include "scatter.h"
 
-#include "sampling/direction.h"
+#include "samples/direction.h"
 
 static num_length largest(const num_length rgb[3])
 {

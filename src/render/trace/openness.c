@@ -1,6 +1,6 @@
 #include "trace.h"
 
-#include "sampling/direction.h"
+#include "samples/direction.h"
 
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker)

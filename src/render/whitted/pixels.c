@@ -1,7 +1,7 @@
 /* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
 #include "observe.h"
 #include "render/dither.h"
-#include "sampling/sobol.h"
+#include "samples/sobol.h"
 #include "whitted.h"
 
 /* What the ray of a pixel's sample meets, or of those of a channel after the first. `object` is what the first one

@@ -1,7 +1,7 @@
 #include "shade.h"
 
 #include "observe.h"
-#include "sampling/sobol.h"
+#include "samples/sobol.h"
 #include "scene/colour.h"
 
 void path_hash_word(struct path *path, uint32_t word)

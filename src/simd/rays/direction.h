@@ -4,7 +4,7 @@
 #define TIA_SIMD_RAYS_DIRECTION_H
 
 #include "random.h"
-#include "sampling/direction.h"
+#include "samples/direction.h"
 
 #define SURE_LOCAL P2M(49) /* of a direction around the z axis: each coordinate within 2^-50 */
 

@@ -2,7 +2,7 @@
 #ifndef TIA_SIMD_RAYS_RANDOM_H
 #define TIA_SIMD_RAYS_RANDOM_H
 
-#include "sampling/sobol.h"
+#include "samples/sobol.h"
 #include "vector.h"
 
 #if LANES > 1
@@ -13,7 +13,7 @@ typedef uint32_t vu;
 
 #define SOBOL_WORD vu
 #define SOBOL_STEP(name) lanes_##name
-#include "sampling/sobol_steps.h"
+#include "samples/sobol_steps.h"
 #undef SOBOL_WORD
 #undef SOBOL_STEP
 

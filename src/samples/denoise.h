@@ -1,6 +1,6 @@
 /* denoise.h - a picture as the denoiser keeps it. */
-#ifndef TIA_DENOISE_DENOISE_H
-#define TIA_DENOISE_DENOISE_H
+#ifndef TIA_SAMPLES_DENOISE_H
+#define TIA_SAMPLES_DENOISE_H
 
 #include <tia/denoise.h>
 

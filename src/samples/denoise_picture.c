@@ -1,4 +1,4 @@
-/* picture.c - from what samples have gathered to light over albedo, and back. */
+/* denoise_picture.c - from what samples have gathered to light over albedo, and back. */
 #include "denoise.h"
 
 #include "math/align.h"

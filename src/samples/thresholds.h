@@ -1,6 +1,6 @@
 /* thresholds.h - the least value, in units of 2^-32, of each level of sRGB but the first. */
-#ifndef TIA_TONE_THRESHOLDS_H
-#define TIA_TONE_THRESHOLDS_H
+#ifndef TIA_SAMPLES_THRESHOLDS_H
+#define TIA_SAMPLES_THRESHOLDS_H
 
 #include <stdint.h>
 

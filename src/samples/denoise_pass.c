@@ -1,4 +1,4 @@
-/* pass.c - a pass of the wavelet. */
+/* denoise_pass.c - a pass of the wavelet. */
 #include "denoise.h"
 
 #include "math/integer.h"

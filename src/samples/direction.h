@@ -2,8 +2,8 @@
  *
  * `density` is over solid angles; t is the angle to the axis. Errors are largest distances to what the formula gives,
  * tests/test_sampling.c measures them. */
-#ifndef TIA_SAMPLING_DIRECTION_H
-#define TIA_SAMPLING_DIRECTION_H
+#ifndef TIA_SAMPLES_DIRECTION_H
+#define TIA_SAMPLES_DIRECTION_H
 
 #include <tia/fixed.h>
 

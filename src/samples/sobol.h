@@ -7,8 +7,8 @@
  * stochastic transparency", 2011; Burley, "Practical hash-based Owen scrambling", 2020; constants by Vegdahl).
  *
  * The numbers are u in 0..2^32 - 1 and stand for (u + 1/2)/2^32. */
-#ifndef TIA_SAMPLING_SOBOL_H
-#define TIA_SAMPLING_SOBOL_H
+#ifndef TIA_SAMPLES_SOBOL_H
+#define TIA_SAMPLES_SOBOL_H
 
 #include <stdint.h>
 
