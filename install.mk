@@ -40,7 +40,7 @@ $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
 $(BUILD)/tia-spheres.pc: install.mk include/tia/tia.h FORCE
 	$(file >$@,$(call PC,tia-spheres,integer-only ray tracer for scenes of spheres alone,))@:
 
-# Scenes of spheres alone: the smallest, or with SPHERES=fast what decides many pixels at once (src/render/span/coherence.h),
+# Scenes of spheres alone: the smallest, or with SPHERES=fast what decides many pixels at once (src/render/span/coherence/coherence.h),
 # 8 KB of flash for 0.6 of the time.
 SPHERES ?= small
 SPHERES_SRC := $(if $(filter fast,$(SPHERES)),$(SMALL_SRC),$(call without_coherence,$(SMALL_SRC)))

@@ -9,7 +9,7 @@
 #include "corpus/dice.h"
 #include "edge_scene.h"
 #include "render/dither.h"
-#include "render/span/coherence.c"
+#include "render/span/coherence/coherence.c"
 #include "simd/exact.h"
 
 typedef long double real;

@@ -1,4 +1,4 @@
-# What src/render/span/coherence_bounds.c says of sums of errors: p is the largest of the powers of two there, and each
+# What src/render/span/coherence/coherence_bounds.c says of sums of errors: p is the largest of the powers of two there, and each
 # error a share of it.
 #
 # S = b + sqrt(D), in units of b's last bit. D is off by .51 of the last bits of b twice, of v.v and of c; the root, at

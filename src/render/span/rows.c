@@ -1,5 +1,5 @@
 /* rows.c - from hits to pixels: a row is taken in pieces, and a piece in spans of one object. */
-#include "coherence.h"
+#include "coherence/coherence.h"
 #include "render/dither.h"
 #include "shade.h"
 #include "span.h"

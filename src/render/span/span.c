@@ -1,6 +1,6 @@
 #include "span.h"
 
-#include "coherence_pays.h"
+#include "coherence/coherence_pays.h"
 #include "math/align.h"
 #include "scene/colour.h"
 

@@ -8,10 +8,10 @@
  *
  * What integers may err by is bounded, see coherence_bounds.c: so every pixel has the bits that it has when computed
  * alone, and what cannot be decided is. */
-#ifndef TIA_RENDER_SPAN_COHERENCE_H
-#define TIA_RENDER_SPAN_COHERENCE_H
+#ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
+#define TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
 
-#include "shade.h"
+#include "render/span/shade.h"
 
 /* Draws a span that sees a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK.
  * False, with nothing drawn, where that does not pay or nothing can be said. */

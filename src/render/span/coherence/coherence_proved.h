@@ -1,7 +1,7 @@
 /* coherence_proved.h - logarithms in coherence_bounds.c that make up for sums of several errors, as
  * tests/proofs/coherence.g proves: it reads the numbers here. */
-#ifndef TIA_RENDER_SPAN_COHERENCE_PROVED_H
-#define TIA_RENDER_SPAN_COHERENCE_PROVED_H
+#ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_PROVED_H
+#define TIA_RENDER_SPAN_COHERENCE_COHERENCE_PROVED_H
 
 #define COHERENCE_ROOT 36    /* S = b + sqrt(D): 2^(this - B - S), relative, for a root of B and a sum of S bits */
 #define COHERENCE_INVERSE 28 /* 2^-this, relative: the reciprocal and c */

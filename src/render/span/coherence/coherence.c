@@ -1,8 +1,8 @@
 #include "coherence.h"
 
 #include "coherence_run.h"
+#include "render/span/shadow.h"
 #include "scene/colour.h"
-#include "shadow.h"
 
 #define SHORT 12 /* pixels are not worth samples */
 #define LEAF 8   /* pixels between samples are computed one by one rather than divided where a shadow's edge may be */

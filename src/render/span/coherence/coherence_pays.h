@@ -1,8 +1,8 @@
 /* coherence_pays.h - which spheres are wide, see coherence.h. */
-#ifndef TIA_RENDER_SPAN_COHERENCE_PAYS_H
-#define TIA_RENDER_SPAN_COHERENCE_PAYS_H
+#ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
+#define TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
 
-#include "sphere.h"
+#include "render/span/sphere.h"
 
 /* Whether a sphere is seen from outside and so large that many pixels have one colour. */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);

@@ -1,8 +1,8 @@
 /* coherence_run.h - what the parts of coherence.h share: a run of pixels, samples of it and their bounds. */
-#ifndef TIA_RENDER_SPAN_COHERENCE_RUN_H
-#define TIA_RENDER_SPAN_COHERENCE_RUN_H
+#ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
+#define TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
 
-#include "light.h"
+#include "render/span/light.h"
 
 #define COHERENCE_CASTERS 2
 
