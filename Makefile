@@ -136,7 +136,7 @@ CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/
 NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
 include src/simd/simd.mk
 # Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
-LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster flat shadow radio samples read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/raster)),$(CORE_SRC)) \
+LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster flat shadow radio samples read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/hybrid)),$(CORE_SRC)) \
              $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/axes.c scene/lightfield.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c lightfield.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pass.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
 SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
 without_coherence = $(filter-out src/render/span/coherence/coherence%,$(1)) src/render/span/coherence/no_coherence.c

@@ -1,6 +1,6 @@
 /* view.h - a view that is rasterised, and what is kept of each sample of each pixel. */
-#ifndef TIA_RENDER_RASTER_VIEW_H
-#define TIA_RENDER_RASTER_VIEW_H
+#ifndef TIA_RENDER_HYBRID_VIEW_H
+#define TIA_RENDER_HYBRID_VIEW_H
 
 #include "flat/curved.h"
 #include "math/align.h"

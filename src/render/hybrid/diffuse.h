@@ -6,8 +6,8 @@
  * Places are in units of 2^-bits, at most 2^38 of them. With r within 2^-25, D within 2^-29 and 1, and N within 2^-20,
  * P is within 2^-23.8 D + 4; where |w| is at least D/64 and 2^20, N.w/|w| errs by less than 2^-16, and the integers of
  * whitted_light_tile by less than 2^-30. The bound is four times that. */
-#ifndef TIA_RENDER_RASTER_DIFFUSE_H
-#define TIA_RENDER_RASTER_DIFFUSE_H
+#ifndef TIA_RENDER_HYBRID_DIFFUSE_H
+#define TIA_RENDER_HYBRID_DIFFUSE_H
 
 #include "flat/world.h"
 #include "render/trace/trace.h"

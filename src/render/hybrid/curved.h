@@ -1,6 +1,6 @@
 /* curved.h - the objects without flat faces, by rays that leave out all others. */
-#ifndef TIA_RENDER_RASTER_CURVED_H
-#define TIA_RENDER_RASTER_CURVED_H
+#ifndef TIA_RENDER_HYBRID_CURVED_H
+#define TIA_RENDER_HYBRID_CURVED_H
 
 #include "flat/curved.h"
 #include "render/trace/trace.h"

@@ -1,4 +1,4 @@
-/* raster.c - flat faces are rasterised: what is prepared for that. */
+/* hybrid.c - flat faces are rasterised: what is prepared for that. */
 #include "view.h"
 
 static bool draws(const struct tia_scene *scene)
