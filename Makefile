@@ -144,7 +144,7 @@ PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if 
              terminal/$(if $(filter yes,$(CHAFA)),,no-)chafa $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
 # What commands share, and the scenes and measures that commands, tests and benchmarks share.
-COMMON_SRC := $(call c_below,tools/common bench/corpus)
+COMMON_SRC := $(call c_below,tools/common)
 ORACLE_SRC := $(sort $(wildcard tests/oracle/*.c))
 TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_*.c)))
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <tia/radio.h>
 
-#include "corpus/dice.h"
+#include "common/corpus/dice.h"
 #include "milliseconds.h"
 
 enum { HOUSES_MOST = 144, TRIES = 3 };

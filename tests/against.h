@@ -2,7 +2,7 @@
 #ifndef TESTS_AGAINST_H
 #define TESTS_AGAINST_H
 
-#include "corpus/measure.h"
+#include "common/corpus/measure.h"
 #include "oracle/oracle.h"
 
 #include <inttypes.h>

@@ -5,7 +5,7 @@
 
 #include <tia/tia.h>
 
-#include "corpus/dice.h"
+#include "common/corpus/dice.h"
 
 #define EDGE_SPHERES 6
 #define EDGE_LIGHTS 4

@@ -2,8 +2,8 @@
 #ifndef TESTS_EXTREME_SCENES_H
 #define TESTS_EXTREME_SCENES_H
 
-#include "corpus/corpus_rays.h"
-#include "corpus/dice.h"
+#include "common/corpus/corpus_rays.h"
+#include "common/corpus/dice.h"
 #include "light_scene.h"
 
 static const tia_q16 sizes[] = {64, 75, 640, TIA_Q16(0.1), TIA_Q16(1), TIA_Q16(90), TIA_Q16(3000), TIA_Q16(11000)};

@@ -2,7 +2,7 @@
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 
-#include "corpus/dice.h"
+#include "common/corpus/dice.h"
 
 static uint64_t random_state = 1;
 

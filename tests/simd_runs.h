@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "corpus/corpus.h"
+#include "common/corpus/corpus.h"
 #include "edge_scene.h"
 #include "simd/bound_cache.h"
 

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "corpus/dice.h"
+#include "common/corpus/dice.h"
 #include "math/integer.h"
 
 #define TWO_TO_32 (UINT64_C(1) << 32)

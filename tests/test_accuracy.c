@@ -7,8 +7,8 @@
  */
 #include "against.h"
 #include "check.h"
+#include "common/corpus/corpus.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus.h"
 
 #include <stdlib.h>
 

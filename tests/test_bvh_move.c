@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "corpus/corpus_rays.h"
+#include "common/corpus/corpus_rays.h"
 #include "random.h"
 #include "render/trace/trace.h"
 #include "tia/bvh.h"

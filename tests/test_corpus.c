@@ -1,6 +1,6 @@
 /* The random scenes: what their header promises, and the same on every machine. */
 #include "check.h"
-#include "corpus/corpus.h"
+#include "common/corpus/corpus.h"
 
 #define SCENES 2000
 

@@ -1,6 +1,6 @@
 /* The random scenes for general rays: accepted, of every kind, and the same on every machine. */
 #include "check.h"
-#include "corpus/corpus_rays.h"
+#include "common/corpus/corpus_rays.h"
 
 #define SCENES 400
 

@@ -4,8 +4,8 @@
  * off, and others are few; and the checking build draws that too and reports nothing. What is too large for a
  * quick test is not drawn: of TIA_OBJECTS_MAX objects only the sizes are asked. */
 #include "check.h"
+#include "common/corpus/measure.h"
 #include "common/thread_pool.h"
-#include "corpus/measure.h"
 #include "reports.h"
 
 #include "limit_cases.h"

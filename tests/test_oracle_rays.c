@@ -1,6 +1,6 @@
 /* The oracle's rays against values worked out by hand: mirrors, glass, lights and what they add up to. */
 #include "check.h"
-#include "corpus/corpus.h"
+#include "common/corpus/corpus.h"
 #include "oracle/light.h"
 #include "oracle/oracle.h"
 #include "oracle/rays.h"

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "common/corpus/corpus_rays.h"
 #include "common/scene/scene.h"
-#include "corpus/corpus_rays.h"
 #include "float_modes.h"
 #include "render/whitted/shade.h"
 #include "with_hierarchy.h"

@@ -10,8 +10,8 @@
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
+#include "common/corpus/corpus_rays.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus_rays.h"
 
 #include <stdlib.h>
 #include <tia/bvh.h>

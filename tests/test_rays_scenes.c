@@ -4,8 +4,8 @@
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
+#include "common/corpus/corpus_rays.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus_rays.h"
 
 #define WHITE TIA_RGB(1, 1, 1)
 #define GREY TIA_RGB(0.5, 0.5, 0.5)

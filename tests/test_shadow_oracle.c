@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "corpus/corpus_flat.h"
+#include "common/corpus/corpus_flat.h"
 #include "oracle/faces.h"
 #include "oracle/rays.h"
 #include "shadow/technique.h"

@@ -4,7 +4,7 @@
 
 #include <tia/simd.h>
 
-#include "corpus/corpus_rays.h"
+#include "common/corpus/corpus_rays.h"
 #include "edge_scene.h"
 #include "float_modes.h"
 #include "render/renderer.h"

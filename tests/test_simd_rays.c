@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <tia/simd.h>
 
+#include "common/corpus/corpus_rays.h"
 #include "common/scene/scene.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus_rays.h"
 #include "reading.h"
 #include "simd/rays/sure.h"
 #include "simd_frames.h"

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <tia/simd.h>
 
+#include "common/corpus/corpus_rays.h"
 #include "common/scene/scene.h"
-#include "corpus/corpus_rays.h"
 #include "extreme_scenes.h"
 #include "simd/rays/one.h"
 #include "simd/rays/walk_paths.h"

@@ -5,8 +5,8 @@
  *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
 #include <tia/simd.h>
 
+#include "common/corpus/corpus.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus.h"
 #include "edge_scene.h"
 #include "render/renderer.h"
 #include "simd_frames.h"

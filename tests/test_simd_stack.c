@@ -6,7 +6,7 @@
 
 #include <tia/simd.h>
 
-#include "corpus/corpus_rays.h"
+#include "common/corpus/corpus_rays.h"
 #include "edge_scene.h"
 #include "reading.h"
 #include "render/renderer.h"

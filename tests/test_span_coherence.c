@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "check.h"
-#include "corpus/corpus.h"
-#include "corpus/dice.h"
+#include "common/corpus/corpus.h"
+#include "common/corpus/dice.h"
 #include "edge_scene.h"
 #include "render/dither.h"
 #include "render/span/coherence/coherence.c"

@@ -2,8 +2,8 @@
  * oracle's. */
 #include "against.h"
 #include "check.h"
+#include "common/corpus/corpus.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus.h"
 
 static struct threads *pool;
 static unsigned width = 640, height = 480; /* or the two arguments */

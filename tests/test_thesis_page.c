@@ -1,7 +1,7 @@
 /* The figures of docs/thesis.md, counted: how many pixels of the built-in scene change where tia differs from the texts
  * that it began with. The oracle draws both pictures. */
 #include "check.h"
-#include "corpus/corpus.h"
+#include "common/corpus/corpus.h"
 #include "oracle/oracle.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 
 #include <tia/bvh.h>
 
-#include "corpus/corpus.h"
+#include "common/corpus/corpus.h"
 #include "frames_light.h"
 #include "frames_play.h"
 #include "frames_radio.h"

@@ -4,7 +4,7 @@
 #define TESTS_ARCH_FRAMES_LIGHT_H
 
 #include "canvas.h"
-#include "corpus/corpus_rays.h"
+#include "common/corpus/corpus_rays.h"
 
 #define FRAMES_SUMS_WIDTH 17
 #define FRAMES_SUMS_HEIGHT 13

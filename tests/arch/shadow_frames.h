@@ -5,9 +5,9 @@
 #include <tia/raster.h>
 
 #include "canvas.h"
-#include "corpus/corpus_flat.h"
-#include "corpus/corpus_rays.h"
-#include "corpus/dice.h"
+#include "common/corpus/corpus_flat.h"
+#include "common/corpus/corpus_rays.h"
+#include "common/corpus/dice.h"
 
 #define FRAMES_FLAT 6
 #define FRAMES_CURVED 2

@@ -2,8 +2,8 @@
 #ifndef TIA_COMPARE_HEATMAP_H
 #define TIA_COMPARE_HEATMAP_H
 
+#include "common/corpus/measure.h"
 #include "common/image/image.h"
-#include "corpus/measure.h"
 
 #define HEATMAP_PANELS 16
 

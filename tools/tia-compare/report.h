@@ -2,7 +2,7 @@
 #ifndef TIA_COMPARE_REPORT_H
 #define TIA_COMPARE_REPORT_H
 
-#include "corpus/measure.h"
+#include "common/corpus/measure.h"
 
 struct report {
     bool json, summary;

@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/corpus/corpus.h"
+#include "common/corpus/corpus_rays.h"
 #include "common/message.h"
 #include "common/scene/scene.h"
 #include "common/signals.h"
 #include "common/thread_pool.h"
-#include "corpus/corpus.h"
-#include "corpus/corpus_rays.h"
 #include "heatmap.h"
 #include "options.h"
 #include "pictures.h"

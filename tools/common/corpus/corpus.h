@@ -1,6 +1,6 @@
 /* corpus.h - the scenes for measuring accuracy: the built-in one, and random ones, the same on every machine. */
-#ifndef PORT_COMMON_CORPUS_H
-#define PORT_COMMON_CORPUS_H
+#ifndef TOOLS_COMMON_CORPUS_CORPUS_H
+#define TOOLS_COMMON_CORPUS_CORPUS_H
 
 #include <tia/port.h>
 

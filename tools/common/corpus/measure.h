@@ -1,6 +1,6 @@
 /* measure.h - draws a picture in several arithmetics and compares each with a reference. */
-#ifndef PORT_COMMON_MEASURE_H
-#define PORT_COMMON_MEASURE_H
+#ifndef TOOLS_COMMON_CORPUS_MEASURE_H
+#define TOOLS_COMMON_CORPUS_MEASURE_H
 
 #include <tia/port.h>
 

@@ -1,6 +1,6 @@
 /* dice.h - random numbers for scenes that are the same on every machine. */
-#ifndef PORT_COMMON_DICE_H
-#define PORT_COMMON_DICE_H
+#ifndef TOOLS_COMMON_CORPUS_DICE_H
+#define TOOLS_COMMON_CORPUS_DICE_H
 
 #include <tia/vec.h>
 

@@ -1,6 +1,6 @@
 /* corpus_rays.h - random scenes for the ray renderer, the same on every machine. */
-#ifndef PORT_COMMON_CORPUS_RAYS_H
-#define PORT_COMMON_CORPUS_RAYS_H
+#ifndef TOOLS_COMMON_CORPUS_CORPUS_RAYS_H
+#define TOOLS_COMMON_CORPUS_CORPUS_RAYS_H
 
 #include "corpus_parts.h"
 

@@ -1,6 +1,6 @@
 /* corpus_parts.h - a random scene of corpus_rays.h, and its parts. */
-#ifndef PORT_COMMON_CORPUS_PARTS_H
-#define PORT_COMMON_CORPUS_PARTS_H
+#ifndef TOOLS_COMMON_CORPUS_CORPUS_PARTS_H
+#define TOOLS_COMMON_CORPUS_CORPUS_PARTS_H
 
 #include <tia/scene.h>
 

@@ -1,6 +1,6 @@
 /* corpus_flat.h - random scenes of flat faces, which all techniques for shadows can draw, the same on every machine. */
-#ifndef PORT_COMMON_CORPUS_FLAT_H
-#define PORT_COMMON_CORPUS_FLAT_H
+#ifndef TOOLS_COMMON_CORPUS_CORPUS_FLAT_H
+#define TOOLS_COMMON_CORPUS_CORPUS_FLAT_H
 
 #include "corpus_parts.h"
 
