@@ -14,7 +14,7 @@ struct raster_view {
     uint32_t place_count;
     unsigned sample_count;           /* of a pixel */
     unsigned shares, more_bytes;     /* of a sample of a pixel, for the technique */
-    unsigned range;                  /* of the vertices, see shadow/reach.h, or RASTER_NO_RANGE: they are not ready */
+    unsigned range;                  /* of the vertices, see flat/reach.h, or RASTER_NO_RANGE: they are not ready */
     bool whole;                      /* the technique's is_whole */
     struct tia_shadow_view shadow[]; /* one for each; they share all but lattice and planes */
 };

@@ -1,4 +1,4 @@
-/* direction.h - random directions in doubles, see sampling/direction.c: within 2^-50 of the integers', which are within
+/* direction.h - random directions in doubles, see samples/direction.c: within 2^-50 of the integers', which are within
  * 2^-59 of the same formulas. */
 #ifndef TIA_SIMD_RAYS_DIRECTION_H
 #define TIA_SIMD_RAYS_DIRECTION_H

@@ -1,4 +1,4 @@
-/* random.h - the numbers that samples draw, as sampling/sobol.h has them, of several samples side by side. */
+/* random.h - the numbers that samples draw, as samples/sobol.h has them, of several samples side by side. */
 #ifndef TIA_SIMD_RAYS_RANDOM_H
 #define TIA_SIMD_RAYS_RANDOM_H
 
