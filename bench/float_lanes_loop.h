@@ -1,4 +1,4 @@
-/* float_lanes_loop.h - the loop itself in a level's operations (src/simd/kernel.h lists them), included once by a
+/* float_lanes_loop.h - the loop itself in a level's operations (src/simd/isa/isa.h lists them), included once by a
  * file for each level, which defines DRAW, its name. */
 #ifndef BENCH_FLOAT_LANES_LOOP_H
 #define BENCH_FLOAT_LANES_LOOP_H

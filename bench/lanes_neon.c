@@ -1,5 +1,5 @@
 /* lanes_neon.c - see float_lanes_loop.h. */
-#include "simd/neon64.h"
+#include "simd/isa/neon.h"
 
 #define DRAW float_lanes_neon
 #include "float_lanes_loop.h"

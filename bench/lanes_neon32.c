@@ -1,5 +1,5 @@
 /* lanes_neon32.c - see float_lanes_loop.h. */
-#include "simd/neon32.h"
+#include "simd/isa/neon32.h"
 
 #define DRAW float_lanes_neon
 #include "float_lanes_loop.h"

@@ -1,5 +1,5 @@
 /* lanes_sse41.c - see float_lanes_loop.h. */
-#include "simd/sse41.h"
+#include "simd/isa/sse41.h"
 
 #define DRAW float_lanes_sse41
 #include "float_lanes_loop.h"

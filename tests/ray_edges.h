@@ -8,7 +8,7 @@
 #include "random.h"
 #include "reading.h"
 
-#include "simd/rays/one.h"
+#include "one_lane.h"
 
 static struct reading reading;
 static struct tia_view *prepared;

@@ -1,6 +1,6 @@
 /* ray_steps.h - for tests of single steps of src/simd/rays: what a step starts from is off by all that its bound
  * allows, in the direction that changes its result most, and what comes out of it is compared with the formula. To be
- * included behind simd/rays/one.h. */
+ * included behind one_lane.h. */
 #ifndef TESTS_RAY_STEPS_H
 #define TESTS_RAY_STEPS_H
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_SIMD_INTEGERS_H
 #define TESTS_SIMD_INTEGERS_H
 
-#include "simd/prepare.h"
+#include "simd/span/prepare.h"
 
 struct simd_integers {
     num_u t;

@@ -6,7 +6,7 @@
 
 #include "common/corpus/corpus.h"
 #include "edge_scene.h"
-#include "simd/bound_cache.h"
+#include "simd/span/bound_cache.h"
 
 /* `fine` is what tia_simd_fine made of a run that it takes. */
 typedef void simd_runs_try(const struct simd_fine *fine);

@@ -16,7 +16,7 @@
 #include "with_hierarchy.h"
 
 #define SURE_CHECK
-#include "simd/rays/one.h"
+#include "one_lane.h"
 
 static unsigned random_scenes = 150;
 

@@ -1,5 +1,5 @@
 /* src/simd/rays, faces in floats: what the areas of a pair's edges are off by, of their bound. */
-#include "simd/rays/one.h"
+#include "one_lane.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"

@@ -1,10 +1,10 @@
 /* Surfaces, what they send and the rays that they give rise to, in src/simd/rays: each step by itself, at the far end
  * of its bound (see ray_steps.h). */
-#include "simd/rays/one.h"
+#include "one_lane.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"
-#include "simd/rays/walk_paths.h"
+#include "simd/rays/walk_paths_tmpl.h"
 
 enum { TRIES = 20000 };
 #define WITHIN .9999L /* of what a bound allows */

@@ -1,6 +1,6 @@
 /* What lights do to a point, and the rays that it gives rise to, in src/simd/rays: each step by itself, at the far
  * end of its bound (see ray_steps.h). */
-#include "simd/rays/one.h"
+#include "one_lane.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"

@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "float_modes.h"
-#include "simd/proved.h"
+#include "simd/span/proved.h"
 #include "simd_integers.h"
 #include "simd_runs.h"
 

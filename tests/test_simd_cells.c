@@ -6,12 +6,12 @@
 
 #include "check.h"
 #include "float_modes.h"
-#include "simd/proved.h"
+#include "simd/span/proved.h"
 #include "simd_integers.h"
 #include "simd_runs.h"
 #include "vector_floats.h"
 
-#include "simd/kernel.h"
+#include "simd/span/kernel_tmpl.h"
 
 typedef long double real;
 

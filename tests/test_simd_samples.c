@@ -12,8 +12,8 @@
 #include "common/corpus/corpus_rays.h"
 #include "common/scene/scene.h"
 #include "extreme_scenes.h"
-#include "simd/rays/one.h"
-#include "simd/rays/walk_paths.h"
+#include "one_lane.h"
+#include "simd/rays/walk_paths_tmpl.h"
 #include "simd_frames.h"
 #include "with_hierarchy.h"
 

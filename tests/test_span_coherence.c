@@ -10,7 +10,7 @@
 #include "edge_scene.h"
 #include "render/dither.h"
 #include "render/span/coherence/coherence.c"
-#include "simd/exact.h"
+#include "simd/span/exact.h"
 
 typedef long double real;
 

@@ -1,7 +1,6 @@
 /* neon.c - 4 floats: NEON of AArch64. */
-#include "neon64.h"
-
-#include "kernel.h"
+#include "isa/neon.h"
 #include "simd.h"
+#include "span/kernel_tmpl.h"
 
 SIMD(neon, NULL);

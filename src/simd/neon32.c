@@ -1,7 +1,6 @@
 /* neon32.c - 4 floats: NEON of ARMv7. */
-#include "neon32.h"
-
-#include "kernel.h"
+#include "isa/neon32.h"
 #include "simd.h"
+#include "span/kernel_tmpl.h"
 
 SIMD(neon, NULL);

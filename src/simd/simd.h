@@ -2,9 +2,9 @@
 #ifndef TIA_SIMD_SIMD_H
 #define TIA_SIMD_SIMD_H
 
-#include "pair.h"
 #include "raster/runs.h"
 #include "render/renderer.h"
+#include "span/pair.h"
 
 /* See struct simd_renderer: scenes of spheres, and any others. */
 bool tia_simd_draws(const struct tia_view *view);

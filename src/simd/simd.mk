@@ -14,10 +14,10 @@ flags_neon32 := -mfpu=neon
 flags_wasm   := -msimd128
 SIMD ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is asked with a line for each level.
-SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/asked.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/probe.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
 # `make run` alone makes the one that this processor can do best, beside those that are there.
 ifneq ($(LEAN),)
-simd_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/simd/asked.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')
+simd_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/simd/probe.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')
 SIMD_BEST := $(lastword $(foreach l,$(SIMD_HAD),$(call simd_asked,$(l))))
 SIMD_HAD := $(if $(SIMD_BEST),$(foreach l,$(SIMD_HAD),$(if $(filter $(SIMD_BEST),$(l))$(wildcard $(BUILD)/simd/src/simd/rays/$(l).o),$(l))),$(SIMD_HAD))
 endif

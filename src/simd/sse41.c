@@ -1,8 +1,7 @@
 /* sse41.c - 4 floats: SSE4.1. */
-#include "sse41.h"
-#include "stream_x86.h"
-
-#include "kernel.h"
+#include "isa/sse41.h"
+#include "isa/stream_x86.h"
 #include "simd.h"
+#include "span/kernel_tmpl.h"
 
 SIMD(sse41, NULL);

@@ -1,7 +1,6 @@
 /* wasm.c - 4 floats: fixed-width SIMD of WebAssembly. */
-#include "wasm.h"
-
-#include "kernel.h"
+#include "isa/wasm.h"
 #include "simd.h"
+#include "span/kernel_tmpl.h"
 
 SIMD(wasm, NULL);

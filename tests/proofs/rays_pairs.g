@@ -1,4 +1,4 @@
-# What floats round by in src/simd/rays/pairs.h, as in rays_forms.g, with |e| <= 2^-24; sizes are in units of (R + |M|) c.
+# What floats round by in src/simd/rays/pairs_tmpl.h, as in rays_forms.g, with |e| <= 2^-24; sizes are in units of (R + |M|) c.
 #
 # D.P + M.E of an edge: two conversions, a product, five sums; D.N of the whole: two conversions, a product, two sums
 edge = (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4) * (1 + e5) * (1 + e6) * (1 + e7) - 1;

@@ -1,4 +1,4 @@
-# The factors of src/simd/cells.h. e0 to e9 are roundings, `root` and `inverse` those of the estimates (simd_newton.g).
+# The factors of src/simd/span/cells_tmpl.h. e0 to e9 are roundings, `root` and `inverse` those of the estimates (simd_newton.g).
 #
 # D', halved, of which x may be a pixel, or an eighth of 8 pixels, outside of the run: a coefficient, a product and a sum.
 slope = ((1 + e0) * (1 + e1) * (1 + e2) - 1) * 0.5 * 1.125;

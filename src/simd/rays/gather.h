@@ -11,11 +11,11 @@
 /* What shines, as paths see it. */
 struct sure_shine {
     double radiance[3];
-    double area; /* times its distribution's constant, see emitters.h; of planes */
+    double area; /* times its distribution's constant, see emitters_tmpl.h; of planes */
     bool known;  /* doubles can look for it */
 };
 
-/* What of a path's numbers goes where at a material, see scatter.h: chances as the integers cut them. */
+/* What of a path's numbers goes where at a material, see scatter_tmpl.h: chances as the integers cut them. */
 struct sure_lobes {
     uint32_t below[3];
     double chance[4]; /* of a mirror, of glass, of the glossy lobe and of the diffuse one */

@@ -1,53 +1,10 @@
-/* neon.c - 2 doubles: NEON of AArch64. */
-#include <arm_neon.h>
+/* neon.c - rays with NEON of AArch64: 2 doubles. */
+#include "simd/isa/neon.h"
 
 #include "lanes.h"
 
-#define LANES 2
-typedef float64x2_t vd;
-typedef int64_t vi __attribute__((vector_size(16)));
-typedef uint64x2_t vm;
-#define vset(x) vdupq_n_f64(x)
-#define vsqrt(a) vsqrtq_f64(a)
-#define vabs(a) vabsq_f64(a)
-#define vmin(a, b) vminq_f64(a, b)
-#define vmax(a, b) vmaxq_f64(a, b)
-#define vlt(a, b) vcltq_f64(a, b)
-#define vle(a, b) vcleq_f64(a, b)
-#define vsel(m, a, b) vbslq_f64(m, a, b)
-#define mand(a, b) vandq_u64(a, b)
-#define mor(a, b) vorrq_u64(a, b)
-#define mnot(a) veorq_u64(a, vdupq_n_u64(UINT64_MAX))
-#define mbits(m) ((unsigned)((vgetq_lane_u64(m, 0) & 1) | (vgetq_lane_u64(m, 1) & 2)))
-
-LANE_OP vm mof(unsigned bits)
-{
-    return vcombine_u64(vcreate_u64(0 - (uint64_t)(bits & 1)), vcreate_u64(0 - (uint64_t)(bits >> 1 & 1)));
-}
-
-typedef float32x4_t vp;
-#define vp_set(x) vdupq_n_f32(x)
-#define vp_load(p) vreinterpretq_f32_f64(vdupq_n_f64(two_floats(p)))
-#define vp_min(a, b) vminq_f32(a, b)
-#define vp_max(a, b) vmaxq_f32(a, b)
-#define vp_swap(a) vrev64q_f32(a)
-
-LANE_OP unsigned vp_le(vp a, vp b)
-{
-    static const uint32_t bit[4] = {1, 2, 4, 8};
-
-    return vaddvq_u32(vandq_u32(vcleq_f32(a, b), vld1q_u32(bit)));
-}
-
-LANE_OP vp vp_of(vd a)
-{
-    float32x2_t f = vcvt_f32_f64(a);
-
-    return vcombine_f32(vdup_lane_f32(f, 0), vdup_lane_f32(f, 1));
-}
-
-#include "pixels.h"
-#include "tracer.h"
-#include "walk_paths.h"
+#include "pixels_tmpl.h"
+#include "tracer_tmpl.h"
+#include "walk_paths_tmpl.h"
 
 SURE(neon);

@@ -1,4 +1,4 @@
-/* pairs.c - the faces of a mesh in floats, two by two, in the order of its hierarchy's leaves: see pairs.h. */
+/* pairs.c - the faces of a mesh in floats, two by two, in the order of its hierarchy's leaves: see pairs_tmpl.h. */
 #include "sure.h"
 
 static double larger(double a, double b)

@@ -1,6 +1,11 @@
-/* scalar.c - plain C. */
-#include "one.h"
-#include "pixels.h"
-#include "walk_paths.h"
+/* scalar.c - rays in plain C, one at a time. */
+#include "simd/isa/one.h"
+
+#include "lanes.h"
+
+#include "tracer_tmpl.h"
+
+#include "pixels_tmpl.h"
+#include "walk_paths_tmpl.h"
 
 SURE(scalar);

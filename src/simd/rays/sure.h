@@ -41,7 +41,7 @@ struct sure_edges {
 };
 
 /* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
- * pairs.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
+ * pairs_tmpl.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
 struct sure_pair {
     float edge[2][2][3][2], whole[3][2], size[2];
     uint32_t face[2];

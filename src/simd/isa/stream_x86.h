@@ -1,0 +1,32 @@
+/* stream_x86.h - pixels to memory past the caches, for SSE4.1, AVX2 and AVX-512: with stores of 16 bytes, since the
+ * processor gathers whole lines of them. */
+#ifndef TIA_SIMD_ISA_STREAM_X86_H
+#define TIA_SIMD_ISA_STREAM_X86_H
+
+#include <emmintrin.h>
+#include <stdint.h>
+
+#define LINE 64 /* bytes, and half as many pixels */
+
+static void stream_pixels(uint16_t *out, const uint16_t *from, int count)
+{
+    const uint16_t *end = from + count;
+
+    for (; from < end && (uintptr_t)out % LINE; out++, from++)
+        *out = *from;
+    for (; end - from >= LINE / 2; out += LINE / 2, from += LINE / 2)
+        for (int i = 0; i < LINE / 2; i += 8)
+            _mm_stream_si128((void *)(out + i), _mm_loadu_si128((const void *)(from + i)));
+    for (; from < end; out++, from++)
+        *out = *from;
+}
+
+/* Such stores may be seen later than those that follow them. */
+static void settle_pixels(void)
+{
+    _mm_sfence();
+}
+
+#define STREAM stream_pixels, settle_pixels
+
+#endif

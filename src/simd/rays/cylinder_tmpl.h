@@ -1,0 +1,206 @@
+/* cylinder_tmpl.h - cylinders: in the axes of one, from its base, a ray is p + t y across and h + t d along. With f =
+ * |y| it meets the side, |p + t y| = r, at
+ *
+ *     t = (-p.y -+ D)/f^2,   D = sqrt(r^2 f^2 - (p x y)^2).
+ *
+ * The integers' ray is at t within lambda(t) = eo + t ed of ours, and so their line across, y' being its y, f' that
+ * one's length: f' <= f + ed. Let X be where ours meets the side at t, and X + a where theirs is at t, |a| <= lambda.
+ * What of a lies along their ray moves it along itself alone; let b be the rest, and X + b + s D' where they meet the
+ * side. Across the axis, X + b being off the circle by eta = 2 r lambda + lambda^2 squared at most,
+ *
+ *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta,
+ *     G = (X + b).y',   |G| >= g = D - r ed - lambda,
+ *
+ * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 -
+ * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they surely meet it, and s^2 <= b^2 (r^2 - g^2 +
+ * eta/2)/T^2: the hit moves by
+ *
+ *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T,
+ *
+ * and t, to which what of a lies along the ray adds, by no more, as (|b|, |a - b|) is no longer than lambda.
+ *
+ * Across the axis it moves less. Along y' the line is w = r sin v off the axis where it is v round it, X by their
+ * direction, and then off by lambda at most, so that the arc is at most r lambda over the least r cos v on its way;
+ * which is |X.y'|/f' >= g/f' before and sqrt(G^2 - f'^2 eta')/f' >= T/f' behind: r lambda f'/T. That is f' times the
+ * bound above, and the normal is off by that over r.
+ *
+ * A plane across the axis is met lambda/(|d| - ed) away, along the ray as in space, by the same triangle.
+ *
+ * What either side rounds by is taken for a move of the ray, by which it counts no less. Doubles: with l = |x| + |y| +
+ * |z| of the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a
+ * product, two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and
+ * 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The integers'
+ * origin, moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from
+ * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
+ * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
+ * else is within 2^-55 of the reach, of which 8 u are added.
+ *
+ * Of what follows no test can tell whether it is there. l in lambda: |O| is at most |t| and twice the reach, so that
+ * the others, 16 u |t| and 8 u of the reach, leave 4 u |O| without it; doubles were never seen to be off by 1 u |O|.
+ * What g is less than D by: lambda is that of the farther end, which is half a chord away at least, D/f^2, so that f^2
+ * eta is 2 r D ed or more, as much as r ed takes off g^2 but for r^2 ed^2; and what of b lies along y' leaves the line
+ * across the axis where it is. `slanted`: along the axis 1/f^2 would be infinite and t not a number, and nothing sure
+ * either.
+ */
+#ifndef TIA_SIMD_RAYS_CYLINDER_TMPL_H
+#define TIA_SIMD_RAYS_CYLINDER_TMPL_H
+
+#include "hit_report_tmpl.h"
+#include "render/geometry/round.h"
+
+/* Whether any line passes the axis so close that it may meet the side, by what most packets tell that do not: (D x A).O
+ * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21
+ * of pad at least. */
+LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
+{
+    const struct packet *p = q->p;
+    struct v3 across = v3_cross(p->d, v3_set(k->axis));
+    vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))), widest = vset(k->base_radius) + p->pad;
+    vd sure = vmax(aside - p->pad * P2M(24), vset(0));
+    vm passes = mor(starts_outside(q), vlt(widest * widest * v3_dot(across, across), sure * sure));
+
+    return any(mand(q->active, mnot(passes)));
+}
+
+/* Where in the shape's box the ray may be inside the side, `from` before `to`; nothing of it is hit elsewhere. */
+struct tube {
+    const struct sure_round *k;
+    vd square, towards, discriminant; /* f^2, -p.y, D^2 */
+    vd height, rise;
+    vd off, turn; /* lambda(t) is off + |t| turn */
+    vd over;      /* 1/f^2 */
+    vd from, to;
+    vm slanted; /* not along the axis, so that f^2 is a divisor */
+    vm miss;
+};
+
+LANE_OP vd lambda_at(const struct tube *b, vd t)
+{
+    return b->off + vabs(t) * b->turn;
+}
+
+LANE_OP vd eta_of(vd radius, vd lambda)
+{
+    return (2 * radius + lambda) * lambda * (1 + P2M(20));
+}
+
+/* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2
+ * - (p x y)^2/f^2. False: all miss. */
+LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct tube *b)
+{
+    const struct packet *p = q->p;
+    struct v3 o = v3_sub(p->o, v3_set(k->base)), a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
+    struct v3 axis = v3_set(k->axis);
+    vd p0 = v3_dot(o, a0), p1 = v3_dot(o, a1), y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1), l1 = v3_sum(o);
+    vd r = vset(k->base_radius), reach = vset(k->reach), aside = p0 * y1 - p1 * y0;
+
+    b->k = k;
+    b->height = v3_dot(o, axis);
+    b->rise = v3_dot(p->d, axis);
+    b->square = y0 * y0 + y1 * y1;
+    b->towards = -(p0 * y0 + p1 * y1);
+    b->discriminant = r * r * b->square - aside * aside;
+    b->off = p->eo + l1 * (SURE_TUBE * EPS) + reach * (8 * EPS) + 5.25 * UNIT;
+    b->turn = p->ed + SURE_TUBE * EPS;
+    vd start = b->towards - b->height * b->rise, estart = b->off + l1 * b->turn;
+    vd lambda = lambda_at(b, vabs(start) + reach + estart), most = b->discriminant + eta_of(r, lambda) * b->square;
+    b->miss = mor(starts_outside(q), vlt(most, vset(0)));
+    b->from = start - reach - estart;
+    b->to = start + reach + estart;
+    b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
+    if (!any(mand(q->active, mnot(b->miss))))
+        return false;
+    b->slanted = vlt(vset(P2M(60)), b->square);
+    b->over = 1 / vsel(b->slanted, b->square, vset(1));
+    vd half = vsqrt(vmax(most, vset(0))) * (1 + P2M(20)), margin = lambda + 3 * UNIT;
+    b->from = vsel(b->slanted, vmax(b->from, (b->towards - half) * b->over - 2 * UNIT), b->from);
+    b->to = vsel(b->slanted, vmin(b->to, (b->towards + half) * b->over + 2 * UNIT), b->to);
+    vd z0 = b->height + b->from * b->rise, z1 = b->height + b->to * b->rise;
+    b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
+    b->miss = mor(b->miss, mor(vlt(vmax(z0, z1), -margin), vlt(vset(k->length) + margin, vmin(z0, z1))));
+    return any(mand(q->active, mnot(b->miss)));
+}
+
+/* An end of what of the ray is inside the side: how high it is, and then whether it is one of the shape. */
+struct tube_end {
+    vd t, e, element;
+    vm low, above, high, below; /* than the base, and than the top; surely */
+    vm hit, none;
+};
+
+LANE_OP struct tube_end side_end(const struct tube *b, vd t, vd stretch)
+{
+    vd e = lambda_at(b, t) * stretch + 2 * UNIT, margin = e + 3 * UNIT, z = b->height + t * b->rise;
+    vd under = vset(b->k->length) - z;
+    struct tube_end end = {.t = t, .e = e, .element = vset(ROUND_SIDE)};
+
+    end.low = vlt(z, -margin);
+    end.above = vlt(margin, z);
+    end.high = vlt(under, -margin);
+    end.below = vlt(margin, under);
+    end.hit = mand(end.above, end.below);
+    end.none = mor(mor(end.low, end.high), vlt(t, -e));
+    return end;
+}
+
+/* With caps a ray that is not inside the length yet, or no more, enters or leaves by them, if it is at the other end.
+ */
+LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tube_end *other)
+{
+    vd slope = vabs(b->rise) - b->turn, size = vsel(vlt(vset(0), slope), slope, vset(1));
+    vm crosses = mand(mor(mand(end->low, other->above), mand(end->high, other->below)), vlt(vset(0), slope));
+    vd plane = vsel(end->low, vset(0), vset(b->k->length)) - b->height;
+    vd t = plane / vsel(crosses, b->rise, vset(1)), e = lambda_at(b, t) / size + 2 * UNIT;
+
+    end->none = mor(mand(end->low, other->low), mand(end->high, other->high));
+    end->t = vsel(crosses, t, end->t);
+    end->e = vsel(crosses, e, end->e);
+    end->element = vsel(crosses, vsel(end->low, vset(ROUND_BASE), vset(ROUND_TOP)), end->element);
+    end->hit = mor(end->hit, crosses);
+    end->none = mor(end->none, mand(end->hit, vlt(end->t, -end->e)));
+}
+
+/* From inside the first end lies behind. Where it is not known whether the second one is by a cap, it may be by one
+ * that is met before. */
+LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tube_end ends[2], vm known)
+{
+    const struct tube_end *in = &ends[0], *out = &ends[1];
+    vm own = starts_inside(q), passed = mand(known, mor(own, in->none));
+    vm first = mand(mand(known, mnot(own)), mand(in->hit, vlt(in->e, in->t)));
+    vm second = mand(passed, mand(out->hit, vlt(out->e, out->t))), sure = mand(mor(first, second), mnot(b->miss));
+    vm done = mor(mor(b->miss, sure), mand(passed, out->none));
+    vd e = vsel(first, in->e, out->e), beyond = vmax(b->from, out->t - out->e);
+    vm later = b->k->capped ? mand(passed, out->hit) : passed;
+
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = mnot(done),
+                                      .t = vsel(first, in->t, out->t),
+                                      .e = e,
+                                      .ep = e,
+                                      .low = vmax(vsel(later, beyond, b->from), vset(0)),
+                                      .element = vsel(first, in->element, out->element)});
+}
+
+static __attribute__((noinline)) void meet_cylinder(struct query *q, const struct sure_round *k)
+{
+    struct tube b;
+
+    if (!tube_of(q, k, &b))
+        return;
+    vd r = vset(k->base_radius), d = vsqrt(vmax(b.discriminant, vset(0)));
+    vd t0 = (b.towards - d) * b.over, t1 = (b.towards + d) * b.over;
+    vd lambda = lambda_at(&b, vmax(vabs(t0), vabs(t1))), g = d - r * b.turn - lambda;
+    vd rest = g * g * (1 - P2M(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
+    vm known = mand(b.slanted, mand(vlt(vset(0), g), vlt(vset(0), rest)));
+    vd stretch = (r + lambda) * (1 + P2M(20)) / vsqrt(vsel(known, rest, vset(1)));
+    struct tube_end ends[2] = {side_end(&b, t0, stretch), side_end(&b, t1, stretch)};
+
+    if (k->capped) {
+        struct tube_end first = ends[0];
+        cap_end(&b, &ends[0], &ends[1]);
+        cap_end(&b, &ends[1], &first);
+    }
+    tube_report(q, &b, ends, known);
+}
+
+#endif

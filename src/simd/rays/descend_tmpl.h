@@ -1,0 +1,144 @@
+/* descend_tmpl.h - how a packet goes down a hierarchy, whatever is in its leaves: see walk_tmpl.h. */
+#ifndef TIA_SIMD_RAYS_DESCEND_TMPL_H
+#define TIA_SIMD_RAYS_DESCEND_TMPL_H
+
+#include "query_tmpl.h"
+#include "slabs_tmpl.h"
+
+struct child {
+    uint32_t index, count;
+    int place; /* 0 or 1 */
+};
+
+/* A child that waits, and which bits are its lanes. */
+struct pending {
+    vp near;
+    unsigned lanes;
+    struct child child;
+};
+
+/* A child that is visited. */
+struct node_ref {
+    struct child child;
+    const vp *near;
+};
+
+/* What a packet still looks for. Of each lane there are two bits, as there are floats of a `vp`. */
+struct search {
+    vd farthest;
+    vp limit;
+    unsigned active;
+};
+
+#define EVEN 0x5555u
+
+LANE_OP unsigned twice(unsigned lanes)
+{
+    lanes = (lanes | lanes << 4) & 0x0f0f;
+    lanes = (lanes | lanes << 2) & 0x3333;
+    return ((lanes | lanes << 1) & EVEN) * 3;
+}
+
+/* Each second bit, from the first one on. */
+LANE_OP unsigned half(unsigned bits)
+{
+    bits &= EVEN;
+    bits = (bits | bits >> 1) & 0x3333;
+    bits = (bits | bits >> 2) & 0x0f0f;
+    return (bits | bits >> 4) & 0xff;
+}
+
+LANE_OP void search_begin(struct search *w, const struct query *q)
+{
+    w->farthest = q->limit;
+    w->limit = vp_of(up(q->limit));
+    w->active = twice(mbits(q->active));
+}
+
+/* After a leaf: what is farther than now known does not count. Mostly nothing is new, so that the branch is less than
+ * what it saves the next node from waiting for. */
+LANE_OP void search_update(struct search *w, const struct query *q)
+{
+    if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
+        search_begin(w, q);
+}
+
+/* Called for 0 or for 1, in branches: they are foreseen, where an index that is computed is waited for. */
+LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
+{
+    *to = (struct child){n->index[place], n->count[place], place};
+}
+
+/* Goes to the child that more lanes enter first; the other one waits, at `other`, if it is entered. -1: none is, else
+ * whether one waits. */
+LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct pending *other,
+                    const struct sure_tree *tree, const struct query *q)
+{
+    const struct sure_node *n = &tree->nodes[v->child.index];
+    vp in;
+    unsigned lanes = enter_two(&q->p->slabs, n, w->limit, &in) & w->active;
+    unsigned first = lanes & EVEN, second = lanes >> 1 & EVEN;
+    bool turn = !first;
+
+    if (!lanes)
+        return -1;
+    *near = in;
+    if (first && second) {
+        unsigned closer = vp_le(in, vp_swap(in)); /* of each two, which is */
+        turn = LANES == 1 ? !(closer & 1)
+                          : __builtin_popcount(second & (~first | closer >> 1)) >
+                                __builtin_popcount(first & (~second | closer));
+        other->near = in;
+        other->lanes = lanes & EVEN << !turn;
+        if (turn)
+            child_of(&other->child, n, 0);
+        else
+            child_of(&other->child, n, 1);
+    }
+    if (turn)
+        child_of(&v->child, n, 1);
+    else
+        child_of(&v->child, n, 0);
+    v->near = near;
+    return first && second;
+}
+
+/* The next child that waits and is still of use; returns how many wait behind it, -1: there is none. */
+LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pending *stack, int depth)
+{
+    while (depth > 0 && w->active) {
+        const struct pending *next = &stack[--depth];
+        if (next->lanes & w->active & vp_le(next->near, w->limit)) {
+            *v = (struct node_ref){next->child, &next->near};
+            return depth;
+        }
+    }
+    return -1;
+}
+
+/* Two walks of one shape: a mesh's is called from within the scene's. Nothing else points to where children wait. */
+#define WALK(name, leaf, waits)                                                                                        \
+    static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
+                                               struct query *q)                                                        \
+    {                                                                                                                  \
+        struct pending *restrict stack = q->room->waits;                                                               \
+        struct node_ref v = {.child = {.count = SURE_INNER}};                                                          \
+        struct search w;                                                                                               \
+        int depth = 0, more = 0;                                                                                       \
+        vp near;                                                                                                       \
+                                                                                                                       \
+        if (!tree->node_count)                                                                                         \
+            return;                                                                                                    \
+        search_begin(&w, q);                                                                                           \
+        do {                                                                                                           \
+            while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
+                depth += more;                                                                                         \
+            if (v.child.count != SURE_INNER) {                                                                         \
+                q->work += v.child.count;                                                                              \
+                leaf(s, tree, &v, q);                                                                                  \
+                search_update(&w, q);                                                                                  \
+            }                                                                                                          \
+        } while ((depth = resume(&v, &w, stack, depth)) >= 0);                                                         \
+    }
+
+#endif

@@ -1,0 +1,197 @@
+/* emitters_tmpl.h - places on what shines, and the densities with which they are chosen: render/path/emitters.c in
+ * doubles. Densities are over solid angles, times pi; errors of quotients are kept as parts of them, as integers do. */
+#ifndef TIA_SIMD_RAYS_EMITTERS_TMPL_H
+#define TIA_SIMD_RAYS_EMITTERS_TMPL_H
+
+#include "direction_tmpl.h"
+#include "gather.h"
+#include "interval_tmpl.h"
+#include "light_tmpl.h"
+
+/* What points see of an emitter. */
+struct emitter_view {
+    struct v3 to;
+    vd eto, distance, edistance;
+    struct ve density; /* of surfaces */
+    vd factor, efactor;
+    vm some, unsure; /* some: it may shine on the point */
+};
+
+/* pi d^2/(A c), of which each part is known within a part of it: x = ed/d and y = ecosine/|c| are 1/8 at most, and (1 +
+ * x)^2/(1 - y) - 1 <= (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. */
+LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd cosine, vd ecosine, vm *fine)
+{
+    vd size = vabs(cosine);
+    vm good = mand(vlt(8 * ecosine, size), vlt(8 * ed, d));
+
+    size = vsel(good, size, vset(1));
+    d = vsel(good, d, vset(1));
+    vd v = 3.14159265358979324 / shine->area * (d * d) / size;
+    *fine = mand(*fine, good);
+    return ve_of(v, v * (2.5 * ed / d + 1.25 * ecosine / size + P2M(48)));
+}
+
+/* 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)): within `part` of itself. s^2 is
+ * within p = 2.25 ed/d and roundings, of which those of the integers are 2^-61 in all: 1/(1 - x)^2 - 1 <= 2.1 x for x =
+ * ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that is `part` and, as the
+ * quotient of the two, 1.15 times as much while part <= 1/8. Beyond, nothing is fine. */
+LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
+{
+    vd away = vsel(vlt(vset(0), d), d, vset(1)), sine = vset(r) / away, square = sine * sine, rest = 1 - square;
+    vm good = mand(vlt(vset(P2M(16)), rest), mand(vlt(32 * ed, d), vlt(vset(P2M(30)), square)));
+
+    square = vsel(good, square, vset(0.5));
+    vd root = vsqrt(vsel(good, rest, vset(0.5))), p = 2.25 * ed / away + P2M(49) + P2M(60) / square;
+    *part = 1.15 * (p + p * square / root) + vset(P2M(48));
+    *fine = mand(*fine, mand(good, vlt(*part, vset(0.125))));
+    return square / (1 + root);
+}
+
+/* Of spheres; 0 from inside. */
+LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from, vd efrom, vm *fine)
+{
+    struct v3 way = v3_sub(v3_set(at), from);
+    vd d = vsqrt(v3_dot(way, way)), ed = efrom + (v3_sum(way) + v3_sum(from)) * P2M(50) + UNIT, part;
+    vm inside = vle(d + ed, vset(radius)), good = mnot(mnone());
+    vd v = 0.5 / cone_open(d, ed, radius, &part, &good);
+
+    *fine = mand(*fine, mor(inside, good));
+    return ve_of(vsel(inside, vset(0), v), vsel(inside, vset(0), v * 1.25 * part));
+}
+
+/* The way to a place with a normal that is turned to the point; `way` leads to where a shadow ray ends. */
+LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine,
+                       vd *ecosine)
+{
+    a->distance = vsqrt(v3_dot(way, way));
+    a->edistance = e + a->distance * P2M(50) + UNIT;
+    a->to = v3_unit(way, e, &a->eto);
+    *cosine = v3_dot(a->to, normal);
+    *ecosine = a->eto + enormal + P2M(49);
+    a->some = vlt(*cosine, -*ecosine);
+    a->unsure = mor(a->unsure, mnot(mor(a->some, vlt(*ecosine, *cosine))));
+    a->factor = vset(1);
+    a->efactor = vset(0);
+}
+
+/* A rectangle or a disc. */
+static void see_plane(const struct sure_scene *s, const struct sure_light *l, const struct sure_shine *shine,
+                      struct v3 from, vd efrom, const vu u[2], struct emitter_view *a)
+{
+    vd x, y, cosine, ecosine;
+
+    if (l->from->kind == TIA_RECTANGLE_LIGHT) {
+        x = 2 * vu_unit(u[0]) - 1;
+        y = 2 * vu_unit(u[1]) - 1;
+    } else {
+        (void)disc_place(u[0], u[1], &x, &y);
+        x = x * vset(l->radius);
+        y = y * vset(l->radius);
+    }
+    struct v3 across = v3_scale(v3_set(l->axes[0]), x), along = v3_scale(v3_set(l->axes[1]), y);
+    struct v3 place = v3_add(v3_set(l->at), v3_add(across, along)), normal = v3_set(l->normal);
+    vd eplace = 6 * UNIT + (v3_sum(place) + v3_sum(across) + v3_sum(along) + vset(l->radius)) * P2M(49);
+    struct v3 back = v3_sub(from, place);
+    vd side = v3_dot(back, normal), eside = efrom + eplace + (v3_sum(back) + v3_sum(from)) * P2M(50) + 2 * UNIT;
+    vm front = vle(vset(0), side), fine = mnot(mnone());
+    a->unsure = vle(vabs(side), eside);
+    normal = v3_sel(front, normal, v3_neg(normal));
+    struct v3 way = v3_sub(v3_along(place, normal, vset(s->bias)), from);
+    see_place(a, way, eside, normal, vset(P2M(51)), &cosine, &ecosine);
+    a->density = plane_density(shine, a->distance, a->edistance, cosine, ecosine, &fine);
+    a->unsure = mor(a->unsure, mand(a->some, mnot(fine)));
+}
+
+/* Where a ray within the cone meets the ball, t - thc, as in sphere_tmpl.h, whose bounds these are. The few that pass
+ * beside it, by rounding, are for the integers. */
+LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 d, vd ed, double radius, vd *ep,
+                             vm *fine)
+{
+    vd r = vset(radius), tca = v3_dot(way, d), l1 = v3_sum(way), eo = efrom + v3_sum(from) * P2M(51);
+    struct v3 side = v3_sub(way, v3_scale(d, tca));
+    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (SURE_SQUARE * EPS);
+    vd lambda = eo + vabs(tca) * ed + l1 * (SURE_ASIDE * EPS) + UNIT;
+    vd all = eo + l1 * (2 * ed + SURE_ASIDE * EPS) + 2 * UNIT, es = 2 * r * lambda + all * all + round;
+    vm good = vlt(es, s);
+    vd thc = vsqrt(vsel(good, s, vset(1))), ethc = (2 * r * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;
+    vd across = lambda + thc * ed, beside = r * ed + ethc + all * ed;
+
+    *ep = across + beside + 4 * UNIT + (l1 + v3_sum(from)) * P2M(50);
+    *fine = mand(*fine, good);
+    return v3_along(from, d, tca - thc);
+}
+
+static void see_ball(const struct sure_scene *s, const double at[3], double radius, struct v3 from, vd efrom,
+                     const vu u[2], struct emitter_view *a)
+{
+    struct v3 way = v3_sub(v3_set(at), from), local;
+    vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51) + UNIT, d = vsqrt(v3_dot(way, way)), ed, part, en, ep;
+    vd cosine, ecosine;
+    vm outside = vlt(vset(radius), d - e), fine = outside, turned;
+
+    ed = e + d * P2M(50) + UNIT;
+    vd open = cone_open(d, ed, radius, &part, &fine), h = open * vu_unit(u[0]), square = h * (2 - h);
+    vd r = vsqrt(square), eh = h * (part + P2M(50)) + P2M(60), er = 1.125 * eh / vmax(r, vset(1e-12)) + r * P2M(49);
+    vd x, y;
+    turn_place(u[1], &x, &y);
+    local = (struct v3){r * x, r * y, 1 - h};
+    struct v3 axis = v3_unit(way, e, &en);
+    struct v3 to = around(axis, en, mnone(), local, er + eh + vset(SURE_LOCAL), &ed, &turned);
+    struct v3 place = ball_place(way, from, efrom, to, ed, radius, &ep, &fine);
+    struct v3 normal = v3_unit(v3_sub(place, v3_set(at)), ep + v3_sum(place) * P2M(51), &en);
+    struct v3 end = v3_sub(v3_along(place, normal, vset(s->bias)), from);
+    a->unsure = mor(turned, mnot(fine));
+    see_place(a, end, ep + efrom + 2 * UNIT + en * vset(s->bias) + (v3_sum(end) + v3_sum(place)) * P2M(50), normal, en,
+              &cosine, &ecosine);
+    a->density = ve_of(0.5 / open, 0.5 / open * 1.25 * part);
+    vm inside = vle(d + e, vset(radius));
+    a->some = mand(a->some, mnot(inside));
+    a->unsure = mand(a->unsure, mnot(inside));
+}
+
+/* A point, a spot or a directional light. */
+static void see_point(const struct sure_light *l, struct v3 from, vd efrom, struct emitter_view *a)
+{
+    struct falloff f = {vset(1), vset(0), mnone()};
+
+    a->unsure = mnone();
+    a->some = mnot(mnone());
+    a->density = ve_of(vset(0), vset(0));
+    a->distance = vset(131072);
+    a->edistance = vset(0);
+    a->to = v3_neg(v3_set(l->normal));
+    a->eto = vset(P2M(51));
+    if (l->from->kind != TIA_DIRECTIONAL_LIGHT) {
+        struct v3 way = v3_sub(v3_set(l->at), from);
+        vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51);
+        a->to = v3_unit(way, e, &a->eto);
+        a->distance = v3_dot(way, a->to);
+        a->edistance = e + a->distance * P2M(49) + UNIT;
+        if (l->from->kind == TIA_SPOT_LIGHT)
+            spot_falloff(l, a->to, a->eto, &f);
+        if (l->from->fades)
+            attenuate(l, a->distance, a->edistance, &f);
+    }
+    a->factor = f.factor;
+    a->efactor = f.e;
+    a->unsure = f.unsure;
+}
+
+static void see_emitter(const struct sure_scene *s, const struct sure_emitter *e, struct v3 from, vd efrom,
+                        const vu u[2], struct emitter_view *a)
+{
+    const struct sure_light *l = e->light == TIA_NO_OBJECT ? NULL : &s->lights[e->light];
+
+    if (!l)
+        see_ball(s, s->object[e->sphere].at, s->object[e->sphere].radius, from, efrom, u, a);
+    else if (l->from->kind == TIA_SPHERE_LIGHT)
+        see_ball(s, l->at, l->radius, from, efrom, u, a);
+    else if (l->from->kind < TIA_RECTANGLE_LIGHT)
+        see_point(l, from, efrom, a);
+    else
+        see_plane(s, l, e->shine, from, efrom, u, a);
+    if (!e->shine->known)
+        a->unsure = mnot(mnone());
+}
+
+#endif

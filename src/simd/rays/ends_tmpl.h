@@ -1,0 +1,140 @@
+/* ends_tmpl.h - what paths add where they end, and on their way: the background, lights that are met, what surfaces
+ * send. */
+#ifndef TIA_SIMD_RAYS_ENDS_TMPL_H
+#define TIA_SIMD_RAYS_ENDS_TMPL_H
+
+#include "path_state_tmpl.h"
+
+/* Products are rounded by half a unit each, sums are exact; those of 2^17 and more are cut, which is for the integers.
+ */
+static void add_part(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3], vd e)
+{
+    vd most = most3(rgb), thick = most3(p->r.weight) + p->r.ew;
+    double part[3][LANES], error[LANES];
+
+    lanes = sure_of(f, lanes, mnot(vlt((most + e) * thick, vset(65536))), p->r.slot);
+    for (int c = 0; c < 3; c++)
+        vstore(part[c], p->r.weight[c] * rgb[c]);
+    vstore(error, most * p->r.ew + e * thick + 2 * UNIT + most * thick * P2M(51));
+    for (int k = 0; lanes >> k; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        for (int c = 0; c < 3; c++)
+            f->gather->colour[p->r.slot[k]][c] += part[c][k];
+        f->gather->error[p->r.slot[k]] += error[k];
+    }
+}
+
+/* The balance heuristic's weight q/(q + p/n) of an emitter that paths have come to, which n others could have been. */
+LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *p, struct ve chosen, vm *fine)
+{
+    struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
+    vm specular = mof(p->specular), good = vlt(4 * sum.e, sum.v);
+    vd whole = vsel(good, sum.v, vset(1)), v = q.v / whole;
+    vd e = 1.5 * (q.e + v * sum.e) / whole + P2M(50);
+
+    *fine = mor(specular, mand(*fine, good));
+    return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
+}
+
+/* The integers multiply by the weight last: before that products of 2^17 and more are cut. */
+LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3],
+                          struct ve weight, vm fine)
+{
+    vd most = most3(rgb), part[3];
+
+    fine = mand(fine, vlt((most + UNIT) * (most3(p->r.weight) + p->r.ew), vset(65536)));
+    lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
+    for (int c = 0; c < 3; c++)
+        part[c] = rgb[c] * weight.v;
+    add_part(f, lanes, p, part, most * (weight.e + P2M(52)) + 2 * UNIT);
+}
+
+/* Light number n, which these lanes see. */
+static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, const struct paths *p,
+                           const struct query *q)
+{
+    const struct sure_scene *s = f->gather->scene;
+    const struct sure_light *l = &s->lights[n];
+    const struct sure_shine *shine = &s->paths->lights[n];
+    vd rgb[3] = {vset(shine->radiance[0]), vset(shine->radiance[1]), vset(shine->radiance[2])};
+    struct ve weight = {vset(1), vset(0)}, chosen;
+    vm fine = mnot(mnone());
+
+    if ((lanes & ~p->specular) && l->from->kind != TIA_POINT_LIGHT) {
+        vd ed = q->e + 4 * UNIT + vabs(q->t) * P2M(49) + p->r.p.eo;
+        if (l->from->kind == TIA_SPHERE_LIGHT)
+            chosen = ball_density(l->at, l->radius, p->r.p.o, p->r.p.eo, &fine);
+        else
+            chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)), p->r.p.ed + P2M(49), &fine);
+        weight = weight_of(s->paths, p, chosen, &fine);
+        if (!shine->known)
+            fine = mand(fine, mof(p->specular));
+    }
+    add_weighted(f, lanes, p, rgb, weight, fine);
+}
+
+/* Paths that end at no object. */
+static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
+{
+    const struct sure_scene *s = f->gather->scene;
+    unsigned sky = lanes & mbits(vle(vset(INFINITE), q->t)),
+             shining = lanes & ~sky & ~mbits(vlt(q->id, vset(LIGHT_ID)));
+    double id[LANES];
+
+    if (sky) {
+        const vd rgb[3] = {vset(s->background[0]), vset(s->background[1]), vset(s->background[2])};
+        add_part(f, sky, p, rgb, vset(0));
+    }
+    lanes &= ~(sky | shining);
+    vstore(id, q->id);
+    while (shining) {
+        double first = id[__builtin_ctz(shining)];
+        unsigned same = mbits(mand(vle(q->id, vset(first)), vle(vset(first), q->id))) & shining;
+        add_seen_light(f, same, (uint32_t)(first - LIGHT_ID), p, q);
+        shining &= ~same;
+    }
+    return lanes;
+}
+
+/* What surfaces send by themselves. Emitting spheres of the scene are looked for as well. */
+static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
+                     const struct lobes *l)
+{
+    const struct sure_scene *s = f->gather->scene;
+    double glow[LANES];
+    unsigned sphere = 0;
+    struct ve weight = {vset(1), vset(0)};
+    vm fine = mnot(mnone());
+    vd rgb[3], flat[3];
+
+    unsigned glows = lanes & mbits(vlt(vset(0), most3(h->emission)));
+    unsigned flats = lanes & mbits(vlt(vset(0), most3(h->flat)));
+    if (!(glows | flats))
+        return;
+    for (int k = 0; k < LANES; k++) {
+        glow[k] = l->of[k]->glow;
+        sphere |= (unsigned)(h->index[k] < s->view->scene->sphere_count) << k;
+    }
+    for (int c = 0; c < 3; c++)
+        rgb[c] = h->emission[c] * vload(glow);
+    for (unsigned left = glows & sphere & ~p->specular; left; left &= left - 1) {
+        unsigned one = left & -left;
+        const struct sure_object *o = h->object[__builtin_ctz(one)];
+        vm good = mnot(mnone()), here = mof(one);
+        struct ve chosen = ball_density(o->at, o->radius, p->r.p.o, p->r.p.eo, &good);
+        struct ve w = weight_of(s->paths, p, chosen, &good);
+        weight = ve_sel(here, w, weight);
+        fine = mand(fine, mor(good, mnot(here)));
+    }
+    if (glows)
+        add_weighted(f, glows, p, rgb, weight, fine);
+    if (!flats)
+        return;
+    vd facing = vmax(h->facing, vset(0));
+    for (int c = 0; c < 3; c++)
+        flat[c] = h->flat[c] * facing;
+    add_part(f, flats, p, flat, most3(h->flat) * h->efacing + 2 * UNIT);
+}
+
+#endif

@@ -1,0 +1,125 @@
+/* flat_tmpl.h - planes, discs, and the planes of lights. */
+#ifndef TIA_SIMD_RAYS_FLAT_TMPL_H
+#define TIA_SIMD_RAYS_FLAT_TMPL_H
+
+#include "hit_report_tmpl.h"
+
+/* Where rays meet a plane: t = (P - O).N / (D.N). The quotient's parts are within eo + (|P - O|) 16 u + 2 U and
+ * ed + 16 u, so t is within (the former + |t| times the latter) over |D.N| less its bound. Of rays that are nearly
+ * parallel nothing is known, `steep` is false. */
+struct flat {
+    vm steep;
+    vd t, e;
+};
+
+LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way, vd round, vd more)
+{
+    vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + SURE_WAY * EPS;
+    struct flat f;
+
+    f.steep = vlt(vset(P2M(20)) + eslope, size);
+    size = vsel(f.steep, size, vset(1));
+    f.t = v3_dot(way, n) / vsel(f.steep, slope, vset(1));
+    f.e = (p->eo + round + 2 * UNIT + vabs(f.t) * eslope) / (size - eslope) + more;
+    return f;
+}
+
+/* Lanes whose rays start there: the object's plane, or that face. */
+LANE_OP vm starts_on(const struct query *q, vd element)
+{
+    return mand(starts_here(q), from_element(q, element));
+}
+
+/* `inside` and `outside`: of the plane's area, as far as that is sure. Along the plane the point slides no farther than
+ * t is off, and off the plane it is by no more than the integers round. */
+LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm outside, vd ep, vd element)
+{
+    vm own = starts_on(q, element);
+    vm not = mor(mor(own, outside), mand(f->steep, vlt(f->t + f->e, vset(0))));
+    vm sure = mand(mand(mand(f->steep, inside), vlt(f->e, f->t)), mnot(not ));
+
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = mnot(mor(sure, not )),
+                                      .t = f->t,
+                                      .e = f->e,
+                                      .ep = ep,
+                                      .low = vsel(f->steep, vmax(f->t - f->e, vset(0)), vset(0)),
+                                      .element = element});
+}
+
+/* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former
+ * keep the integers' quotient from being rounded to 0. */
+LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd round)
+{
+    vd slope = v3_dot(p->d, n), turn = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
+    vd eheight = p->eo + round + 4 * UNIT;
+
+    return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
+}
+
+/* Planes end where a coordinate is 2^16. */
+LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
+{
+    struct v3 way = v3_sub(v3_set(o->at), q->p->o);
+    vd round = v3_sum(way) * (SURE_WAY * EPS);
+    vm behind = flat_behind(q->p, v3_set(o->normal), way, round);
+
+    if (!any(mand(q->active, mnot(mor(behind, starts_here(q))))))
+        return;
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(UNIT));
+    f.e = f.e + vabs(f.t) * P2M(50);
+    struct v3 point = v3_along(q->p->o, q->p->d, f.t);
+    vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)), e = f.e + vabs(f.t) * q->p->ed + q->p->eo;
+    vm near = vlt(far + e, vset(65535)), beyond = mand(f.steep, vlt(vset(65537), far - e));
+
+    flat_report(q, &f, near, beyond, f.e + UNIT, vset(0));
+}
+
+/* Within the radius of the centre: |O + t D - C| is within ep. */
+LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, double radius, vd element)
+{
+    const struct packet *p = q->p;
+    struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
+    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(50) + vabs(f->t) * p->ed;
+    vd r = vset(radius), square = v3_dot(at, at), less = vmax(r - e, vset(0)), more = r + e;
+    vm in = vlt(square * (1 + P2M(48)), less * less);
+    vm out = mand(f->steep, vlt(more * more, square * (1 - P2M(48))));
+
+    flat_report(q, f, in, out, f->e + UNIT, element);
+}
+
+LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
+{
+    struct v3 way = v3_sub(v3_set(o->at), q->p->o);
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
+
+    f.e = f.e + vabs(f.t) * P2M(50);
+    round_flat(q, &f, way, o->radius, vset(0));
+}
+
+/* A rectangle light: |p.across| against the reach. */
+LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const struct flat *f, struct v3 way)
+{
+    const struct packet *p = q->p;
+    struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
+    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(49) + vabs(f->t) * p->ed;
+    vd a = vabs(v3_dot(at, v3_set(l->across[0]))), b = vabs(v3_dot(at, v3_set(l->across[1])));
+    vd ra = vset(l->reach[0]), rb = vset(l->reach[1]);
+    vm in = mand(vlt(a + e, ra), vlt(b + e, rb)), out = mor(vlt(ra, a - e), vlt(rb, b - e));
+
+    flat_report(q, f, in, mand(f->steep, out), f->e, vset(0));
+}
+
+LANE_OP void meet_flat_light(struct query *q, const struct sure_light *l)
+{
+    struct v3 way = v3_sub(v3_set(l->at), q->p->o);
+    struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
+
+    f.e = f.e + vabs(f.t) * P2M(50);
+    if (l->from->kind == TIA_RECTANGLE_LIGHT)
+        meet_rectangle(q, l, &f, way);
+    else
+        round_flat(q, &f, way, l->radius, vset(0));
+}
+
+#endif

@@ -1,0 +1,149 @@
+/* glass_tmpl.h - paths at mirrors' and glass's surfaces: how they go on. */
+#ifndef TIA_SIMD_RAYS_GLASS_TMPL_H
+#define TIA_SIMD_RAYS_GLASS_TMPL_H
+
+#include "path_state_tmpl.h"
+
+/* Throughputs times a material's constants. */
+LANE_OP void multiply_by(struct paths *p, const vd factor[3])
+{
+    vd most = most3(p->r.weight);
+
+    for (int c = 0; c < 3; c++)
+        p->r.weight[c] = p->r.weight[c] * factor[c];
+    p->r.ew = p->r.ew * most3(factor) + UNIT + most * P2M(51);
+}
+
+/* Divides throughputs by chances, which are exact. */
+LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
+{
+    vd inverse = 1 / vsel(lanes, chance, vset(1));
+
+    for (int c = 0; c < 3; c++)
+        p->r.weight[c] = p->r.weight[c] * inverse;
+    p->r.ew = p->r.ew * inverse + vsel(lanes, UNIT + most3(p->r.weight) * P2M(51), vset(0));
+}
+
+/* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
+ * cut once stays too small, however little the path adds in the end. */
+LANE_OP unsigned uncut(struct path_state *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
+{
+    return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
+}
+
+LANE_OP void keep_media(struct path_state *f, unsigned lanes, const struct paths *p, const struct media media[LANES])
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int k = __builtin_ctz(lanes);
+        f->ray[p->r.slot[k]].media = media[k];
+    }
+}
+
+/* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput
+ * ends; where the integers' has none and ours has a little, ours goes on and adds no more than the bound says. */
+LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
+                   const struct media *media)
+{
+    lanes = uncut(f, lanes, next, p->r.slot) & mbits(vlt(vset(0), most3(next->r.weight)));
+    for (int k = 0; k < LANES; k++) {
+        next->r.slot[k] = p->r.slot[k];
+        next->r.depth[k] = p->r.depth[k] + 1;
+        next->r.layers[k] = p->r.layers[k];
+    }
+    if (media)
+        keep_media(f, lanes, p, media);
+    path_push(f, next, lanes);
+}
+
+/* Which of the lanes reflect, as Fresnel's equations have it; `unsure` where the chance, cut to 32 bits, may lie on
+ * either side of the number. */
+static unsigned reflected_by(const struct refraction *r, const struct shade *h, unsigned lanes, vu given,
+                             unsigned *unsure)
+{
+    double fresnel[LANES], e[LANES];
+    unsigned total = mbits(r->total) & lanes, partly = mbits(mand(r->bends, h->fresnel)) & lanes, reflected = total;
+    uint32_t number[LANES];
+
+    vstore(fresnel, r->fresnel);
+    vstore(e, r->efresnel);
+    vu_store(number, given);
+    *unsure = 0;
+    for (int k = 0; k < LANES; k++) {
+        double low = (fresnel[k] - e[k]) * 4294967296.0 - 2, high = (fresnel[k] + e[k]) * 4294967296.0 + 2;
+        if (!(partly >> k & 1))
+            continue;
+        if (number[k] < low)
+            reflected |= 1u << k;
+        else if (number[k] <= high)
+            *unsure |= 1u << k;
+    }
+    return reflected;
+}
+
+/* Of equal indices on both sides nothing but the layers are counted. */
+static void pass_straight(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
+                          const struct shade *h, const struct media media[LANES])
+{
+    const double bias = f->gather->scene->bias;
+    unsigned passes = 0;
+
+    lanes = uncut(f, lanes, next, p->r.slot);
+    next->r.p.o = v3_along(h->point, h->viewer, vset(-bias));
+    next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * P2M(51);
+    next->r.p.d = p->r.p.d;
+    next->r.p.ed = p->r.p.ed;
+    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, P2M(2)); /* see struct origin */
+    next->specular = lanes;
+    for (int k = 0; k < LANES; k++) {
+        next->r.slot[k] = p->r.slot[k];
+        next->r.depth[k] = p->r.depth[k];
+        next->r.layers[k] = p->r.layers[k] + 1;
+        passes |= (unsigned)(next->r.layers[k] <= TIA_LAYERS) << k & lanes;
+    }
+    keep_media(f, passes, p, media);
+    path_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
+}
+
+/* See go_through of path.c. */
+static __attribute__((noinline)) void enter_glass(struct path_state *f, unsigned lanes, const struct paths *p,
+                                                  const struct shade *h, const struct lobes *l, vu number)
+{
+    const struct sure_scene *s = f->gather->scene;
+    struct refraction r;
+    struct paths next = *p;
+    unsigned unsure;
+    vd q, part;
+
+    for (int k = 0; k < LANES; k++)
+        next.r.media[k] = f->ray[p->r.slot[k]].media;
+    find_boundaries(s, h, lanes, &next.r, &r, &q, &part);
+    refract(h, mof(lanes), q, part, &r);
+    lanes = sure_of(f, lanes, r.unsure, p->r.slot);
+    unsigned reflected = reflected_by(&r, h, lanes, number, &unsure), straight = mbits(r.straight) & lanes;
+    mark_unsure(f, unsure, p->r.slot);
+    lanes &= ~unsure;
+    multiply_by(&next, h->refraction);
+    divide_by(&next, l->chance[CHANCE_GLASS], mof(lanes));
+    if (lanes & straight)
+        pass_straight(f, lanes & straight, p, &next, h, r.media);
+    lanes &= ~straight;
+    next.specular = lanes;
+    if (lanes & reflected) {
+        next.r.p.o = h->outside;
+        next.r.p.eo = h->eoutside;
+        next.r.p.d = l->mirrored;
+        next.r.p.ed = l->emirrored;
+        next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
+        go_on(f, lanes & reflected, p, &next, NULL);
+    }
+    lanes &= ~reflected;
+    if (lanes) {
+        next.r.p.o = off_surface(s, h, -s->bias, &next.r.p.eo);
+        next.r.p.d = r.to;
+        next.r.p.ed = r.eto;
+        next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, -1, 0);
+        go_on(f, lanes, p, &next, r.media);
+    }
+}
+
+#endif

@@ -1,0 +1,84 @@
+/* instance_tmpl.h - rays in the axes of an instance, and what they meet there back in the world: geometry/instance.c.
+ *
+ * With v = O - p, its parts along the axes are off by eo, what v rounds by and two units; over the least scale that is
+ * how far the origin may be off there. The integers first move the ray to the box, by `start`, and turn it by 2^-57
+ * there: that is within what v's bound has for the box's distance. The direction (D.a_i)/s_i is off by (ed + 2^-50)
+ * over the least scale, before it is normalised; and so is its length k. A distance t there is t/k in the world:
+ *
+ *     |t/k - t'/k'| <= |t - t'|/k + t' |1/k - 1/k'| <= e/k + (t + e) ek/(k (k - ek)),
+ *
+ * which for ek < k/16 is within e/k + 1.07 (t + e) ek/k^2.
+ *
+ * A ray that starts b below the surface is there, seen from the tangent plane, but its way there is not along the
+ * normal in the instance's axes: a sphere or cylinder that is stretched may be so thin there that the ray starts
+ * outside, and enters it again. Only a box, whose normals stay its own, is left by such rays or not met. */
+#ifndef TIA_SIMD_RAYS_INSTANCE_TMPL_H
+#define TIA_SIMD_RAYS_INSTANCE_TMPL_H
+
+#include "hit_report_tmpl.h"
+#include "slabs_tmpl.h"
+
+struct placed {
+    struct packet p;
+    vd k, ek;
+    vm fine;
+};
+
+static void place_rays(const struct sure_instance *i, const struct packet *p, bool box, vm active, struct placed *to)
+{
+    struct v3 a[3] = {v3_set(i->axes[0]), v3_set(i->axes[1]), v3_set(i->axes[2])},
+              v = v3_sub(p->o, v3_set(i->position));
+    vd over = vset(1 / i->least), size = v3_sum(v) + vset(i->size);
+
+    to->p.o = (struct v3){v3_dot(v, a[0]) * vset(i->inverse[0]), v3_dot(v, a[1]) * vset(i->inverse[1]),
+                          v3_dot(v, a[2]) * vset(i->inverse[2])};
+    to->p.eo = (p->eo + size * (32 * EPS) + 4 * UNIT) * over + 4 * UNIT + v3_sum(to->p.o) * P2M(50);
+    struct v3 d = {v3_dot(p->d, a[0]) * vset(i->inverse[0]), v3_dot(p->d, a[1]) * vset(i->inverse[1]),
+                   v3_dot(p->d, a[2]) * vset(i->inverse[2])};
+    to->ek = (p->ed + vset(P2M(49))) * over;
+    to->k = vsqrt(v3_dot(d, d));
+    to->p.d = v3_unit(d, to->ek, &to->p.ed);
+    to->p.from = p->from;
+    if (!box && i->least < i->most)
+        to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
+    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are others there */
+    to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
+}
+
+/* The query in the instance's axes: always for the nearest. */
+LANE_OP void placed_query(const struct query *q, const struct placed *placed, struct query *inner)
+{
+    *inner = *q;
+    inner->p = &placed->p;
+    inner->active = mand(q->active, placed->fine);
+    inner->any = false;
+    inner->groups = NULL;
+    inner->limit = q->limit * (placed->k + placed->ek) * (1 + P2M(10)) + placed->p.eo + P2M(20);
+    inner->t = inner->low = vset(INFINITE);
+    inner->e = inner->ep = vset(0);
+    inner->id = inner->element = vset(-1);
+}
+
+/* The point is off by `most` times as much as there, and by no more than the ray and the distance along it. */
+static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
+{
+    const struct packet *p = q->p;
+    vm met = vlt(inner->t, vset(INFINITE)), sure = mand(met, vlt(inner->t + inner->e, inner->low));
+    vm wild = mand(q->active, mnot(placed->fine)), may = mand(mnot(sure), mor(met, vlt(inner->low, vset(INFINITE))));
+    vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(INFINITE))),
+       over = 1 / vsel(wild, vset(1), placed->k);
+    vd t = vsel(met, inner->t, vset(0)) * over, ratio = placed->ek * over;
+    vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * P2M(50);
+    vd low = vsel(vlt(least, vset(INFINITE)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(INFINITE));
+
+    report_hit(q, (struct hit_report){.sure = mand(sure, mnot(wild)),
+                                      .may = mor(may, wild),
+                                      .t = t,
+                                      .e = e,
+                                      .ep = vmin(inner->ep * vset(most) + p->eo + t * P2M(50) + 4 * UNIT,
+                                                 p->eo + e + t * p->ed + 2 * UNIT),
+                                      .low = vmax(vsel(wild, vset(0), low), vset(0)),
+                                      .element = inner->element});
+}
+
+#endif

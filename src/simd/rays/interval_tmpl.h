@@ -1,0 +1,77 @@
+/* interval_tmpl.h - numbers with their bounds, where a derivation by hand would be long: each operation adds what
+ * either side, doubles or integers, rounds by. Safe by construction, but looser than a derivation. */
+#ifndef TIA_SIMD_RAYS_INTERVAL_TMPL_H
+#define TIA_SIMD_RAYS_INTERVAL_TMPL_H
+
+#include "vector_tmpl.h"
+
+struct ve {
+    vd v, e;
+};
+
+LANE_OP struct ve ve_of(vd v, vd e)
+{
+    return (struct ve){v, e};
+}
+
+LANE_OP struct ve ve_set(double v)
+{
+    return (struct ve){vset(v), vset(__builtin_fabs(v) * EPS)};
+}
+
+LANE_OP struct ve ve_neg(struct ve a)
+{
+    return (struct ve){-a.v, a.e};
+}
+
+LANE_OP struct ve ve_add(struct ve a, struct ve b)
+{
+    vd v = a.v + b.v;
+
+    return (struct ve){v, a.e + b.e + vabs(v) * (2 * EPS)};
+}
+
+LANE_OP struct ve ve_sub(struct ve a, struct ve b)
+{
+    return ve_add(a, ve_neg(b));
+}
+
+LANE_OP struct ve ve_mul(struct ve a, struct ve b)
+{
+    vd v = a.v * b.v;
+
+    return (struct ve){v, vabs(a.v) * b.e + vabs(b.v) * a.e + a.e * b.e + vabs(v) * (2 * EPS) + UNIT};
+}
+
+/* *fine is cleared where b may be 0. */
+LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
+{
+    vd size = vabs(b.v);
+    vm good = vlt(2 * b.e, size);
+    vd v = a.v / vsel(good, b.v, vset(1));
+
+    *fine = mand(*fine, good);
+    return (struct ve){v, (a.e + vabs(v) * b.e) / vsel(good, size - b.e, vset(1)) + vabs(v) * P2M(50) + UNIT};
+}
+
+/* And here where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
+LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
+{
+    vm good = vlt(a.e, a.v);
+    vd v = vsqrt(vsel(good, a.v, vset(1)));
+
+    *fine = mand(*fine, good);
+    return (struct ve){v, a.e / v + v * (4 * EPS) + UNIT};
+}
+
+LANE_OP vm ve_less(struct ve a, struct ve b)
+{
+    return vlt(a.v + a.e, b.v - b.e);
+}
+
+LANE_OP struct ve ve_sel(vm m, struct ve a, struct ve b)
+{
+    return (struct ve){vsel(m, a.v, b.v), vsel(m, a.e, b.e)};
+}
+
+#endif

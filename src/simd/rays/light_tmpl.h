@@ -1,0 +1,331 @@
+/* light_tmpl.h - what the lights do to points: Lambert, highlights, shadows. */
+#ifndef TIA_SIMD_RAYS_LIGHT_TMPL_H
+#define TIA_SIMD_RAYS_LIGHT_TMPL_H
+
+#include "power_tmpl.h"
+#include "spread_tmpl.h"
+
+/* A light as points see it, see struct ray_aim: the axes of a disc that faces the point. */
+struct aim {
+    struct v3 axes[2];
+    vd e;
+    vm unsure;
+};
+
+/* The axes of shape_axes for the direction from a sphere light's centre; which coordinate is the smallest must be sure.
+ */
+static void aim_at_sphere(const struct sure_light *l, const struct shade *h, struct aim *a)
+{
+    vd e;
+    struct v3 n = v3_unit(v3_sub(h->point, v3_set(l->at)), h->ep + v3_sum(h->point) * P2M(51), &e);
+    vd x = vabs(n.x), y = vabs(n.y), z = vabs(n.z), e2 = 2 * e, zero = vset(0);
+    vm is_x = mand(vlt(x + e2, y), vlt(x + e2, z)), is_y = mand(vlt(y + e2, x), vlt(y + e2, z));
+    vm is_z = mand(vlt(z + e2, x), vlt(z + e2, y));
+    struct v3 c = {vsel(is_x, zero, vsel(is_y, n.z, -n.y)), vsel(is_x, -n.z, vsel(is_y, zero, n.x)),
+                   vsel(is_x, n.y, vsel(is_y, -n.x, zero))};
+
+    a->unsure = mnot(mor(is_x, mor(is_y, is_z)));
+    a->axes[0] = v3_unit(c, e, &a->e);
+    a->axes[1] = v3_cross(n, a->axes[0]);
+    a->e = a->e + e + P2M(49);
+}
+
+static void aim_at(const struct sure_light *l, const struct shade *h, struct aim *a)
+{
+    a->unsure = mnone();
+    a->e = vset(P2M(50));
+    a->axes[0] = v3_set(l->axes[0]);
+    a->axes[1] = v3_set(l->axes[1]);
+    if (l->from->kind == TIA_SPHERE_LIGHT)
+        aim_at_sphere(l, h, a);
+}
+
+/* How much of a light arrives: its attenuation, and the falloff of a spot light. */
+struct falloff {
+    vd factor, e;
+    vm unsure;
+};
+
+/* (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has an edge instead. */
+static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struct falloff *f)
+{
+    vd c = -v3_dot(to, v3_set(l->normal)), e = eto + P2M(49), width = vset(l->inner - l->outer);
+
+    if (l->inner - l->outer < P2M(20)) {
+        f->unsure = mor(f->unsure, mand(vlt(vset(l->outer) - e, c), vlt(c, vset(l->inner) + e)));
+        f->factor = vsel(vlt(c, vset(l->inner)), vset(0), vset(1));
+        return;
+    }
+    f->factor = vmin(vmax((c - vset(l->outer)) / width, vset(0)), vset(1));
+    f->e = 1.0625 * e / width + P2M(40);
+}
+
+/* 1/(constant + linear d + quadratic d^2), and 0 from a sum of 2^17 on: less than 2^-16 from 2^16 on. */
+static void attenuate(const struct sure_light *l, vd distance, vd edistance, struct falloff *f)
+{
+    vd d = distance * vset(l->unit), ed = edistance * vset(l->unit) + 2 * UNIT + d * P2M(50);
+    vd slope = vset(l->linear) + vset(l->quadratic) * d, sum = vset(l->constant) + slope * d;
+    vd esum = (slope + vset(l->quadratic) * (d + ed)) * ed + (sum + d + 1) * P2M(43);
+    vm fine = mand(vlt(vset(P2M(6)), sum), vlt(16 * esum, sum)), far = vlt(vset(65536), sum);
+    vd factor = 1 / vsel(fine, sum, vset(1));
+
+    f->unsure = mor(f->unsure, mnot(fine));
+    f->e = f->e * factor + (f->factor + f->e) * (1.125 * esum * factor * factor + vsel(far, vset(P2M(16)), vset(0))) +
+           P2M(43);
+    f->factor = f->factor * factor;
+}
+
+/* A light's sample: where it shines from, relative to P, and within what. */
+struct sample {
+    struct v3 way, to;
+    vd ew, eto;
+    struct falloff falloff;
+};
+
+static void find_falloff(const struct sure_light *l, struct sample *s)
+{
+    s->falloff = (struct falloff){vset(1), vset(0), mnone()};
+    if (l->from->kind == TIA_SPOT_LIGHT)
+        spot_falloff(l, s->to, s->eto, &s->falloff);
+    if (l->from->fades && l->from->kind != TIA_DIRECTIONAL_LIGHT) {
+        vd distance = v3_dot(s->way, s->to);
+        attenuate(l, distance, s->ew + distance * P2M(49) + UNIT, &s->falloff);
+    }
+}
+
+/* Which sample of a light the lanes look at, and the class of each one's pixel; of a run each the next sample, and all
+ * are of one pixel. */
+struct picked {
+    unsigned sample;
+    bool run;
+    uint8_t class[LANES];
+};
+
+/* Where the samples lie along the light's axes. */
+LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, vd *x, vd *y)
+{
+    double other[LANES][2];
+    const double *place[LANES];
+
+    if (l->place && pick->run) {
+        *x = vload(&l->place[pick->class[0]][0][pick->sample]);
+        *y = vload(&l->place[pick->class[0]][1][pick->sample]);
+        return;
+    }
+    for (unsigned k = 0; k < LANES; k++) {
+        unsigned i = pick->sample + (pick->run ? k : 0);
+        place[k] = l->place ? &l->place[pick->class[k]][0][i] : other[k];
+        if (!l->place)
+            tia_sure_place(l, i < l->from->samples ? i : 0, pick->class[k], other[k]);
+    }
+    *x = vgather(place, 0);
+    *y = vgather(place, l->place ? SURE_PLACES : 1);
+}
+
+static __attribute__((noinline)) void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h,
+                                                const struct picked *pick, struct sample *s)
+{
+    if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
+        s->way = s->to = v3_neg(v3_set(l->normal));
+        s->ew = s->eto = vset(P2M(51));
+        return;
+    }
+    s->way = v3_sub(v3_set(l->at), h->point);
+    s->ew = h->ep + (v3_sum(s->way) + v3_sum(h->point)) * P2M(51);
+    if (l->from->kind >= TIA_RECTANGLE_LIGHT) {
+        vd x, y;
+        find_places(l, pick, &x, &y);
+        s->way = v3_add(s->way, v3_add(v3_scale(a->axes[0], x), v3_scale(a->axes[1], y)));
+        s->ew = s->ew + (vabs(x) + vabs(y)) * (a->e + P2M(50)) + 4 * UNIT +
+                (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * P2M(48);
+    }
+    s->to = v3_unit(s->way, s->ew, &s->eto);
+}
+
+/* From outside the surface to the sample. The way differs from the sample's by b G, which is within b eg and the
+ * roundings, wherever P is. */
+static void aim_shadow(const struct sure_scene *scene, const struct sure_light *l, const struct shade *h,
+                       const struct sample *s, struct shadow *shadow)
+{
+    shadow->p.o = h->outside;
+    shadow->p.eo = h->eoutside;
+    shadow->p.d = s->to;
+    shadow->p.ed = s->eto;
+    shadow->distance = vset(131072);
+    shadow->edistance = vset(0);
+    if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
+        shadow->p.from = leaving(h, s->to, s->eto, 1, 0);
+        return;
+    }
+    struct v3 way = v3_sub(s->way, v3_sub(h->outside, h->point));
+    vd e = s->ew + h->eg * vset(scene->bias) + 2 * UNIT + (v3_sum(way) + 2 * v3_sum(h->outside)) * P2M(51);
+    shadow->p.d = v3_unit(way, e, &shadow->p.ed);
+    shadow->distance = v3_dot(way, shadow->p.d);
+    shadow->edistance = e + shadow->distance * P2M(49) + UNIT;
+    shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
+}
+
+/* What the material reflects, and its bound. */
+static void reflect_light(const struct shade *h, const struct sample *s, vd lambert, vd elambert, vm lit, vd rgb[3],
+                          vd *e)
+{
+    vm glossy = mand(lit, h->glossy);
+
+    *e = most3(h->colour) * elambert + h->ecolour;
+    for (int c = 0; c < 3; c++)
+        rgb[c] = h->colour[c] * lambert;
+    if (!any(glossy))
+        return;
+    vd half = 2 * (h->facing * lambert) - v3_dot(h->viewer, s->to);
+    vd ehalf = 2 * (h->efacing + elambert) + s->eto + h->ev + P2M(48);
+    half = vmin(vmax(half, vset(0)), vset(1));
+    vd shine = vsel(glossy, power(half, h->exponent), vset(0));
+    for (int c = 0; c < 3; c++)
+        rgb[c] = rgb[c] + h->specular[c] * shine;
+    *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + vset(SURE_POWER)), vset(0));
+}
+
+struct light_room;
+
+/* What has been added up at the points; `cancel` counts what that takes. */
+struct lit {
+    struct cancel *cancel;
+    struct light_room *room;
+    vd own[3], eown;
+    vm unsure;
+};
+
+/* What lights need of the call's memory, beside the walks of their shadow rays; `one` and `there` are of one point. */
+struct light_room {
+    struct room room;
+    struct aim aim, there;
+    struct sample sample;
+    struct shadow shadow;
+    struct shade point;
+    struct lit one;
+};
+
+/* 2^-42 is for the integers' roundings: six of them here, each half of 2^-45, and as many behind. */
+static __attribute__((noinline)) void add_sample(const struct sure_scene *scene, const struct sure_light *l,
+                                                 const struct shade *h, const struct sample *s, vm lanes,
+                                                 uint32_t *blocker, struct lit *sum)
+{
+    vd lambert = v3_dot(h->normal, s->to), above = v3_dot(h->geometric, s->to);
+    vd el = h->en + s->eto + P2M(49), ea = h->eg + s->eto + P2M(49), rgb[3], e;
+    vm dark = mor(vlt(lambert, -el), vlt(above, -ea)), lit = mand(vlt(el, lambert), vlt(ea, above));
+    double part = 1.0 / l->from->samples;
+    struct shadow *shadow = &sum->room->shadow;
+
+    dark = mor(dark, vlt(s->falloff.factor + s->falloff.e, vset(P2M(46))));
+    sum->unsure = mor(sum->unsure, mand(lanes, mor(mnot(mor(dark, lit)), mand(lit, s->falloff.unsure))));
+    lit = mand(lit, mnot(dark));
+    lit = mand(mand(lit, lanes), mnot(sum->unsure));
+    if (!any(lit))
+        return;
+    aim_shadow(scene, l, h, s, shadow);
+    find_shadow(scene, &sum->room->room, shadow, lit, blocker);
+    (void)cancelled(sum->cancel, shadow->work);
+    sum->unsure = mor(sum->unsure, shadow->unsure);
+    lit = mand(lit, mnot(mor(shadow->blocked, shadow->unsure)));
+    if (!any(lit))
+        return;
+    reflect_light(h, s, lambert, el, lit, rgb, &e);
+    vd factor = s->falloff.factor;
+    e = (e + 2 * shadow->ethrough) * factor + 2 * s->falloff.e + 2 * s->falloff.e * e;
+    for (int c = 0; c < 3; c++)
+        sum->own[c] = sum->own[c] + vsel(lit, rgb[c] * shadow->through[c] * factor * (l->emission[c] * part), vset(0));
+    sum->eown = sum->eown + vsel(lit, (e + P2M(42)) * (l->brightest * part) + P2M(42), vset(0));
+}
+
+/* A sample of the light for all points, then the next. */
+static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                        const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
+{
+    struct picked pick = {.run = false};
+    struct sample *sample = &sum->room->sample;
+
+    for (int k = 0; k < LANES; k++)
+        pick.class[k] = class[k];
+    for (pick.sample = 0; pick.sample < l->from->samples && !cancelled(sum->cancel, 1); pick.sample++) {
+        sample_of(l, aim, h, &pick, sample);
+        find_falloff(l, sample);
+        add_sample(s, l, h, sample, lanes, blocker, sum);
+    }
+}
+
+/* All samples of the light for one point: rays from there to a light go the same way through the hierarchy, however far
+ * the points of the packet are apart. */
+static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                      const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
+{
+    unsigned n = l->from->samples;
+    struct picked pick = {.run = true};
+    struct sample *sample = &sum->room->sample;
+
+    for (int k = 0; k < LANES; k++)
+        pick.class[k] = class;
+    for (pick.sample = 0; pick.sample < n && !any(sum->unsure) && !cancelled(sum->cancel, 1); pick.sample += LANES) {
+        unsigned left = n - pick.sample, lanes = left < LANES ? (1u << left) - 1 : (1u << LANES) - 1;
+        sample_of(l, aim, h, &pick, sample);
+        find_falloff(l, sample);
+        add_sample(s, l, h, sample, mof(lanes), blocker, sum);
+    }
+}
+
+static void add_points(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                       const struct shade *h, unsigned lanes, const uint8_t class[LANES], uint32_t *blocker,
+                       struct lit *sum)
+{
+    struct light_room *room = sum->room;
+    struct lit *one = &room->one;
+    struct aim *there = &room->there;
+
+    for (int k = 0; lanes >> k; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        spread_shade(h, k, &room->point);
+        there->axes[0] = v3_spread(&aim->axes[0], k);
+        there->axes[1] = v3_spread(&aim->axes[1], k);
+        there->e = vspread(&aim->e, k);
+        *one = (struct lit){.cancel = sum->cancel, .room = room, .unsure = mnone()};
+        add_point(s, l, there, &room->point, class[k], blocker, one);
+        for (int c = 0; c < 3; c++)
+            sum->own[c] = gain_lane(sum->own[c], k, one->own[c]);
+        sum->eown = gain_lane(sum->eown, k, one->eown);
+        sum->unsure = mor(sum->unsure, mof((unsigned)any(one->unsure) << k));
+    }
+}
+
+/* Points that are close together share a sample's packet; others have packets of their own, and so have few points of
+ * many: those are fewer packets. */
+LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
+{
+    unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
+
+    return LANES > 1 && l->from->kind >= TIA_RECTANGLE_LIGHT && (apart ? 4 * packets <= 5 * n : 2 * packets <= n);
+}
+
+static void add_light(const struct sure_scene *s, uint32_t n, const struct shade *h, vm lanes, bool apart,
+                      const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
+{
+    const struct sure_light *l = &s->lights[n];
+    struct aim *aim = &sum->room->aim;
+
+    if (l->from->kind == TIA_AMBIENT_LIGHT) {
+        if (l->radius > 0) /* how much of it gets there is for the integers, see `occluded` of the scene */
+            sum->unsure = mor(sum->unsure, lanes);
+        for (int c = 0; c < 3; c++)
+            sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];
+        sum->eown = sum->eown + h->ecolour * l->brightest + P2M(42);
+        return;
+    }
+    aim_at(l, h, aim);
+    sum->unsure = mor(sum->unsure, mand(aim->unsure, lanes));
+    unsigned left = mbits(mand(lanes, mnot(sum->unsure)));
+    if (each_by_itself(l, left, apart))
+        add_points(s, l, aim, h, left, class, blocker, sum);
+    else
+        add_samples(s, l, aim, h, lanes, class, blocker, sum);
+}
+
+#endif

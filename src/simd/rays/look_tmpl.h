@@ -1,0 +1,133 @@
+/* look_tmpl.h - one emitter for each path: what it sends to the path's surface. */
+#ifndef TIA_SIMD_RAYS_LOOK_TMPL_H
+#define TIA_SIMD_RAYS_LOOK_TMPL_H
+
+#include "ends_tmpl.h"
+
+LANE_OP void merge_sights(vm m, const struct emitter_view *one, struct emitter_view *a)
+{
+    a->to = v3_sel(m, one->to, a->to);
+    a->eto = vsel(m, one->eto, a->eto);
+    a->distance = vsel(m, one->distance, a->distance);
+    a->edistance = vsel(m, one->edistance, a->edistance);
+    a->density = ve_sel(m, one->density, a->density);
+    a->factor = vsel(m, one->factor, a->factor);
+    a->efactor = vsel(m, one->efactor, a->efactor);
+    a->some = mor(mand(m, one->some), mand(mnot(m), a->some));
+    a->unsure = mor(mand(m, one->unsure), mand(mnot(m), a->unsure));
+}
+
+/* Each emitter that a lane has chosen is looked at once. *surface: lanes of those that have one. */
+static void find_sights(struct path_state *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
+                        const vu u[2], vd radiance[3], unsigned *surface)
+{
+    const struct sure_scene *s = f->gather->scene;
+    struct emitter_view *a = &f->sight, *one = &f->other;
+    unsigned same;
+
+    *surface = 0;
+    for (unsigned left = lanes; left; left &= ~same) {
+        uint32_t number = which[__builtin_ctz(left)];
+        const struct sure_emitter *e = &s->paths->emitters[number];
+        same = 0;
+        for (int k = 0; k < LANES; k++)
+            same |= (unsigned)(which[k] == number) << k & left;
+        see_emitter(s, e, h->outside, h->eoutside, u, left == lanes ? a : one);
+        if (left != lanes)
+            merge_sights(mof(same), one, a);
+        for (int c = 0; c < 3; c++)
+            radiance[c] =
+                left == lanes ? vset(e->shine->radiance[c]) : vsel(mof(same), vset(e->shine->radiance[c]), radiance[c]);
+        if (e->light == TIA_NO_OBJECT || s->lights[e->light].from->kind >= TIA_RECTANGLE_LIGHT)
+            *surface |= same;
+    }
+}
+
+/* Reflectance times radiance over the sum of the densities with which this place could have been chosen. */
+static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct response *r,
+                       const struct emitter_view *a, const vd radiance[3], unsigned surface)
+{
+    const double one_of = f->gather->scene->paths->one_of;
+    vm m = mof(surface);
+    struct ve density = {vsel(m, a->density.v * one_of + r->density.v, vset(one_of)),
+                         vsel(m, a->density.e * one_of + r->density.e, vset(0))};
+    vm fine = mand(vlt(16 * density.e, density.v), mand(vlt(vset(P2M(40)), density.v), vlt(density.v, vset(1e15))));
+    vd inverse = 1 / vsel(fine, density.v, vset(1)), most = most3(r->rgb), part[3], bright = most3(radiance);
+    vd share = most * inverse, eshare = 1.125 * inverse * (r->e + share * density.e) + UNIT + share * P2M(50);
+
+    fine = mand(fine, vlt(share + eshare, vset(65536)));
+    fine = mand(fine, vlt(bright, vset(65536)));
+    for (int c = 0; c < 3; c++)
+        part[c] = r->rgb[c] * inverse * (radiance[c] * a->factor);
+    vd light = bright * a->factor, elight = bright * a->efactor + UNIT;
+    vd e = share * elight + eshare * (light + elight) + 2 * UNIT + share * light * P2M(50);
+    lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
+    add_part(f, lanes, p, part, e);
+}
+
+/* Which emitter each lane looks at, and the numbers of a place on it. */
+LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, uint32_t which[LANES], vu u[2])
+{
+    uint64_t count = f->gather->scene->paths->emitter_count;
+    struct quads quads = path_quads(f, p, 0);
+
+    vu_store(which, count > 1 ? path_choice(f, p, 1) : (vu){0});
+    for (int k = 0; k < LANES; k++)
+        which[k] = (uint32_t)(which[k] * count >> 32);
+    u[0] = quads_number(&quads, 0);
+    u[1] = quads_number(&quads, 1);
+}
+
+/* What one of the emitters sends to the surface. Returns the lanes that are sure. */
+static unsigned look_for_lights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
+                                const struct lobes *l)
+{
+    const struct sure_scene *s = f->gather->scene;
+    uint32_t which[LANES], ends[LANES];
+    unsigned rough = 0, surface;
+    const struct emitter_view *a = &f->sight;
+    struct response *r = &f->response;
+    struct shadow *shadow = &f->shadow;
+    vd radiance[3];
+    vu u[2];
+
+    for (int k = 0; k < LANES; k++)
+        rough |= (unsigned)l->of[k]->rough << k & lanes;
+    if (!rough || !s->paths->emitter_count)
+        return lanes;
+    choose_emitters(f, p, which, u);
+    find_sights(f, rough, which, h, u, radiance, &surface);
+    vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
+    vd ec = a->eto + h->en + P2M(49), ea = a->eto + h->eg + P2M(49);
+    vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
+    /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
+    vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
+    unsigned unsure = rough & mbits(open);
+    mark_unsure(f, unsure, p->r.slot);
+    lanes &= ~unsure;
+    rough &= ~unsure & ~mbits(none);
+    if (!rough)
+        return lanes;
+    shadow->p.o = h->outside;
+    shadow->p.eo = h->eoutside;
+    shadow->p.d = a->to;
+    shadow->p.ed = a->eto;
+    shadow->p.from = leaving(h, a->to, a->eto, 1, 0);
+    shadow->distance = a->distance;
+    shadow->edistance = a->edistance;
+    for (int k = 0; k < LANES; k++)
+        ends[k] = s->paths->emitters[which[k]].light;
+    find_hidden(s, &f->room, shadow, rough, ends, &f->blocker);
+    (void)cancelled(&f->gather->cancel, shadow->work);
+    unsure = rough & mbits(shadow->unsure);
+    mark_unsure(f, unsure, p->r.slot);
+    lanes &= ~unsure;
+    rough &= ~unsure & ~mbits(shadow->blocked);
+    if (!rough)
+        return lanes;
+    respond(h, l, a->to, a->eto, cosine, ec, r);
+    add_sights(f, rough, p, r, a, radiance, surface);
+    return lanes;
+}
+
+#endif

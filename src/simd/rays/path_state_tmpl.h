@@ -1,0 +1,302 @@
+/* path_state_tmpl.h - the samples of a block while they are followed: each has one ray that waits, at most. */
+#ifndef TIA_SIMD_RAYS_PATH_STATE_TMPL_H
+#define TIA_SIMD_RAYS_PATH_STATE_TMPL_H
+
+#include "render/path/path.h"
+#include "scatter_tmpl.h"
+#include "tracer_tmpl.h"
+
+#define PATH_COLUMNS 17
+
+/* A ray that waits; the media that it is in stay here while it is followed. */
+struct queued_path {
+    double number[PATH_COLUMNS];
+    uint32_t bounce, layers;
+    bool specular;
+    struct media media;
+};
+
+/* Rays whose directions have the same signs wait together: of a packet of them all lanes enter a box by the same
+ * planes. */
+#define OCTANTS 8
+
+/* Paths of a packet, each with the density with which it was scattered along its ray. rays.depth are bounces. */
+struct paths {
+    struct rays r;
+    struct ve density;
+    unsigned specular;
+};
+
+struct path_state {
+    struct room room; /* this and what follows are one packet's, too large for a stack */
+    struct query query;
+    struct shade shade;
+    struct lobes lobes;
+    struct emitter_view sight, other;
+    struct shadow shadow;
+    struct response response;
+    struct paths paths;
+    struct sure_gather *gather;
+    uint32_t blocker;
+    uint32_t seed[SURE_GATHERED]; /* of each sample's pixel */
+    struct queued_path ray[SURE_GATHERED];
+    uint16_t waits[OCTANTS][SURE_GATHERED];
+    int count[OCTANTS];
+};
+
+LANE_OP vd *path_column(struct paths *p, int i)
+{
+    struct packet *ray = &p->r.p;
+    vd *const column[PATH_COLUMNS] = {
+        &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,      &ray->d.z,
+        &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,       &p->r.ew,
+        &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.side};
+
+    return column[i];
+}
+
+LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t slot[LANES])
+{
+    for (int k = 0; lanes >> k; k++)
+        if (lanes >> k & 1)
+            f->gather->unsure[slot[k]] = true;
+}
+
+/* Leaves the lanes that are sure. */
+LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
+{
+    unsigned gone = lanes & mbits(unsure);
+
+    mark_unsure(f, gone, slot);
+    return lanes & ~gone;
+}
+
+LANE_OP void path_push(struct path_state *f, struct paths *next, unsigned lanes)
+{
+    double number[PATH_COLUMNS][LANES];
+
+    for (int i = 0; i < PATH_COLUMNS; i++)
+        vstore(number[i], *path_column(next, i));
+    for (int k = 0; lanes >> k; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        uint32_t slot = next->r.slot[k];
+        struct queued_path *to = &f->ray[slot];
+        unsigned octant =
+            (unsigned)(number[3][k] < 0) | (unsigned)(number[4][k] < 0) << 1 | (unsigned)(number[5][k] < 0) << 2;
+        for (int i = 0; i < PATH_COLUMNS; i++)
+            to->number[i] = number[i][k];
+        to->bounce = next->r.depth[k];
+        to->layers = next->r.layers[k];
+        to->specular = next->specular >> k & 1;
+        f->waits[octant][f->count[octant]++] = (uint16_t)slot;
+    }
+}
+
+static int fullest(const struct path_state *f)
+{
+    int most = 0;
+
+    for (int i = 1; i < OCTANTS; i++)
+        most = f->count[i] > f->count[most] ? i : most;
+    return most;
+}
+
+/* Takes as many rays as there are lanes, those of one octant first; the lanes. */
+static unsigned path_pop(struct path_state *f, struct paths *p)
+{
+    static const double none[PATH_COLUMNS];
+    const double *row[LANES];
+    int octant = fullest(f), taken = 0;
+
+    p->specular = 0;
+    for (int k = 0; k < LANES; k++) {
+        row[k] = none;
+        p->r.slot[k] = p->r.depth[k] = p->r.layers[k] = 0;
+    }
+    for (; taken < LANES && f->count[octant]; taken++) {
+        uint32_t slot = f->waits[octant][--f->count[octant]];
+        const struct queued_path *from = &f->ray[slot];
+        row[taken] = from->number;
+        p->r.slot[taken] = slot;
+        p->r.depth[taken] = from->bounce;
+        p->r.layers[taken] = from->layers;
+        p->specular |= (unsigned)from->specular << taken;
+        octant = f->count[octant] ? octant : fullest(f);
+    }
+    for (int i = 0; i < PATH_COLUMNS; i++)
+        *path_column(p, i) = vgather(row, i);
+    return (1u << taken) - 1;
+}
+
+LANE_OP struct quads quads_of_paths(const struct path_state *f, const uint32_t slot[LANES], const uint32_t quad[LANES])
+{
+#define SEED(k) f->seed[slot[k]]
+#define INDEX(k) f->gather->index[slot[k]]
+    return quads_of((vu){EACH_LANE(SEED)}, (vu){EACH_LANE(INDEX)}, vu_load(quad));
+#undef SEED
+#undef INDEX
+}
+
+/* Quads of bounces: 0 for a place on a light and the next direction, 1 for choices. What no lane asks for is not
+ * computed. */
+LANE_OP struct quads path_quads(const struct path_state *f, const struct paths *p, uint32_t which)
+{
+    uint32_t quad[LANES];
+
+    for (int k = 0; k < LANES; k++)
+        quad[k] = PATH_QUAD(p->r.depth[k], which);
+    return quads_of_paths(f, p->r.slot, quad);
+}
+
+LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsigned dimension)
+{
+    struct quads quads = path_quads(f, p, 1);
+
+    return quads_number(&quads, dimension);
+}
+
+/* First rays, by the integers: their window has 2^-45 as unit too, and is small, so that a bound on how they round it
+ * would be the largest one of all. */
+static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
+{
+    const struct sure_gather *g = f->gather;
+    double o[3][LANES], d[3][LANES];
+    uint32_t numbers[2][LANES];
+
+    vu_store(numbers[0], quads_number(first, 0));
+    vu_store(numbers[1], quads_number(first, 1));
+    for (int k = 0; k < LANES; k++) {
+        const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
+        const struct light_pixel pixel = ray_pixel_at(g->x[p->r.slot[k]], g->y[p->r.slot[k]]);
+        double origin[3], direction[3];
+        struct ray ray;
+        ray_camera_ray_within(&g->scene->view->camera, &pixel, pair, &ray);
+        sure_point(origin, ray.origin);
+        sure_dir(direction, ray.direction);
+        for (int i = 0; i < 3; i++) {
+            o[i][k] = origin[i];
+            d[i][k] = direction[i];
+        }
+    }
+    p->r.p.o = (struct v3){vload(o[0]), vload(o[1]), vload(o[2])};
+    p->r.p.d = (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
+    p->r.p.eo = v3_sum(p->r.p.o) * P2M(53);
+    p->r.p.ed = vset(P2M(52));
+    p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
+}
+
+/* Starts up to LANES samples, from number `from` on; the lanes. *first: their first quads. */
+static unsigned path_start(struct path_state *f, int from, struct paths *p, struct quads *first)
+{
+    const struct sure_gather *g = f->gather;
+    uint32_t quad[LANES];
+    unsigned lanes = 0;
+
+    for (int k = 0; k < LANES; k++) {
+        p->r.slot[k] = (uint32_t)(from + k < g->count ? from + k : g->count - 1);
+        p->r.depth[k] = p->r.layers[k] = f->ray[p->r.slot[k]].media.count = 0;
+        quad[k] = ESTIMATE_FIRST_QUAD;
+        lanes |= (unsigned)(from + k < g->count) << k;
+    }
+    *first = quads_of_paths(f, p->r.slot, quad);
+    first_paths(f, p, first);
+    p->r.weight[0] = p->r.weight[1] = p->r.weight[2] = vset(1);
+    p->r.ew = vset(0);
+    p->density = ve_of(vset(0), vset(0));
+    p->specular = lanes;
+    return lanes;
+}
+
+static void path_open(struct path_state *f, struct sure_gather *g)
+{
+    uint32_t seed = g->scene->view->scene->integration.seed;
+
+    f->gather = g;
+    f->blocker = TIA_NO_OBJECT;
+    for (int i = 0; i < g->count; i++) {
+        f->seed[i] = sampler_of(seed, g->x[i], g->y[i], 0).seed;
+        g->colour[i][0] = g->colour[i][1] = g->colour[i][2] = g->error[i] = 0;
+        g->unsure[i] = false;
+    }
+    for (int i = 0; i < OCTANTS; i++)
+        f->count[i] = 0;
+}
+
+/* What a ray meets first: objects, and where `lights` is set those of the kinds that paths meet; points only in the
+ * lanes of rays that see them. */
+static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, unsigned lanes,
+                       bool lights, unsigned specular)
+{
+    vm wild = begin_nearest(s, room, q, p, mof(lanes));
+
+    for (uint32_t n = 0; lights && n < s->light_count; n++) {
+        const struct sure_light *l = &s->lights[n];
+        bool point = !(PATH_SURFACES >> l->from->kind & 1);
+        if (!l->seen || !(PATH_SEEN >> l->from->kind & 1) || (point && !(specular & lanes)))
+            continue;
+        vm all = q->active;
+        q->active = point ? mand(all, mof(specular & lanes)) : all;
+        q->object = LIGHT_ID + n;
+        meet_light(l, q);
+        q->active = all;
+    }
+    end_nearest(q, wild);
+}
+
+/* Light number n, in the lanes of rays that do not end there. */
+LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint32_t ends[LANES], struct query *q)
+{
+    unsigned here = 0;
+
+    for (int k = 0; k < LANES; k++)
+        here |= (unsigned)(ends[k] == n) << k;
+    vm mine = mand(q->active, mof(here));
+    q->active = mand(q->active, mnot(mof(here)));
+    q->object = LIGHT_ID + n;
+    if (any(q->active))
+        meet_light(&s->lights[n], q);
+    q->active = mor(q->active, mine);
+}
+
+/* Whether anything stands before the ray's end: objects, whatever they let through, and lights with a surface; `ends`
+ * NULL: no lights, or the one that each ray ends at, 2^-26 before it along its normal. That one is not in the way: the
+ * integers' ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43 of its radius, wherever it
+ * starts; while our bound on the place is as large as that on the start. */
+static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
+                        const uint32_t *ends, uint32_t *blocker)
+{
+    vm active = mof(lanes), fine = packet_start(s->centre, s->extent, &shadow->p, active);
+    struct query *q = &room->any;
+
+    q->p = &shadow->p;
+    q->room = room;
+    q->work = SURE_PACKET + s->unbounded_count + (ends ? s->light_count : 0);
+    q->active = mand(active, fine);
+    q->any = q->solid = q->opaque = true;
+    q->blocker = q->index = *blocker;
+    q->groups = NULL;
+    q->group = 0;
+    q->distance = shadow->distance;
+    q->edistance = shadow->edistance;
+    q->limit = q->distance + q->edistance;
+    q->blocked = q->maybe = q->met = q->may_meet = mnone();
+    q->t = q->e = q->ep = q->low = q->id = q->element = q->ethrough = vset(0);
+    for (int c = 0; c < 3; c++)
+        q->through[c] = vset(1);
+    for (uint32_t n = 0; ends && n < s->light_count; n++)
+        if (s->lights[n].seen && (PATH_SURFACES >> s->lights[n].from->kind & 1))
+            meet_other_light(s, n, ends, q);
+    if (*blocker != TIA_NO_OBJECT && any(q->active))
+        meet_one(s, *blocker, q);
+    if (any(q->active))
+        meet_unbounded(s, q);
+    if (any(q->active))
+        walk_objects(s, &s->objects, q);
+    *blocker = q->blocker;
+    shadow->work = q->work;
+    shadow->blocked = q->blocked;
+    shadow->unsure = mor(mand(q->maybe, mnot(q->blocked)), mand(active, mnot(fine)));
+}
+
+#endif

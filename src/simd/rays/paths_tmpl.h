@@ -1,0 +1,219 @@
+/* paths_tmpl.h - the rays of a block: those that wait, and what comes of them. */
+#ifndef TIA_SIMD_RAYS_PATHS_TMPL_H
+#define TIA_SIMD_RAYS_PATHS_TMPL_H
+
+#include "check.h"
+#include "light_tmpl.h"
+#include "render/trace/media.h"
+
+#define COLUMNS 15
+
+/* A queued ray, see struct bounce of whitted.c, or hit: its numbers in the order of ray_column, or of hit_column. */
+struct queued {
+    double number[COLUMNS];
+    uint32_t slot, depth, layers;
+    struct media media;
+};
+
+#define QUEUE_SIZE 256
+#define QUEUE_FULL 24 /* more than these go on before further camera rays begin */
+#define BLOCKERS 16
+
+/* Rays of a packet: their throughput is within ew. */
+struct rays {
+    struct packet p;
+    vd weight[3], ew;
+    uint32_t slot[LANES], depth[LANES], layers[LANES];
+    struct media media[LANES];
+};
+
+/* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and
+ * shadows would leave their lanes empty. */
+struct work {
+    struct sure_block *block;
+    uint32_t blocker[BLOCKERS];
+    uint8_t class[SURE_SLOTS];
+    uint16_t order[SURE_SLOTS];  /* in which slots go into packets */
+    double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
+    double rays[SURE_SLOTS];     /* how many there are at most so far, once paths may have layers */
+    struct queued queue[QUEUE_SIZE], hits[2 * LANES];
+    int count, hit_count;
+    struct rays packet; /* this and what follows are one packet's, too large for a stack */
+    struct query query;
+    struct shade shade;
+    struct light_room lights;
+};
+
+LANE_OP vd *ray_column(struct rays *r, int i)
+{
+    vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,         &r->p.d.x,          &r->p.d.y,
+                                 &r->p.d.z, &r->weight[0], &r->weight[1],     &r->weight[2],      &r->p.eo,
+                                 &r->p.ed,  &r->ew,        &r->p.from.object, &r->p.from.element, &r->p.from.side};
+
+    return column[i];
+}
+
+/* What a surface needs of the ray and of the query. */
+LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
+{
+    vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,     &r->p.d.x,     &r->p.d.y,
+                                 &r->p.d.z, &r->weight[0], &r->weight[1], &r->weight[2], &r->p.ed,
+                                 &r->ew,    &q->t,         &q->ep,        &q->id,        &q->element};
+
+    return column[i];
+}
+
+LANE_OP void enqueue(struct queued *to, double number[COLUMNS][LANES], const struct rays *r, int k)
+{
+    for (int i = 0; i < COLUMNS; i++)
+        to->number[i] = number[i][k];
+    to->slot = r->slot[k];
+    to->depth = r->depth[k];
+    to->layers = r->layers[k];
+    to->media = r->media[k];
+}
+
+/* Takes up to LANES items off the end of a list, one for each lane: row[k] are the numbers of lane k, all else is in r.
+ * Returns how many. */
+LANE_OP int dequeue(const struct queued *queue, int *count, struct rays *r, const double *row[LANES])
+{
+    static const struct queued none;
+    int taken = *count < LANES ? *count : LANES;
+
+    for (int k = 0; k < LANES; k++) {
+        const struct queued *from = k < taken ? &queue[--*count] : &none;
+        row[k] = from->number;
+        r->slot[k] = from->slot;
+        r->depth[k] = from->depth;
+        r->layers[k] = from->layers;
+        r->media[k] = from->media;
+    }
+    return taken;
+}
+
+LANE_OP void add_colour(struct work *w, unsigned lanes, const uint32_t slot[LANES], const vd rgb[3], vd error)
+{
+    double c[3][LANES], e[LANES];
+
+    for (int i = 0; i < 3; i++)
+        vstore(c[i], rgb[i]);
+    vstore(e, error);
+    for (int k = 0; k < LANES; k++) {
+        if (!(lanes >> k & 1))
+            continue;
+        for (int i = 0; i < 3; i++)
+            w->block->colour[i][slot[k]] += c[i][k];
+        w->block->error[slot[k]] += e[k];
+    }
+}
+
+LANE_OP void mark(struct work *w, uint32_t slot)
+{
+    w->block->unsure[slot] = true;
+}
+
+/* The integers stop after TIA_RAYS rays of a sample, which only paths with layers can reach. */
+LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
+{
+    w->rays[slot] += rays;
+    if (w->rays[slot] > TIA_RAYS / 2)
+        mark(w, slot);
+}
+
+/* Rays of which nothing is known. No ray has a colour below 0 or above `brightest`: where throughput times that is
+ * small, half of it is added and as much may be wrong, which mostly leaves the pixel's level as it is; otherwise the
+ * sample is unsure. The throughputs of a generation add up to no more than that of the first ray, and each is 2^-16 or
+ * more. */
+static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd factor)
+{
+    const struct sure_scene *s = w->block->scene;
+    double weight[LANES], e[LANES];
+
+    vstore(weight, most3(r->weight) * factor);
+    vstore(e, r->ew);
+    for (int k = 0; lanes >> k; k++) {
+        double most = (weight[k] + e[k]) * s->brightest[r->depth[k]], half = most / 2;
+        uint32_t slot = r->slot[k];
+        if (!(lanes >> k & 1))
+            continue;
+        if (!(most < P2M(8)) || s->generations == 0) {
+            mark(w, slot);
+            continue;
+        }
+        for (int c = 0; c < 3; c++)
+            w->block->colour[c][slot] += half;
+        w->block->error[slot] += half + P2M(42);
+        count_rays(w, slot, 1 + (weight[k] + e[k]) * 65536 * s->generations);
+    }
+}
+
+/* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
+static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
+{
+    vd top = most3(next->weight), least = vset(P2M(16)), margin = next->ew + P2M(40);
+    unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
+    double number[COLUMNS][LANES];
+
+    (void)refracted; /* for the check alone */
+    give_up(w, lanes & ~(yes | no), next, vset(1));
+    for (int i = 0; i < COLUMNS; i++)
+        vstore(number[i], *ray_column(next, i));
+    for (int k = 0; yes >> k; k++) {
+        if (!(yes >> k & 1))
+            continue;
+        if (w->count == QUEUE_SIZE) {
+            mark(w, next->slot[k]);
+            continue;
+        }
+        check_push(w->count, refracted);
+        struct queued *to = &w->queue[w->count++];
+        enqueue(to, number, next, k);
+        to->depth += !straight;
+        to->layers += straight;
+    }
+}
+
+/* Takes rays that wait; those of samples that are unsure by now are dropped. */
+static unsigned pop(struct work *w, struct rays *r)
+{
+    const double *row[LANES];
+    int taken = dequeue(w->queue, &w->count, r, row);
+    unsigned lanes = 0;
+
+    for (int i = 0; i < COLUMNS; i++)
+        *ray_column(r, i) = vgather(row, i);
+    for (int k = 0; k < taken; k++) {
+        bool open = !w->block->unsure[r->slot[k]];
+        check_pop(w->count + taken - 1 - k);
+        lanes |= (unsigned)open << k;
+        if (open)
+            count_rays(w, r->slot[k], 1);
+    }
+    return lanes;
+}
+
+/* Hits to shade later. */
+static void push_hits(struct work *w, unsigned lanes, struct rays *r, struct query *q)
+{
+    double number[COLUMNS][LANES];
+
+    for (int i = 0; i < COLUMNS; i++)
+        vstore(number[i], *hit_column(r, q, i));
+    for (; lanes; lanes &= lanes - 1)
+        enqueue(&w->hits[w->hit_count++], number, r, __builtin_ctz(lanes));
+}
+
+static unsigned pop_hits(struct work *w, struct rays *r, struct query *q)
+{
+    const double *row[LANES];
+    int taken = dequeue(w->hits, &w->hit_count, r, row);
+    unsigned lanes = 0;
+
+    for (int i = 0; i < COLUMNS; i++)
+        *hit_column(r, q, i) = vgather(row, i);
+    for (int k = 0; k < taken; k++)
+        lanes |= (unsigned)!w->block->unsure[r->slot[k]] << k;
+    return lanes;
+}
+
+#endif

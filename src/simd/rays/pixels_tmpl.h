@@ -1,0 +1,76 @@
+/* pixels_tmpl.h - what a block's samples are in RGB565, where all of mean +- error is the same. */
+#ifndef TIA_SIMD_RAYS_PIXELS_TMPL_H
+#define TIA_SIMD_RAYS_PIXELS_TMPL_H
+
+#include "vector_tmpl.h"
+
+LANE_OP vd clamped(vd c)
+{
+    return vmin(vmax(c, vset(0)), vset(1));
+}
+
+/* A colour's level: floor(c n + threshold), see num_levels. *one is left where mean +- error has no other. 2^-40 is for
+ * the sums here and the integers' division by the samples: in the error, where it is levels * 2^-40 and would do, and
+ * once more for the product here, which no test can see. */
+LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
+{
+    vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - P2M(40), vset(0)));
+    vd high = vfloor(clamped(mean + error) * vset(levels) + threshold + P2M(40));
+
+    *one = mand(*one, vle(high, low));
+    return low;
+}
+
+/* Pixels from `first` on, those of a row. */
+LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd threshold, int first)
+{
+    vd sum = error + P2M(40);
+    vm one = vlt(sum, vset(1));
+    vd r = level_of(mean[0], sum, 31, threshold, &one), g = level_of(mean[1], sum, 63, threshold, &one);
+    vd blue = level_of(mean[2], sum, 31, threshold, &one);
+    unsigned fine = mbits(one);
+    double pixel[LANES];
+
+    vstore(pixel, r * 2048 + g * 32 + blue);
+    for (int k = 0; k < LANES; k++) {
+        b->pixels[first + k] = (tia_rgb565)(uint32_t)pixel[k];
+        b->open[first + k] = !(fine >> k & 1);
+    }
+}
+
+/* Means over the samples of as many pixels as there are lanes. */
+LANE_OP void mean_of_samples(const struct sure_block *b, int first, vd mean[3], vd *error)
+{
+    double sum[4][LANES] = {{0}}, part = 1.0 / b->samples;
+
+    for (int k = 0; k < LANES && (first + k) * b->samples < SURE_SLOTS; k++)
+        for (int i = (first + k) * b->samples, end = i + b->samples; i < end; i++) {
+            for (int c = 0; c < 3; c++) {
+                double v = b->colour[c][i];
+                sum[c][k] += (v < 0 ? 0 : v > 1 ? 1 : v) * part;
+            }
+            sum[3][k] += b->error[i] * part;
+        }
+    for (int c = 0; c < 3; c++)
+        mean[c] = vload(sum[c]);
+    *error = vload(sum[3]);
+}
+
+static void set_pixels(struct sure_block *b)
+{
+    vd mean[3], error;
+
+    for (int y = 0, first = 0; y < b->height; y++, first += b->width)
+        for (int x = 0; x < b->width; x += LANES) {
+            if (b->samples == 1) {
+                for (int c = 0; c < 3; c++)
+                    mean[c] = clamped(vload(&b->colour[c][first + x]));
+                error = vload(&b->error[first + x]);
+            } else {
+                mean_of_samples(b, first + x, mean, &error);
+            }
+            pack_pixels(b, mean, error, vload(&b->threshold[y][(b->x + x) & 7]), first + x);
+        }
+}
+
+#endif

@@ -1,0 +1,142 @@
+/* scatter_tmpl.h - where paths go on from a surface, and what it reflects: render/path/scatter.c in doubles. Chances
+ * are the integers' own, material by material. */
+#ifndef TIA_SIMD_RAYS_SCATTER_TMPL_H
+#define TIA_SIMD_RAYS_SCATTER_TMPL_H
+
+#include "emitters_tmpl.h"
+
+enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
+
+struct lobes {
+    const struct sure_lobes *of[LANES]; /* of lanes that are none, those of any other */
+    struct sure_lobes mine[LANES];      /* of textures beside other lobes: their chances change from texel to texel */
+    vd chance[4];
+    unsigned glossy; /* lanes with a glossy lobe */
+    struct v3 mirrored;
+    vd emirrored;
+};
+
+/* Chances of a material with parts `part`, the last one within e, cut to 32 bits as the integers do. Not known where
+ * the bound leaves several. */
+static void cut_chances(const double part[4], double e, struct sure_lobes *to)
+{
+    double sum = part[0] + part[1] + part[2] + part[3], before = 0;
+    uint32_t last = 0;
+
+    to->known = part[3] > 16 * e;
+    for (int i = 0; i < 3; i++) {
+        before += part[i];
+        double share = before / sum, error = share * (e / sum * 1.125 + P2M(50));
+        double low = (share - error) * 4294967296.0, high = (share + error) * 4294967296.0;
+        to->known = to->known && high < 4294967295.0 && (before == 0 || (uint32_t)low == (uint32_t)high);
+        to->below[i] = to->known && before > 0 ? (uint32_t)low : 0;
+        to->chance[i] = (to->below[i] - last) * P2M(32);
+        last = to->below[i];
+    }
+    to->chance[CHANCE_DIFFUSE] = 1 - last * P2M(32);
+}
+
+static void cut_textured(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
+{
+    double part[4][LANES], e[LANES];
+
+    vstore(part[0], most3(h->mirror));
+    vstore(part[1], most3(h->refraction));
+    vstore(part[2], most3(h->specular));
+    vstore(part[3], most3(h->colour));
+    vstore(e, h->ecolour + UNIT);
+    for (int k = 0; k < LANES; k++) {
+        const double mine[4] = {part[0][k], part[1][k], part[2][k], part[3][k]};
+        if (!(lanes >> k & 1) || paths->lobes[h->material[k]].known)
+            continue;
+        l->mine[k] = paths->lobes[h->material[k]];
+        cut_chances(mine, e[k], &l->mine[k]);
+        l->of[k] = &l->mine[k];
+    }
+}
+
+LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
+{
+    uint32_t first = h->material[__builtin_ctz(lanes)];
+    const double *chance[LANES];
+    bool known = true;
+
+    l->glossy = 0;
+    for (int k = 0; k < LANES; k++) {
+        l->of[k] = &paths->lobes[lanes >> k & 1 ? h->material[k] : first];
+        known = known && l->of[k]->known;
+    }
+    if (!known)
+        cut_textured(paths, h, lanes, l);
+    for (int k = 0; k < LANES; k++) {
+        chance[k] = l->of[k]->chance;
+        l->glossy |= (unsigned)(chance[k][CHANCE_GLOSSY] > 0) << k & lanes;
+    }
+    for (int i = 0; i < 4; i++)
+        l->chance[i] = vgather(chance, i);
+}
+
+/* Two mirrors whose normals differ by dn differ by 2 dn. */
+LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
+{
+    l->mirrored = mirrored_at(h, &l->emirrored);
+}
+
+/* What is reflected, the cosine included, and the density of going there. */
+struct response {
+    vd rgb[3], e;
+    struct ve density;
+};
+
+static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
+                       struct response *r)
+{
+    vm m = mof(l->glossy);
+    vd along = v3_dot(l->mirrored, to), ealong = l->emirrored + eto + P2M(49), n = h->exponent;
+    vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = n * ealong + vset(SURE_POWER);
+    vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
+    vd e = most * (broad * ep * (cosine + ecosine) + height * ecosine) + 3 * UNIT * (1 + most);
+
+    for (int c = 0; c < 3; c++)
+        r->rgb[c] = r->rgb[c] + vsel(m, h->specular[c] * height * cosine, vset(0));
+    r->e = r->e + vsel(m, e, vset(0));
+    vd part = l->chance[CHANCE_GLOSSY] * narrow;
+    r->density.v = r->density.v + vsel(m, part * p, vset(0));
+    r->density.e = r->density.e + vsel(m, part * ep + 2 * UNIT, vset(0));
+}
+
+/* Light from `to`, at the cosine to the normal. */
+LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
+                     struct response *r)
+{
+    for (int c = 0; c < 3; c++)
+        r->rgb[c] = h->colour[c] * cosine;
+    r->e = most3(h->colour) * ecosine + h->ecolour + 2 * UNIT;
+    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * cosine, ecosine + P2M(51));
+    if (l->glossy)
+        add_glossy(h, l, to, eto, cosine, ecosine, r);
+}
+
+/* By the integers: Phong's lobe around z, whose bound is wide. */
+static struct v3 phong_direction(const struct shade *h, const vu u[2], unsigned lanes)
+{
+    double d[3][LANES] = {{0}};
+    uint32_t numbers[2][LANES];
+    double exponent[LANES];
+
+    vstore(exponent, h->exponent);
+    vu_store(numbers[0], u[0]);
+    vu_store(numbers[1], u[1]);
+    for (int k = 0; k < LANES; k++) {
+        const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
+        int64_t local[3];
+        if (!(lanes >> k & 1))
+            continue;
+        tia_sample_phong(pair, (tia_q16)(exponent[k] * 65536), local);
+        for (int i = 0; i < 3; i++)
+            d[i][k] = (double)local[i] * P2M(62);
+    }
+    return (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
+}
+
+#endif

@@ -1,0 +1,93 @@
+/* slabs_tmpl.h - which rays may enter which boxes, in floats.
+ *
+ * Where the doubles' ray and the integers' differ by `pad` everywhere in the scene, a box enlarged by pad is entered by
+ * the one if the box is by the other; taking (o +- pad)/d in place of o/d does that. d is at least 2^-60 in size: a ray
+ * that is turned by so little is moved by 2^-43, far less than pad's last term.
+ *
+ * In floats b inv - c is off by as much as v = 2^-24 for each of: inv and the product, of |b inv|; c, of |c|; the
+ * difference, of itself. As a distance of the plane that is v (2 |b| + |c/inv| + |b - c/inv|) <= v (3 |b| + 2 |o|) and
+ * second orders. With |b - o| at most `reach`, |b| <= |o| + reach, so it is below 8 v (|o| + reach): 2^-21 of that is
+ * in pad, and takes in what the doubles round by. Boxes are rounded outward, and limits up. So where a ray
+ * enters a box in floats is never behind where the integers' ray does.
+ *
+ * What the integers round by when they meet a shape needs no room here: boxes are larger than what is in them by 2^-16
+ * (tia_bounds_with_margin), and no shape is met 2^-30 beside itself. */
+#ifndef TIA_SIMD_RAYS_SLABS_TMPL_H
+#define TIA_SIMD_RAYS_SLABS_TMPL_H
+
+#include "query_tmpl.h"
+
+/* Makes a pack ready for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
+ * False in lanes whose rays are too far off for a margin around them. */
+LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p, vm active)
+{
+    vd tiny = vset(P2M(60)), zero = vset(0);
+    const vd o[3] = {p->o.x, p->o.y, p->o.z},
+             d[3] = {vsel(vlt(vabs(p->d.x), tiny), tiny, p->d.x), vsel(vlt(vabs(p->d.y), tiny), tiny, p->d.y),
+                     vsel(vlt(vabs(p->d.z), tiny), tiny, p->d.z)};
+    vd size = v3_sum(p->o), reach = v3_sum(v3_sub(p->o, v3_set(centre))) + vset(extent);
+    vd off = p->eo + reach * p->ed, pad = off + (size + reach) * P2M(21);
+    struct slabs *s = &p->slabs;
+    unsigned all = mbits(active);
+
+    p->pad = pad;
+    s->uniform = true;
+    for (int i = 0; i < 3; i++) {
+        unsigned back = mbits(vlt(d[i], zero)) & all;
+        s->uniform = s->uniform && (back == 0 || back == all);
+        s->near[i] = back ? 3 : 0;
+    }
+    p->inv = (struct v3){1 / d[0], 1 / d[1], 1 / d[2]};
+    const vd inv[3] = {p->inv.x, p->inv.y, p->inv.z};
+    for (int i = 0; i < 3; i++) {
+        vd middle = o[i] * inv[i], aside = pad * (s->uniform ? vabs(inv[i]) : inv[i]);
+        s->inv[i] = vp_of(inv[i]);
+        s->in[i] = vp_of(middle + aside);
+        s->out[i] = vp_of(middle - aside);
+    }
+    return vlt(off, vset((extent + P2M(10)) * P2M(9)));
+}
+
+/* What is farther than a limit is so in floats, too. */
+LANE_OP vd up(vd limit)
+{
+    return limit + vabs(limit) * P2M(22);
+}
+
+/* The lanes that may enter a node's children before their limits, and where. */
+LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp limit, vp *near)
+{
+#define PLANE(i) vp_load(n->box[i])
+    vp in, out;
+
+    if (s->uniform) {
+        int x = s->near[0], y = s->near[1], z = s->near[2];
+        in = vp_max(vp_max(PLANE(x) * s->inv[0] - s->in[0], PLANE(y + 1) * s->inv[1] - s->in[1]),
+                    vp_max(PLANE(z + 2) * s->inv[2] - s->in[2], vp_set(0)));
+        out = vp_min(vp_min(PLANE(3 - x) * s->inv[0] - s->out[0], PLANE(4 - y) * s->inv[1] - s->out[1]),
+                     vp_min(PLANE(5 - z) * s->inv[2] - s->out[2], limit));
+    } else {
+        vp ax = PLANE(0) * s->inv[0] - s->in[0], bx = PLANE(3) * s->inv[0] - s->out[0];
+        vp ay = PLANE(1) * s->inv[1] - s->in[1], by = PLANE(4) * s->inv[1] - s->out[1];
+        vp az = PLANE(2) * s->inv[2] - s->in[2], bz = PLANE(5) * s->inv[2] - s->out[2];
+        in = vp_max(vp_max(vp_min(ax, bx), vp_min(ay, by)), vp_max(vp_min(az, bz), vp_set(0)));
+        out = vp_min(vp_min(vp_max(ax, bx), vp_max(ay, by)), vp_min(vp_max(az, bz), limit));
+    }
+    *near = in;
+    return vp_le(in, out);
+#undef PLANE
+}
+
+/* Each second float, from `place` on. */
+LANE_OP vd lanes_of(vp pairs, int place)
+{
+    float of[2 * LANES];
+    double lanes[LANES];
+
+    __builtin_memcpy(of, &pairs, sizeof of);
+    for (int k = 0; k < LANES; k++)
+        lanes[k] = of[2 * k + place];
+    return vload(lanes);
+}
+
+#endif

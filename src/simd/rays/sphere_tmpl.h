@@ -1,0 +1,53 @@
+/* sphere_tmpl.h - spheres: L = C - O, P = L - (L.D) D, thc = sqrt(r^2 - |P|^2).
+ *
+ * Across the ray P moves by lambda = eo + |tca| ed + U + 16 u |L|, along it only in second order, since P is at right
+ * angles to D: `all` = eo + 2 |L| ed + 2 U + 16 u |L|, squared. So s = r^2 - |P|^2 is within
+ *
+ *     es = 2 |P| lambda + all^2 + 32 u r^2.
+ *
+ * s < -es is surely a miss; at the others |P| is at most r, but for what is unclear anyway. thc is within
+ * es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a; t within eo + |P| ed and that, and the roundings of
+ * tca. The point relative to C is -(P + thc D): across the ray it is within lambda + thc ed, along it within |P| ed and
+ * thc's; ep is their hypotenuse and 2 U. Kept apart, a bounce multiplies bounds by lambda/(r cos) + ed; together, by 20
+ * times as much. */
+#ifndef TIA_SIMD_RAYS_SPHERE_TMPL_H
+#define TIA_SIMD_RAYS_SPHERE_TMPL_H
+
+#include "hit_report_tmpl.h"
+
+LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
+{
+    const struct packet *p = q->p;
+    struct v3 l = v3_sub(v3_set(at), p->o);
+    vd r = vset(radius), tca = v3_dot(l, p->d), l1 = v3_sum(l);
+    struct v3 side = v3_sub(l, v3_scale(p->d, tca));
+    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (SURE_SQUARE * EPS);
+    vd lambda = p->eo + vabs(tca) * p->ed + l1 * (SURE_ASIDE * EPS) + UNIT;
+    vd all = p->eo + l1 * (2 * p->ed + SURE_ASIDE * EPS) + 2 * UNIT;
+    vd es = 2 * r * lambda + all * all + round;
+    vm active = mand(q->active, mnot(starts_outside(q))), own = starts_inside(q);
+    vm hit = mand(vlt(es, s), active), unclear = mand(mand(vle(-es, s), mnot(hit)), active);
+
+    if (!any(mor(hit, unclear)))
+        return;
+    vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
+    vd ethc = (2 * aside * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;
+    vd along = aside * p->ed + ethc + more, across = lambda + thc * p->ed;
+    vd e = p->eo + l1 * (SURE_ALONG * EPS) + UNIT + along, t0 = tca - thc, t1 = tca + thc;
+    vm ahead = mand(vlt(e, t0), mnot(own)), within = mand(mor(own, vlt(t0, -e)), vlt(e, t1)), behind = vlt(t1, -e);
+    vm sure = mand(hit, mor(ahead, within));
+    /* thc of those that are unclear is at most sqrt(s + es) <= sqrt(2) thc */
+    vd reach = 2 * thc + e;
+    vm passed = vlt(tca + reach, vset(0));
+    vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));
+
+    report_hit(q, (struct hit_report){.sure = sure,
+                                      .may = may,
+                                      .t = vsel(ahead, t0, t1),
+                                      .e = e,
+                                      .ep = vsqrt(across * across + along * along) + 2 * UNIT,
+                                      .low = vsel(hit, vset(0), tca - reach),
+                                      .element = vset(0)});
+}
+
+#endif

@@ -1,0 +1,395 @@
+/* surface_tmpl.h - what is at the points that rays meet: normals, the material, its texture. */
+#ifndef TIA_SIMD_RAYS_SURFACE_TMPL_H
+#define TIA_SIMD_RAYS_SURFACE_TMPL_H
+
+#include "texture_tmpl.h"
+#include "walk_tmpl.h"
+
+struct shade {
+    struct v3 point, local, outside, geometric, normal, viewer;
+    vd ep, elocal, eoutside, eg, en, ev, facing, efacing;
+    vd across; /* how long the part of the ray is that may lie in the plane where the normal is off */
+    vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
+    vm glossy, refracts, fresnel, back;
+    vm unsure;
+    vm exact; /* the coordinates of the normal are the integers' ones, rounded: of their sign, or 0 where those are */
+    const struct sure_object *object[LANES]; /* NULL in other lanes */
+    vd id, part;                             /* index and element, as the query has them */
+    uint32_t index[LANES], element[LANES], material[LANES];
+    const double *instance[LANES]; /* struct sure_instance */
+};
+
+#define INSTANCE_AT(field) (int)(offsetof(struct sure_instance, field) / sizeof(double))
+
+/* Where column i of a material goes. */
+LANE_OP vd *shade_column(struct shade *h, int i)
+{
+    vd *const group[] = {h->colour, h->specular, h->mirror, h->refraction, h->emission, h->flat};
+
+    return i < SURE_EXPONENT ? &group[i / 3][i % 3] : &h->exponent;
+}
+
+/* A grid's cells have their own. */
+LANE_OP uint32_t material_at(const struct sure_object *o, uint32_t element)
+{
+    return o->material + (o->kind == SURE_GRID ? o->grid->from->cells[element / 6] - 1u : 0);
+}
+
+LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, unsigned lanes, struct shade *h)
+{
+    double ids[LANES], elements[LANES];
+
+    h->id = vsel(mof(lanes), q->id, vset(0));
+    h->part = vsel(mof(lanes), q->element, vset(0));
+    vstore(ids, h->id);
+    vstore(elements, h->part);
+    for (int k = 0; k < LANES; k++) {
+        bool on = lanes >> k & 1;
+        h->index[k] = (uint32_t)ids[k];
+        h->element[k] = (uint32_t)elements[k];
+        h->object[k] = on ? &s->object[h->index[k]] : NULL;
+        h->material[k] = on ? material_at(h->object[k], h->element[k]) : 0;
+    }
+}
+
+/* The columns of one material in its lanes; `groups`: those that any lane needs. */
+LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_t groups, vm lanes)
+{
+    for (int i = 0; i < SURE_COLUMNS; i++)
+        if (groups >> i / 3 & 1)
+            *shade_column(h, i) = vsel(lanes, vset(m->column[i]), *shade_column(h, i));
+}
+
+/* Returns the lanes whose materials have a texture. */
+static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
+{
+    unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0, same;
+    uint32_t groups = 0;
+
+    for (int k = 0; k < LANES; k++)
+        groups |= lanes >> k & 1 ? s->materials[h->material[k]].groups : 0;
+    for (int i = 0; i < SURE_COLUMNS; i++)
+        *shade_column(h, i) = vset(0);
+    for (unsigned left = lanes; left; left &= ~same) {
+        uint32_t material = h->material[__builtin_ctz(left)];
+        const struct sure_material *m = &s->materials[material];
+        same = 0;
+        for (int k = 0; k < LANES; k++)
+            same |= (unsigned)(h->material[k] == material) << k & left;
+        set_columns(h, m, groups, mof(same));
+        glossy |= m->is_specular ? same : 0;
+        refracts |= m->refracts ? same : 0;
+        fresnel |= m->fresnel ? same : 0;
+        unknown |= m->known ? 0 : same;
+        textured |= m->texture ? same : 0;
+    }
+    h->glossy = mof(glossy);
+    h->refracts = mof(refracts);
+    h->fresnel = mof(fresnel);
+    h->unsure = mof(unknown);
+    return textured;
+}
+
+static void add_texture(const struct sure_scene *s, struct shade *h, int k)
+{
+    const struct sure_material *m = &s->materials[h->material[k]];
+    struct texture_point p = {h->object[k],
+                              h->element[k],
+                              {lane_of(h->local.x, k), lane_of(h->local.y, k), lane_of(h->local.z, k)},
+                              lane_of(h->elocal, k)};
+    double rgb[3], e, lanes[LANES];
+
+    if (!texture_colour(m, &p, rgb, &e)) {
+        h->unsure = mor(h->unsure, mof(1u << k));
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        vstore(lanes, h->colour[c]);
+        lanes[k] *= rgb[c];
+        h->colour[c] = vload(lanes);
+    }
+    vstore(lanes, h->ecolour);
+    lanes[k] = e;
+    h->ecolour = vload(lanes);
+}
+
+static void find_textures(const struct sure_scene *s, unsigned textured, struct shade *h)
+{
+    h->ecolour = vset(0);
+    for (; textured; textured &= textured - 1)
+        add_texture(s, h, __builtin_ctz(textured));
+}
+
+/* The points in the axes of their objects: as they are, but of instances. */
+static unsigned find_local(struct shade *h)
+{
+    static const struct sure_instance none = {
+        .axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .inverse = {1, 1, 1}, .least = 1, .most = 1};
+    unsigned placed = 0;
+
+    h->local = h->point;
+    h->elocal = h->ep;
+    for (int k = 0; k < LANES; k++) {
+        bool is = h->object[k] && h->object[k]->placed;
+        placed |= (unsigned)is << k;
+        h->instance[k] = (const double *)(const void *)(is ? h->object[k]->placed : &none);
+    }
+    if (!placed)
+        return 0;
+    const double *const *p = h->instance;
+    struct v3 v = v3_sub(h->point, v3_gather(p, 0));
+    vd e = h->ep + v3_sum(v) * (16 * EPS) + 2 * UNIT;
+    struct v3 local = {v3_dot(v, v3_gather(p, INSTANCE_AT(axes))) * vgather(p, INSTANCE_AT(inverse)),
+                       v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 3)) * vgather(p, INSTANCE_AT(inverse) + 1),
+                       v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 6)) * vgather(p, INSTANCE_AT(inverse) + 2)};
+    h->local = v3_sel(mof(placed), local, h->local);
+    h->elocal = vsel(mof(placed), e / vgather(p, INSTANCE_AT(least)) + UNIT + v3_sum(local) * P2M(50), h->elocal);
+    return placed;
+}
+
+/* A normal back in the world: n_i / s_i along the axes, normalised. */
+static struct v3 world_normal(const struct shade *h, struct v3 n, vd e, vd *ew)
+{
+    const double *const *p = h->instance;
+    struct v3 m = {n.x * vgather(p, INSTANCE_AT(inverse)), n.y * vgather(p, INSTANCE_AT(inverse) + 1),
+                   n.z * vgather(p, INSTANCE_AT(inverse) + 2)};
+
+    m = v3_unit(m, (e + P2M(50)) / vgather(p, INSTANCE_AT(least)), ew);
+    *ew = *ew + P2M(48);
+    return v3_add(
+        v3_scale(v3_gather(p, INSTANCE_AT(axes)), m.x),
+        v3_add(v3_scale(v3_gather(p, INSTANCE_AT(axes) + 3), m.y), v3_scale(v3_gather(p, INSTANCE_AT(axes) + 6), m.z)));
+}
+
+static void place_normals(struct shade *h, unsigned placed)
+{
+    vd e;
+    struct v3 n = world_normal(h, h->geometric, h->eg, &e);
+
+    h->geometric = v3_sel(mof(placed), n, h->geometric);
+    h->eg = vsel(mof(placed), e, h->eg);
+    n = world_normal(h, h->normal, h->en, &e);
+    h->normal = v3_sel(mof(placed), n, h->normal);
+    h->en = vsel(mof(placed), e, h->en);
+    h->exact = mand(h->exact, mnot(mof(placed)));
+}
+
+/* Spheres: the direction from the centre. */
+static void round_normals(struct shade *h, unsigned lanes)
+{
+    static const double zero[3];
+    const double *at[LANES];
+    unsigned sphere = 0;
+    vd e;
+
+    for (int k = 0; k < LANES; k++) {
+        bool is = lanes >> k & 1 && h->object[k]->kind == SURE_SPHERE;
+        sphere |= (unsigned)is << k;
+        at[k] = is ? h->object[k]->at : zero;
+    }
+    if (!sphere)
+        return;
+    struct v3 n = v3_unit(v3_sub(h->local, v3_gather(at, 0)), h->elocal, &e);
+    h->geometric = v3_sel(mof(sphere), n, h->geometric);
+    h->eg = vsel(mof(sphere), e, h->eg);
+}
+
+#define ROUND_AT(field) (int)(offsetof(struct sure_round, field) / sizeof(double))
+
+/* The side of a cylinder or cone: the direction from the axis, turned by the slope. Its parts are at right angles and
+ * of lengths cosine and sine, so the sum is of length 1 within the roundings.
+ *
+ * Of a ray that has the part f across the axis, a cylinder's point moves across by f ep at most, see cylinder_tmpl.h:
+ * where theirs has f', it is f' <= f + ed. That bound on the point has 4 u t to spare there; what doubles round the
+ * point and its way from the base by otherwise is 2 u of the one and 4 u of the other. The normal is off across the
+ * axis, but for 2^-48. */
+static void side_normals(struct shade *h, unsigned lanes)
+{
+    static const struct sure_round none;
+    const double *at[LANES];
+    unsigned side = 0, straight = 0;
+    vd e;
+
+    for (int k = 0; k < LANES; k++) {
+        bool is = lanes >> k & 1 && h->object[k]->kind == SURE_ROUND && h->element[k] == ROUND_SIDE;
+        const struct sure_round *round = is ? h->object[k]->round : &none;
+        side |= (unsigned)is << k;
+        straight |= (unsigned)(is && round->sine == 0 && !h->object[k]->placed) << k;
+        at[k] = (const double *)(const void *)round;
+    }
+    if (!side)
+        return;
+    struct v3 axis = v3_gather(at, 0), a0 = v3_gather(at, ROUND_AT(across)), a1 = v3_gather(at, ROUND_AT(across) + 3);
+    struct v3 v = v3_sub(h->local, v3_gather(at, ROUND_AT(base)));
+    vd cosine = vgather(at, ROUND_AT(cosine)), sine = vgather(at, ROUND_AT(sine));
+    vd y0 = v3_dot(h->viewer, a0), y1 = v3_dot(h->viewer, a1);
+    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + P2M(50), vset(1)), vset(1));
+    struct v3 out = {v3_dot(v, a0), v3_dot(v, a1), vset(0)};
+    out = v3_unit(out, h->across * h->elocal + (v3_sum(h->local) + 2 * v3_sum(v)) * P2M(51) + 2 * UNIT, &e);
+    struct v3 n = v3_sub(v3_add(v3_scale(a0, out.x * cosine), v3_scale(a1, out.y * cosine)), v3_scale(axis, sine));
+    h->geometric = v3_sel(mof(side), n, h->geometric);
+    h->eg = vsel(mof(side), e + P2M(48), h->eg);
+}
+
+/* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. The corners
+ * move by ep together, so an area does by its edge times that: no more than ew for the two at the first corner, twice
+ * that for the third. Their sum stays, the parts' errors add up to 0: so what the corners' normals have in common does
+ * not count, only how far those of the other two are from the first's, times their own parts' errors. Where parts are
+ * below 0 the integers take 0, and divide by the sum of the others, 1 + N with N what is below 0. Ours are not below
+ * -ew, as the ray meets the face. So a part of which 0 is left changes by ew at most. Another, w <= 1, moves by D and
+ * then changes by (D - N w)/(1 + N) in all. If only the first corner's is below 0, N is at most ew and the two moves of
+ * the others, D among them, which leaves 2 ew; if only the other one's is, N is at most 2 ew: 3 ew. If both are, it
+ * becomes 1 where it was 1 less the two, whose sum is between -2 ew and D. */
+static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
+{
+    static const struct sure_face none;
+    const double *f[LANES];
+    struct v3 v[3], n[3];
+    vd w[3], e, far = vset(0);
+
+    for (int k = 0; k < LANES; k++)
+        f[k] = (const double *)(const void *)(smooth >> k & 1 ? face[k] : &none);
+    for (int i = 0; i < 3; i++) {
+        v[i] = v3_sub(v3_gather(f, 3 * i), h->local);
+        n[i] = v3_gather(f, 12 + 3 * i);
+        far = vmax(far, v3_sum(v[i]));
+    }
+    struct v3 g = h->geometric, size = {vabs(g.x), vabs(g.y), vabs(g.z)};
+    vd largest = vmax(vmax(size.x, size.y), size.z);
+    vm is_x = vle(largest, size.x), is_y = mand(mnot(is_x), vle(largest, size.y));
+    for (int i = 0; i < 3; i++) {
+        struct v3 c = v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]);
+        w[i] = vsel(is_x, c.x, vsel(is_y, c.y, c.z));
+    }
+    vd sum = w[0] + w[1] + w[2], ew = vgather(f, 21) * h->elocal + far * far * P2M(49);
+    vm fine = vlt(32 * ew, vabs(sum));
+    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = ew * vabs(inverse) + P2M(50);
+    vm clear = vlt(2 * epart, vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
+    struct v3 total =
+        v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
+    struct v3 unit = v3_unit(total, vsel(clear, epart, 3 * epart) * vgather(f, 22) + P2M(47), &e);
+    vm m = mof(smooth);
+    h->normal = v3_sel(m, unit, h->normal);
+    h->en = vsel(m, e, h->en);
+    h->unsure = mor(h->unsure, mand(m, mnot(fine)));
+}
+
+_Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
+                   offsetof(struct sure_face, extent) == 21 * sizeof(double) &&
+                   offsetof(struct sure_face, bend) == 22 * sizeof(double),
+               "columns of a face");
+
+/* Normals that are the same all over: of planes, caps, boxes and faces. *turned: the other way round. */
+static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
+{
+    static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+    const struct sure_object *o = h->object[k];
+
+    *turned = o->kind == SURE_ROUND && h->element[k] != ROUND_TOP;
+    if (o->kind == SURE_MESH || o->kind == SURE_TRIANGLE) {
+        *face = o->kind == SURE_MESH ? &o->mesh->faces[h->element[k]] : o->face;
+        return (*face)->normal;
+    }
+    if (o->kind == SURE_ROUND)
+        return o->round->axis;
+    return o->kind == SURE_BOX || o->kind == SURE_GRID ? axes[h->element[k] % 6] : o->normal;
+}
+
+LANE_OP bool is_round(const struct shade *h, int k)
+{
+    enum sure_kind kind = h->object[k]->kind;
+
+    return kind == SURE_SPHERE || (kind == SURE_ROUND && h->element[k] == ROUND_SIDE);
+}
+
+static void find_normals(struct shade *h, unsigned lanes)
+{
+    static const double none[3];
+    const struct sure_face *face[LANES] = {NULL};
+    const double *flat[LANES];
+    unsigned smooth = 0, round = 0, back = 0;
+
+    for (int k = 0; k < LANES; k++) {
+        bool turned = false;
+        flat[k] = none;
+        if (lanes >> k & 1) {
+            flat[k] = flat_normal(h, k, &face[k], &turned);
+            round |= (unsigned)is_round(h, k) << k;
+        }
+        back |= (unsigned)turned << k;
+        smooth |= (unsigned)(face[k] && face[k]->smoothed) << k;
+    }
+    h->geometric = v3_gather(flat, 0);
+    if (back)
+        h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
+    h->eg = vset(P2M(51));
+    h->across = vset(1);
+    h->exact = mof(lanes & ~(smooth | round));
+    round_normals(h, lanes);
+    side_normals(h, lanes);
+    h->normal = h->geometric;
+    h->en = h->eg;
+    if (smooth)
+        smooth_normals(h, face, smooth);
+}
+
+/* Turns the normals to the viewer. */
+LANE_OP void turn(struct shade *h)
+{
+    vd side = v3_dot(h->geometric, h->viewer), bound = h->eg + h->ev + P2M(49);
+
+    h->back = vlt(side, vset(0));
+    h->unsure = mor(h->unsure, vle(vabs(side), bound));
+    h->geometric = v3_sel(h->back, v3_neg(h->geometric), h->geometric);
+    h->normal = v3_sel(h->back, v3_neg(h->normal), h->normal);
+    h->facing = v3_dot(h->normal, h->viewer);
+    h->efacing = h->en + h->ev + P2M(49);
+}
+
+/* Mirrored rays: (R' - R) D for two mirrors, whose normals differ by dn and thus by no less than the sine of the angle
+ * between them, turns what of D lies in the plane of the normals by twice that angle: it is 2 dn |that part| long. */
+LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
+{
+    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->across * h->en + h->ev + P2M(46), ed);
+}
+
+/* P + b G, or P - b G: where rays start. */
+LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h, double bias, vd *eo)
+{
+    struct v3 o = v3_along(h->point, h->geometric, vset(bias));
+
+    *eo = h->ep + h->eg * vset(s->bias) + 2 * UNIT + v3_sum(o) * P2M(51);
+    return o;
+}
+
+/* For rays in direction d from there, `sign` times G off the surface: whether they surely move away. */
+LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
+{
+    vm away = vlt(h->eg + ed + vset(P2M(49) + least), v3_dot(h->geometric, d) * sign);
+    vm inside = sign > 0 ? h->back : mnot(h->back);
+
+    return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
+}
+
+/* All of the points that the rays of these lanes meet. */
+static void find_surfaces(const struct sure_scene *s, const struct packet *p, const struct query *q, unsigned lanes,
+                          struct shade *h)
+{
+    vm m = mof(lanes);
+    vd t = vsel(m, q->t, vset(0));
+
+    h->point = v3_along(p->o, p->d, t);
+    h->ep = vsel(m, q->ep, vset(0)) + (v3_sum(p->o) + t) * P2M(51);
+    h->viewer = v3_neg(p->d);
+    h->ev = p->ed;
+    find_objects(s, q, lanes, h);
+    unsigned textured = find_materials(s, lanes, h), placed = find_local(h);
+    find_textures(s, textured, h);
+    find_normals(h, lanes);
+    if (placed)
+        place_normals(h, placed);
+    turn(h);
+    h->outside = off_surface(s, h, s->bias, &h->eoutside);
+}
+
+#endif

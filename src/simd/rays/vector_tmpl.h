@@ -1,0 +1,166 @@
+/* vector_tmpl.h - vectors of lanes, and numbers with bounds. */
+#ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
+#define TIA_SIMD_RAYS_VECTOR_TMPL_H
+
+#include "proved.h"
+
+#define INFINITE 1e30
+#define EPS SURE_EPS
+#define UNIT SURE_UNIT
+
+struct v3 {
+    vd x, y, z;
+};
+
+LANE_OP vi as_integers(vd a)
+{
+    vi i;
+
+    __builtin_memcpy(&i, &a, sizeof i);
+    return i;
+}
+
+LANE_OP vd as_doubles(vi i)
+{
+    vd a;
+
+    __builtin_memcpy(&a, &i, sizeof a);
+    return a;
+}
+
+/* |x| < 2^51: to nearest by adding 1.5 2^52, less 1 if that is above. */
+LANE_OP vd vfloor(vd x)
+{
+    vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
+
+    return nearest - vsel(vlt(x, nearest), vset(1), vset(0));
+}
+
+LANE_OP vd vload(const double *p)
+{
+    vd v;
+
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+
+LANE_OP void vstore(double *p, vd v)
+{
+    __builtin_memcpy(p, &v, sizeof v);
+}
+
+LANE_OP double lane_of(vd v, int k)
+{
+    double lanes[LANES];
+
+    vstore(lanes, v);
+    return lanes[k];
+}
+
+LANE_OP bool any(vm m)
+{
+    return mbits(m) != 0;
+}
+
+LANE_OP vm mnone(void)
+{
+    return mof(0);
+}
+
+LANE_OP struct v3 v3_set(const double p[3])
+{
+    return (struct v3){vset(p[0]), vset(p[1]), vset(p[2])};
+}
+
+LANE_OP vd v3_dot(struct v3 a, struct v3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+LANE_OP struct v3 v3_add(struct v3 a, struct v3 b)
+{
+    return (struct v3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+LANE_OP struct v3 v3_sub(struct v3 a, struct v3 b)
+{
+    return (struct v3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+LANE_OP struct v3 v3_neg(struct v3 a)
+{
+    return (struct v3){-a.x, -a.y, -a.z};
+}
+
+LANE_OP struct v3 v3_scale(struct v3 a, vd s)
+{
+    return (struct v3){a.x * s, a.y * s, a.z * s};
+}
+
+LANE_OP struct v3 v3_along(struct v3 o, struct v3 d, vd t)
+{
+    return v3_add(o, v3_scale(d, t));
+}
+
+LANE_OP struct v3 v3_cross(struct v3 a, struct v3 b)
+{
+    return (struct v3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* |x| + |y| + |z|, which is at least the length: what roundings are measured by. */
+LANE_OP vd v3_sum(struct v3 a)
+{
+    return vabs(a.x) + vabs(a.y) + vabs(a.z);
+}
+
+LANE_OP struct v3 v3_sel(vm m, struct v3 a, struct v3 b)
+{
+    return (struct v3){vsel(m, a.x, b.x), vsel(m, a.y, b.y), vsel(m, a.z, b.z)};
+}
+
+LANE_OP vd most3(const vd c[3])
+{
+    return vmax(vmax(c[0], c[1]), c[2]);
+}
+
+/* v/|v|, where the integers' v is within e, and the bound on its distance from theirs: the angle between them is at
+ * most that whose sine is x = e/|v|, and the chord of it is
+ *
+ *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16,
+ *
+ * and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58. Otherwise 4: two unit vectors are
+ * never farther apart, and nothing is ever sure. */
+LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
+{
+    vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
+
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + P2M(10)) + vset(SURE_NORMAL * EPS), vset(4));
+    return v3_scale(v, inverse);
+}
+
+/* of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and loaded as
+ * a whole, it would wait for all the stores. */
+#if LANES == 1
+#define EACH_LANE(of) of(0)
+#elif LANES == 2
+#define EACH_LANE(of) of(0), of(1)
+#elif LANES == 4
+#define EACH_LANE(of) of(0), of(1), of(2), of(3)
+#else
+#define EACH_LANE(of) of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)
+#endif
+
+/* Lane k: p[k][i]. */
+LANE_OP vd vgather(const double *const p[LANES], int i)
+{
+#define GATHERED(k) p[k][i]
+    return (vd){EACH_LANE(GATHERED)};
+#undef GATHERED
+}
+
+LANE_OP struct v3 v3_gather(const double *const p[LANES], int i)
+{
+    return (struct v3){vgather(p, i), vgather(p, i + 1), vgather(p, i + 2)};
+}
+
+#endif

@@ -1,0 +1,207 @@
+/* walk_paths_tmpl.h - samples in packets: light along random paths, bounce by bounce. Each step is
+ * that of render/path/path.c; bounds go on from one to the next. */
+#ifndef TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
+#define TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
+
+#include "glass_tmpl.h"
+#include "look_tmpl.h"
+#include "occlude_tmpl.h"
+
+/* Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits, and must be the same all over
+ * m +- ew where the path survives. */
+static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
+{
+    const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
+    vd most = most3(p->r.weight), e = p->r.ew + UNIT, low = (most - e) * all, high = vfloor((most + e) * all);
+    unsigned asked = 0;
+
+    for (int k = 0; k < LANES; k++)
+        asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
+    vm open = mand(mof(asked), vlt(low, all));
+    if (!any(open))
+        return lanes;
+    low = vfloor(vmax(low, vset(0)));
+    vd number = vu_number(path_choice(f, p, 2));
+    vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
+    vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
+    lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
+    divide_by(p, low * P2M(32), mand(open, mof(lanes)));
+    return lanes;
+}
+
+/* The numbers of directions are those of the first quad at the first bounce, and that may come after layers. */
+LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
+{
+    uint32_t quad[LANES];
+
+    for (int k = 0; k < LANES; k++)
+        quad[k] = p->r.depth[k] ? PATH_QUAD(p->r.depth[k], 0) : ESTIMATE_FIRST_QUAD;
+    struct quads quads = quads_of_paths(f, p->r.slot, quad);
+    u[0] = quads_number(&quads, 2);
+    u[1] = quads_number(&quads, 3);
+}
+
+/* Paths that go on by Lambert's law or Phong's lobe. */
+static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsigned lanes, unsigned shiny,
+                                                    const struct paths *p, const struct shade *h, const struct lobes *l)
+{
+    vu u[2];
+
+    direction_numbers(f, p, u);
+    struct v3 local = cosine_direction(u[0], u[1]), axis = h->normal;
+    vd e = h->en;
+    vm exact = h->exact, unsure, glossy = mof(shiny);
+    struct response r;
+    struct paths next;
+
+    if (shiny) {
+        local = v3_sel(glossy, phong_direction(h, u, shiny), local);
+        axis = v3_sel(glossy, l->mirrored, axis);
+        e = vsel(glossy, l->emirrored, e);
+        exact = mand(exact, mnot(glossy));
+    }
+    next.r.p.d = around(axis, e, exact, local, vset(SURE_LOCAL), &next.r.p.ed, &unsure);
+    vd cosine = v3_dot(next.r.p.d, h->normal), above = v3_dot(next.r.p.d, h->geometric);
+    vd ec = next.r.p.ed + h->en + P2M(49), ea = next.r.p.ed + h->eg + P2M(49);
+    vm lit = mand(vlt(ec, cosine), vlt(ea, above)), dark = mor(vlt(cosine, -ec), vlt(above, -ea));
+    lanes = sure_of(f, lanes, mor(unsure, mnot(mor(lit, dark))), p->r.slot) & mbits(lit);
+    if (!lanes)
+        return;
+    respond(h, l, next.r.p.d, next.r.p.ed, cosine, ec, &r);
+    vd inverse = 1 / r.density.v, most = most3(p->r.weight);
+    unsigned mixed = 0;
+    for (int k = 0; k < LANES; k++)
+        mixed |= (unsigned)(l->of[k]->below[2] != 0) << k;
+    vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(P2M(40)), r.density.v)));
+    vd share = most3(r.rgb) * inverse, eshare = 1.125 * inverse * (r.e + share * r.density.e) + UNIT;
+    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * P2M(50), h->ecolour);
+    lanes = sure_of(f, lanes, mnot(mand(fine, vlt(factor, vset(4096)))), p->r.slot);
+    for (int c = 0; c < 3; c++)
+        next.r.weight[c] = p->r.weight[c] * vsel(m, r.rgb[c] * inverse, h->colour[c]);
+    next.r.ew = p->r.ew * (factor + efactor) + most * efactor + UNIT + most * factor * P2M(51);
+    next.density = r.density;
+    next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
+    next.r.p.o = h->outside;
+    next.r.p.eo = h->eoutside;
+    next.specular = 0;
+    go_on(f, lanes, p, &next, NULL);
+}
+
+static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsigned lanes, const struct paths *p,
+                                                    const struct shade *h, const struct lobes *l)
+{
+    struct paths next = *p;
+
+    multiply_by(&next, h->mirror);
+    divide_by(&next, l->chance[CHANCE_MIRROR], mof(lanes));
+    next.r.p.o = h->outside;
+    next.r.p.eo = h->eoutside;
+    next.r.p.d = l->mirrored;
+    next.r.p.ed = l->emirrored;
+    next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
+    next.specular = lanes;
+    go_on(f, lanes, p, &next, NULL);
+}
+
+/* Each path takes one of its surface's lobes. */
+static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
+                         struct lobes *l)
+{
+    unsigned mirror = 0, glass = 0, shiny = 0, rough = 0;
+    bool several = false;
+    uint32_t number[LANES];
+
+    for (int k = 0; k < LANES; k++)
+        several |= l->of[k]->below[2] != 0;
+    if (!several) {
+        scatter_paths(f, lanes, 0, p, h, l);
+        return;
+    }
+    vu_store(number, path_choice(f, p, 0));
+    for (int k = 0; k < LANES; k++) {
+        const uint32_t *below = l->of[k]->below;
+        unsigned bit = 1u << k & lanes;
+        if (num_happens(below[0], number[k]))
+            mirror |= bit;
+        else if (num_happens(below[1], number[k]))
+            glass |= bit;
+        else if (num_happens(below[2], number[k]))
+            shiny |= bit;
+        else
+            rough |= bit;
+    }
+    if (shiny | rough)
+        scatter_paths(f, shiny | rough, shiny, p, h, l);
+    if (mirror)
+        reflect_paths(f, mirror, p, h, l);
+    if (glass)
+        enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
+}
+
+/* Lanes whose paths end at their surface; and those whose lobes are not known. */
+static unsigned going_on(struct path_state *f, unsigned lanes, const struct paths *p, const struct lobes *l)
+{
+    unsigned black = 0, unknown = 0;
+
+    for (int k = 0; k < LANES; k++) {
+        black |= (unsigned)(l->of[k]->black || p->r.depth[k] >= f->gather->scene->paths->bounces) << k;
+        unknown |= (unsigned)!l->of[k]->known << k;
+    }
+    mark_unsure(f, lanes & unknown & ~black, p->r.slot);
+    return lanes & ~(black | unknown);
+}
+
+static void step_paths(struct path_state *f, struct paths *p, unsigned lanes)
+{
+    const struct sure_scene *s = f->gather->scene;
+    struct query *q = &f->query;
+    struct shade *h = &f->shade;
+    struct lobes *l = &f->lobes;
+
+    find_first(s, &f->room, q, &p->r.p, lanes, true, p->specular);
+    (void)cancelled(&f->gather->cancel, q->work);
+    vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
+    lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot);
+    lanes = add_far_ends(f, lanes, p, q);
+    if (!lanes)
+        return;
+    find_surfaces(s, &p->r.p, q, lanes, h);
+    lanes = sure_of(f, lanes, h->unsure, p->r.slot);
+    if (!lanes)
+        return;
+    lobes_of(s->paths, h, lanes, l);
+    add_glow(f, lanes, p, h, l);
+    lanes = going_on(f, lanes, p, l);
+    if (!lanes)
+        return;
+    lanes = survivors(f, lanes, p);
+    if (!lanes)
+        return;
+    lobes_mirror(h, l);
+    lanes = look_for_lights(f, lanes, p, h, l);
+    bounce_paths(f, lanes, p, h, l);
+}
+
+static void walk_paths(struct sure_gather *g, void *memory)
+{
+    struct path_state *f = memory;
+    struct paths *p = &f->paths;
+    struct quads first;
+    int from = 0;
+
+    path_open(f, g);
+    while (!g->cancel.stopped) {
+        if (from < g->count && f->count[fullest(f)] < LANES) {
+            unsigned lanes = path_start(f, from, p, &first);
+            step_paths(f, p, lanes);
+            from += LANES;
+            continue;
+        }
+        unsigned lanes = path_pop(f, p);
+        if (!lanes)
+            return;
+        step_paths(f, p, lanes);
+    }
+}
+
+#endif

@@ -1,0 +1,328 @@
+/* walk_tmpl.h - packets through the hierarchy: any active lane enters a node. The nearest hit of each ray, and what
+ * stands between a point and a light. */
+#ifndef TIA_SIMD_RAYS_WALK_TMPL_H
+#define TIA_SIMD_RAYS_WALK_TMPL_H
+
+#include "box_tmpl.h"
+#include "check.h"
+#include "cylinder_tmpl.h"
+#include "descend_tmpl.h"
+#include "flat_tmpl.h"
+#include "grid_tmpl.h"
+#include "instance_tmpl.h"
+#include "pairs_tmpl.h"
+#include "round_tmpl.h"
+#include "sphere_tmpl.h"
+#include "triangle_tmpl.h"
+
+/* Shadow rays, and what is known of them. */
+struct shadow {
+    struct packet p;
+    vd distance, edistance;
+    vm blocked, unsure;
+    vd through[3], ethrough;
+    uint32_t work;
+};
+
+/* What walks need and a thread's stack may have no room for: it lies in the level's memory, one for each call. */
+struct room {
+    struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
+    struct placed placed;
+    struct query inner; /* of an instance */
+    struct query any;   /* of shadow rays */
+    struct lines lines;
+    struct grid_walk grid;
+    struct group_list groups;
+};
+
+/* One of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those that are inside for
+ * sure. */
+LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
+{
+    const struct sure_face *f = &tree->faces[face];
+    struct sides sides;
+
+    if (maybe & ~inside & EVEN)
+        sides = face_sides(q->p, &q->lines->line, f);
+    else
+        sides = (struct sides){mof(half(inside)), mnot(mof(half(maybe)))};
+    q->group = q->groups ? tree->groups[face] : 0;
+    meet_plane_of(q, f, face, sides);
+}
+
+/* Some of a leaf's faces: first which of them any line may meet, without a branch for each, then where. */
+LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
+{
+    unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
+
+    for (uint32_t i = 0; i < count; i++) {
+        struct passes passes = pair_passes(q->lines, &pairs[i]);
+        inside[i] = passes.inside;
+        maybe[i] = active & ~passes.outside;
+        met |= (unsigned)(maybe[i] != 0) << i;
+    }
+    for (; met; met &= met - 1) {
+        int i = __builtin_ctz(met);
+        if (maybe[i] & EVEN)
+            meet_one_of(tree, pairs[i].face[0], maybe[i], inside[i], q);
+        if (maybe[i] >> 1 & EVEN)
+            meet_one_of(tree, pairs[i].face[1], maybe[i] >> 1, inside[i] >> 1, q);
+    }
+}
+
+LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
+                        struct query *q)
+{
+    (void)s;
+    for (uint32_t i = 0; i < v->child.count; i += SURE_LEAF / 2) {
+        uint32_t left = v->child.count - i;
+        meet_some(tree, tree->pairs + v->child.index + i, left < SURE_LEAF / 2 ? left : SURE_LEAF / 2, q);
+    }
+}
+
+WALK(walk_faces, meet_faces, faces)
+
+/* What is not known may be hit from its box on. */
+LANE_OP void meet_unknown(struct query *q, vd near)
+{
+    report_hit(q, (struct hit_report){.sure = mnone(),
+                                      .may = vle(near, q->limit),
+                                      .t = vset(0),
+                                      .e = vset(0),
+                                      .ep = vset(0),
+                                      .low = near,
+                                      .element = vset(0)});
+}
+
+LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
+{
+    lines_of(&q->room->lines, q->p, o->mesh);
+    q->lines = &q->room->lines;
+    walk_faces(s, o->mesh, q);
+}
+
+/* `scale`: how much longer distances are in the object's axes than those of its box. */
+LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
+                        const struct node_ref *at, vd scale)
+{
+    switch (o->kind) {
+    case SURE_SPHERE:
+        meet_sphere(q, o->at, o->radius);
+        break;
+    case SURE_MESH:
+        meet_mesh(s, o, q);
+        break;
+    case SURE_TRIANGLE:
+        meet_face(q, o->face, 0);
+        break;
+    case SURE_PLANE:
+        meet_plane(q, o);
+        break;
+    case SURE_DISC:
+        meet_disc(q, o);
+        break;
+    case SURE_ROUND:
+        if (o->round->sine != 0)
+            meet_round(q, o->round);
+        else if (comes_near(q, o->round))
+            meet_cylinder(q, o->round);
+        break;
+    case SURE_BOX:
+        meet_box(q, o->at, o->normal);
+        break;
+    case SURE_GRID:
+        meet_grid(q, o->grid, &q->room->grid);
+        break;
+    case SURE_UNKNOWN:
+        meet_unknown(q, lanes_of(*at->near, at->child.place) * scale);
+        break;
+    }
+}
+
+static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, const struct sure_object *o,
+                                                  struct query *q, const struct node_ref *at)
+{
+    struct placed *placed = &q->room->placed;
+    struct query *inner = &q->room->inner;
+
+    place_rays(o->placed, q->p, o->kind == SURE_BOX, q->active, placed);
+    placed_query(q, placed, inner);
+    if (any(inner->active))
+        meet_shape(s, o, inner, at, placed->k);
+    q->work = inner->work;
+    report_placed(q, placed, inner, o->placed->most);
+}
+
+/* An object that filters light does so once, wherever it is met; either side rounds each product. */
+LANE_OP void filter(struct query *q, const struct sure_object *o)
+{
+    vm unclear = mand(q->may_meet, mnot(q->met));
+
+    if (o->unclear)
+        unclear = mor(unclear, q->met);
+    q->maybe = mor(q->maybe, unclear);
+    q->ethrough = q->ethrough + vsel(q->met, vset(UNIT), vset(0));
+    for (int c = 0; c < 3; c++)
+        q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
+}
+
+/* A mesh of groups that lets light through. */
+static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
+                                                   struct query *q)
+{
+    struct group_list *groups = &q->room->groups; /* not set to zero as a whole: it is large */
+
+    groups->full = 0;
+    for (int k = 0; k < LANES; k++)
+        groups->count[k] = 0;
+    q->groups = groups;
+    meet_mesh(s, o, q);
+    q->groups = NULL;
+    filter_groups(q, groups, o->transmission);
+}
+
+LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct query *q, const struct node_ref *at)
+{
+    const struct sure_object *o = &s->object[index];
+
+    q->index = index;
+    q->object = (double)index;
+    q->opaque = q->solid ? !o->layered : o->opaque;
+    q->met = q->may_meet = mnone();
+    if (q->any && !q->solid && o->grouped) {
+        meet_grouped(s, o, q);
+        return;
+    }
+    if (o->placed)
+        meet_placed(s, o, q, at);
+    else
+        meet_shape(s, o, q, at, vset(1));
+    if (q->any && !q->opaque)
+        filter(q, o);
+}
+
+LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
+                          struct query *q)
+{
+    for (uint32_t i = v->child.index; i < v->child.index + v->child.count; i++)
+        meet_object(s, tree->items[i], q, v);
+}
+
+WALK(walk_objects, meet_objects, objects)
+
+/* Objects that no box is around, or that are tried before their boxes. */
+LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
+{
+    static const vp zero;
+    const struct node_ref start = {{0, 0, 0}, &zero};
+
+    meet_object(s, object, q, &start);
+}
+
+static __attribute__((noinline)) void meet_unbounded(const struct sure_scene *s, struct query *q)
+{
+    for (uint32_t i = 0; i < s->unbounded_count; i++)
+        meet_at_once(s, s->unbounded[i], q);
+}
+
+static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint32_t object, struct query *q)
+{
+    meet_at_once(s, object, q);
+}
+
+/* Lights have no index among objects: light n is told as this and n. */
+#define LIGHT_ID 4294967296.0
+
+LANE_OP void meet_light(const struct sure_light *l, struct query *q)
+{
+    if (l->from->kind == TIA_POINT_LIGHT || l->from->kind == TIA_SPHERE_LIGHT)
+        meet_sphere(q, l->at, l->radius);
+    else
+        meet_flat_light(q, l);
+}
+
+static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, struct query *q)
+{
+    for (uint32_t n = 0; n < s->light_count; n++) {
+        const struct sure_light *l = &s->lights[n];
+        q->object = LIGHT_ID + n;
+        if (l->seen)
+            meet_light(l, q);
+    }
+}
+
+/* The nearest object, before lights are tried. Returns the lanes that are too far off, for end_nearest(). */
+LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
+{
+    vm fine = packet_start(s->centre, s->extent, p, active);
+
+    q->p = p;
+    q->room = room;
+    q->work = SURE_PACKET + s->unbounded_count + s->light_count;
+    q->active = mand(active, fine);
+    q->any = q->solid = false;
+    q->groups = NULL;
+    q->limit = q->t = q->low = vset(INFINITE);
+    q->e = q->ep = vset(0);
+    q->id = q->element = vset(-1);
+    meet_unbounded(s, q);
+    walk_objects(s, &s->objects, q);
+    return mand(active, mnot(fine));
+}
+
+/* Those may have met anything. */
+LANE_OP void end_nearest(struct query *q, vm wild)
+{
+    q->low = vsel(wild, vset(-1), q->low);
+    q->t = vsel(wild, vset(0), q->t);
+}
+
+/* The nearest, lights included. */
+static void find_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
+{
+    vm wild = begin_nearest(s, room, q, p, active);
+
+    meet_lights(s, q);
+    end_nearest(q, wild);
+}
+
+/* *blocker is tried first, and becomes what blocked a ray. */
+static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
+                        uint32_t *blocker)
+{
+    vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
+    struct query *q = &room->any; /* field by field: what only the nearest hit has is not used, and it is large */
+
+    check_shadow(mbits(active));
+    q->p = &shadow->p;
+    q->room = room;
+    q->work = SURE_PACKET + s->unbounded_count;
+    q->active = mand(active, fine);
+    q->any = true;
+    q->solid = false;
+    q->blocker = *blocker;
+    q->groups = NULL;
+    q->group = 0;
+    q->distance = shadow->distance;
+    q->edistance = shadow->edistance;
+    q->limit = q->distance + q->edistance;
+    q->blocked = q->maybe = q->met = q->may_meet = mnone();
+    q->ethrough = vset(0);
+    for (int c = 0; c < 3; c++)
+        q->through[c] = vset(1);
+    if (*blocker != TIA_NO_OBJECT)
+        meet_one(s, *blocker, q);
+    if (any(q->active))
+        meet_unbounded(s, q);
+    if (any(q->active))
+        walk_objects(s, &s->objects, q);
+    *blocker = q->blocker;
+    shadow->work = q->work;
+    shadow->ethrough = q->ethrough;
+    shadow->blocked = q->blocked;
+    shadow->unsure = mor(mand(q->maybe, mnot(q->blocked)), mand(active, mnot(fine)));
+    for (int c = 0; c < 3; c++)
+        shadow->through[c] = q->through[c];
+}
+
+#endif

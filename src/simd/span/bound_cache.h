@@ -1,0 +1,39 @@
+/* bound_cache.h - a run's bounds, kept for those of the next rows. */
+#ifndef TIA_SIMD_SPAN_BOUND_CACHE_H
+#define TIA_SIMD_SPAN_BOUND_CACHE_H
+
+#include "prepare.h"
+
+/* What bounds depend on from row to row, each so that more is worse. */
+#define SIMD_LIMITS 16
+
+struct simd_bound_cache {
+    bool known;
+    uint32_t sphere;
+    int limits;
+    double limit[SIMD_LIMITS];
+    struct simd_depth depth;
+    double near31, near63;
+    struct simd_bounds light[SIMD_LIGHTS];
+    struct simd_cast_bounds cast[SIMD_LIMITS / 2];
+};
+
+/* The bounds for an arithmetic; false when they are too large. `kept` may be NULL. Else it belongs to this arithmetic,
+ * and the bounds may be those of an earlier run that was as bad or worse. */
+bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache);
+
+/* Bounds for each half of the picture and some spheres, in both arithmetics. */
+#define SIMD_CACHE_LINES 8
+
+struct simd_cache_line {
+    struct simd_bound_cache single, fine;
+};
+
+static inline struct simd_cache_line *simd_cache_line_of(struct simd_cache_line *lines, const struct simd_fine *fine)
+{
+    unsigned right = fine->place.middle > fine->view->width / 2;
+
+    return &lines[(2 * fine->sphere + right) % SIMD_CACHE_LINES];
+}
+
+#endif

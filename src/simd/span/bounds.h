@@ -1,0 +1,35 @@
+/* bounds.h - how far a run's values, as computed, may be from what the integer code computes. */
+#ifndef TIA_SIMD_SPAN_BOUNDS_H
+#define TIA_SIMD_SPAN_BOUNDS_H
+
+#include "pair.h"
+#include "row.h"
+
+/* The kernels' float, and the double of exact.c: half an ulp, and the share of D below which a pixel is open. */
+#define SIMD_FLOAT 0x1p-24
+#define SIMD_FLOAT_CUT 0x1p-8
+#define SIMD_DOUBLE 0x1p-48 /* with room for its coefficients */
+#define SIMD_DOUBLE_CUT 0x1p-16
+
+struct simd_bounds {
+    double distance; /* |w| at least */
+    double square;   /* |w|^2, relative */
+    double lambert;  /* absolute; SIMD_NEVER when it cannot be bounded */
+};
+
+/* The sizes of the linear forms: |a0| + |a1| X. */
+void tia_simd_bound_light(const struct primary_rays *primary, const struct simd_lamp *lamp,
+                          const struct simd_place *place, const struct simd_depth *depth, double unit, double g_size,
+                          double q_size, struct simd_bounds *bounds);
+
+/* Of one caster: A'.w and k, absolute; |w|^2 with what the comparison itself may add, relative. */
+struct simd_cast_bounds {
+    double a, k, w;
+};
+
+void tia_simd_bound_cast(const struct primary_rays *primary, const struct simd_lamp *lamp,
+                         const struct simd_caster *cast, const struct simd_place *place, const struct simd_depth *depth,
+                         const struct simd_bounds *light, double unit, double h_size, double c_size,
+                         struct simd_cast_bounds *bounds);
+
+#endif

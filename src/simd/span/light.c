@@ -1,0 +1,187 @@
+/* light.c - a tile by a level: rows, runs of one object, and what becomes of each. */
+#include "exact.h"
+#include "render/span/shade.h"
+#include "seen.h"
+#include "simd/simd.h"
+
+/* Frames of scenes with the eye in a sphere are for plain C. */
+bool tia_simd_draws(const struct tia_view *view)
+{
+    const struct span_view *spans = span_view_of(view);
+
+    for (uint32_t n = 0; n < view->scene->sphere_count; n++)
+        if (spans->spheres[n].radius > 0 && spans->spheres[n].c <= 0)
+            return false;
+    return true;
+}
+
+/* ---- rows ---- */
+
+/* What the background, or a light itself, is drawn as: one colour, but for dithering. */
+struct flat {
+    tia_rgb565 pixels[8];
+    uint32_t object;
+    bool known, dithered; /* then by the row */
+};
+
+/* A picture of more pixels than this, 8 MB, is drawn row by row beside the caches: drawn in its own memory, each line
+ * would be read before it is written. 3840x2160 takes four fifths of the time like that, 2560x1440 as long, smaller
+ * ones would take longer. */
+#define STREAMED (4u << 20)
+
+/* What rows hand on to the next, and what a row needs and a thread's stack may have no room for. */
+struct carried {
+    bool streams;
+    struct span guess[SIMD_GUESSES];
+    struct simd_line line;
+    tia_rgb565 pixels[SIMD_STRIP];
+    struct simd_fine fine;
+    struct simd_run run;
+    uint16_t list[SIMD_RUN + SIMD_MORE];
+    struct flat flat;
+    struct simd_dither dither;
+    struct simd_cache_line lines[SIMD_CACHE_LINES];
+};
+
+static void find_flat(const struct span_view *spans, const struct tia_rgb *colour, int first, const num_u threshold[8],
+                      struct flat *flat)
+{
+    const tia_q30 channel[3] = {colour->r, colour->g, colour->b};
+    num_u rgb[3][8];
+
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 8; i++)
+            rgb[c][i] = num_clamp(num_colour(channel[c]));
+    spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, first, 8, flat->pixels);
+}
+
+static void light_flat(const struct tia_view *view, const struct simd_span *span, struct carried *carried,
+                       tia_rgb565 *out)
+{
+    const num_u *threshold = carried->dither.threshold;
+    struct flat *flat = &carried->flat;
+    const struct tia_scene *scene = view->scene;
+    bool light = span->object != TIA_NO_OBJECT;
+    int count = span->end - span->first;
+
+    if (!flat->known || flat->dithered || flat->object != span->object) {
+        find_flat(span_view_of(view),
+                  light ? &view->lights[span->object - scene->sphere_count].emission : &scene->background, span->first,
+                  threshold, flat);
+        flat->known = true;
+        flat->dithered = threshold[0] != threshold[1];
+        flat->object = span->object;
+    }
+    if (!flat->dithered)
+        view->simd->kernels->fill(out, count, flat->pixels[0]);
+    else
+        for (int i = 0; i < count; i++)
+            out[i] = flat->pixels[i & 7];
+}
+
+static size_t room(const struct tia_simd *simd)
+{
+    return simd_room(sizeof(struct carried), simd->kernels->cells);
+}
+
+static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
+                       struct carried *carried, tia_rgb565 *out)
+{
+    const num_u *threshold = carried->dither.threshold;
+    struct simd_fine *fine = &carried->fine;
+
+    bool good = tia_simd_fine(view, row, sphere, first, end, fine);
+    struct simd_cache_line *line = good ? simd_cache_line_of(carried->lines, fine) : NULL;
+    if (!good || !tia_simd_fine_bounds(fine, SIMD_FLOAT, SIMD_FLOAT_CUT, &line->single)) {
+        tia_simd_plain(view, sphere, first, row->y, end - first, threshold, out);
+        return;
+    }
+    tia_simd_run(fine, &carried->dither, &carried->run);
+    int count =
+        view->simd->kernels->shade(&carried->run, out, carried->list, simd_kernels_room(carried, sizeof *carried));
+    tia_simd_decide(fine, &line->fine, carried->list, count, threshold, out);
+}
+
+static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
+                       struct carried *carried, tia_rgb565 *out)
+{
+    if (span->object >= view->scene->sphere_count) { /* as TIA_NO_OBJECT is */
+        light_flat(view, span, carried, out);
+        return;
+    }
+    for (int x = span->first; x < span->end; x += SIMD_RUN) {
+        int end = span->end - x < SIMD_RUN ? span->end : x + SIMD_RUN;
+        light_part(view, row, span->object, x, end, carried, out + (x - span->first));
+    }
+}
+
+static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t step)
+{
+    for (unsigned i = 0; i < count; i++)
+        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * step) = pixels[i];
+}
+
+static void light_row(const struct tia_view *view, const struct simd_row *row, struct tia_tile tile,
+                      const struct tia_surface *surface, struct carried *carried)
+{
+    const struct simd_line *line = &carried->line;
+    char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
+    bool compact = surface->step == sizeof(tia_rgb565), direct = compact && !carried->streams;
+    tia_rgb565 *pixels = carried->pixels, *place = direct ? (tia_rgb565 *)(void *)out : pixels;
+
+    for (int i = 0; i < line->count; i++) {
+        const struct simd_span *span = &line->spans[line->which][i];
+        light_span(view, row, span, carried, place + (span->first - (int)tile.x));
+    }
+    if (compact && !direct)
+        view->simd->kernels->stream((void *)out, pixels, (int)tile.width);
+    else if (!direct)
+        copy(pixels, tile.width, out, surface->step);
+}
+
+#define ROWS 8 /* from one question whether to stop to the next: it takes a lock that threads share */
+
+static void light_strip(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                        bool dither, bool streams, struct carried *carried)
+{
+    const struct span_view *spans = span_view_of(view);
+
+    carried->streams = streams;
+    carried->flat.known = false;
+    for (int i = 0; i < SIMD_GUESSES; i++)
+        carried->guess[i] = (struct span){0, 0};
+    for (int i = 0; i < SIMD_CACHE_LINES; i++)
+        carried->lines[i].single.known = carried->lines[i].fine.known = false;
+    for (int y = (int)tile.y; y < tile_bottom(tile) && !(y % ROWS == 0 && view_stops(view)); y++) {
+        struct simd_row row;
+        if (dither || y == (int)tile.y)
+            tia_simd_dither(dither, y, &carried->dither);
+        tia_simd_row(&spans->primary, y, &row);
+        tia_simd_find(view, &row, tile, carried->guess, &carried->line);
+        light_row(view, &row, tile, surface, carried);
+    }
+}
+
+void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
+                    const struct tia_options *options, void *carried)
+{
+    const struct simd_kernels *kernels = view->simd->kernels;
+    struct tia_surface part = *surface;
+    bool streams = kernels->stream && (uint32_t)view->width * (uint32_t)view->height > STREAMED;
+
+    if (options->path_hash) {
+        tia_simd_light_plain(view, tile, surface, options);
+        return;
+    }
+    for (int x = (int)tile.x, right = tile_right(tile); x < right; x += SIMD_STRIP) {
+        int width = right - x < SIMD_STRIP ? right - x : SIMD_STRIP;
+        struct tia_tile strip = {(uint16_t)x, tile.y, (uint16_t)width, tile.height};
+        part.pixels = (void *)((char *)surface->pixels + (ptrdiff_t)(x - (int)tile.x) * surface->step);
+        light_strip(view, strip, &part, options->dither, streams, carried);
+    }
+    if (streams)
+        kernels->settle();
+}
+
+const struct simd_renderer tia_simd_spans = {
+    tia_simd_pairs_size, tia_simd_draws, NULL, tia_simd_prepare, room, tia_simd_light, NULL};

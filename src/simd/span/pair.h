@@ -1,0 +1,46 @@
+/* pair.h - a light over a sphere, with the spheres between them: what stays the same for all rows of a frame. */
+#ifndef TIA_SIMD_SPAN_PAIR_H
+#define TIA_SIMD_SPAN_PAIR_H
+
+#include "render/span/light.h"
+#include "render/span/shadow.h"
+#include "render/span/span.h"
+#include "run.h"
+
+/* The constants of run.h in double precision, and with their bounds those of the integer code, see bounds.h. */
+struct simd_caster {
+    uint32_t sphere;
+    struct num_vec sum;   /* C + Q */
+    double aq, p0, size;  /* C.Q - B K; k's constant; |C| */
+    double ua, uk;        /* the last bits of A.w and k */
+    double fixed;         /* k's part that the bias adds may be off by this */
+    double radius, apart; /* R; |C - Q| */
+    double through[3];
+    bool clear;
+};
+
+struct simd_lamp {
+    bool plain;              /* the runs of this sphere are left to plain C */
+    struct num_vec light, g; /* Q, Q - L */
+    double k, qq, size;      /* K, Q.Q, |Q| */
+    double gap;              /* ||G| - r|: the light's distance from the sphere, less what double may be off */
+    double per_r, swell;     /* 1/r; B = bias/r */
+    double ud, up, us;       /* the last bits of |w|^2, |P|^2 and r N.w */
+    double colour[3];
+    int casts;
+    struct simd_caster cast[SIMD_CASTS];
+};
+
+/* Bytes for a view's pairs; SIZE_MAX when there are too many. */
+size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacity);
+
+/* Fills view->simd_memory for the view's lights. */
+void tia_simd_prepare(struct tia_view *view);
+
+static inline const struct simd_lamp *simd_lamp_of(const struct tia_view *view, uint32_t sphere, uint32_t light)
+{
+    const struct simd_lamp *lamps = view->simd_memory;
+    return &lamps[(size_t)sphere * view->light_capacity + light];
+}
+
+#endif

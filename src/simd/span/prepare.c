@@ -1,0 +1,166 @@
+#include "prepare.h"
+
+#include <math.h>
+
+#include "proved.h"
+#include "render/dither.h"
+#include "scene/colour.h"
+
+static void cast_forms(const struct simd_fine *fine, const struct simd_fine_light *light,
+                       const struct simd_caster *from, struct simd_fine_cast *cast)
+{
+    const struct span_view *spans = span_view_of(fine->view);
+    double sum[2], centre[2];
+
+    tia_simd_form(&spans->primary, fine->row, &fine->place, from->sum, sum);
+    tia_simd_form(&spans->primary, fine->row, &fine->place, spans->spheres[from->sphere].centre, centre);
+    cast->a[0] = from->aq;
+    cast->k[0] = from->p0;
+    for (int i = 0; i < 2; i++) {
+        cast->a[i + 1] = -(sum[i] + light->lamp->swell * light->g[i]);
+        cast->k[i + 1] = -2 * centre[i];
+    }
+}
+
+static bool light_forms(struct simd_fine *fine, uint32_t l)
+{
+    const struct span_view *spans = span_view_of(fine->view);
+    struct simd_fine_light *light = &fine->light[l];
+    const struct simd_lamp *lamp = simd_lamp_of(fine->view, fine->sphere, l);
+
+    if (lamp->plain)
+        return false;
+    light->lamp = lamp;
+    tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->g, light->g);
+    tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->light, light->q);
+    light->q[0] *= -2;
+    light->q[1] *= -2;
+    for (int j = 0; j < lamp->casts; j++)
+        cast_forms(fine, light, &lamp->cast[j], &light->cast[j]);
+    return true;
+}
+
+bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
+                   struct simd_fine *fine)
+{
+    const struct span_view *spans = span_view_of(view);
+    const struct tia_material *material = &view->scene->materials[view->scene->spheres[sphere].material];
+
+    fine->view = view;
+    fine->row = row;
+    fine->sphere = sphere;
+    fine->first = first;
+    fine->end = end;
+    if (view->light_count > SIMD_LIGHTS)
+        return false;
+    tia_simd_place(&spans->primary, row, first, end, &fine->place);
+    if (!tia_simd_see(&spans->primary, row, &fine->place, simd_sphere_of(fine), &fine->seen))
+        return false;
+    fine->grey = spans->grey && colour_is_grey(&material->colour) && colour_is_grey(&material->emission);
+    fine->emission[0] = (double)material->emission.r * 0x1p-30;
+    fine->emission[1] = (double)material->emission.g * 0x1p-30;
+    fine->emission[2] = (double)material->emission.b * 0x1p-30;
+    for (uint32_t l = 0; l < view->light_count; l++)
+        if (!light_forms(fine, l))
+            return false;
+    return true;
+}
+
+/* ---- for the kernels ---- */
+
+/* Takes coefficients for s to those for S = c s. */
+static void scaled(const double from[3], double per_c, float *square, float *start, float *step)
+{
+    *square = (float)(from[0] * per_c * per_c);
+    *start = (float)(from[1] * per_c);
+    *step = (float)(from[2] * per_c);
+}
+
+static void run_cast(const struct simd_fine *fine, const struct simd_fine_light *light, int j, struct simd_cast *cast)
+{
+    const struct simd_lamp *lamp = light->lamp;
+    const struct simd_caster *from = &lamp->cast[j];
+    const struct simd_fine_cast *fine_cast = &light->cast[j];
+    const struct simd_cast_bounds *b = &fine_cast->bounds;
+    double per_c = 1 / fine->seen.c, size = from->size + fine->depth.p_most + 1, bias = 0x1p-13;
+
+    scaled(fine_cast->a, per_c, &cast->aq, &cast->h0, &cast->h1);
+    scaled(fine_cast->k, per_c, &cast->p0, &cast->c0, &cast->c1);
+    cast->swell = (float)(1 + lamp->swell);
+    cast->ea = (float)(b->a * per_c * per_c * 1.01);
+    cast->ek = (float)(b->k * per_c * per_c * 1.01);
+    cast->ew = (float)(b->w * 1.1);
+    for (int c = 0; c < 3; c++)
+        cast->through[c] = (float)from->through[c];
+    cast->clear = from->clear;
+    cast->radius = (float)(from->radius * 1.001);
+    cast->turn = (float)((from->apart + bias) * 1.001);
+    cast->shift = (float)(bias * lamp->per_r * 1.001);
+    cast->size = (float)(size * 1.001);
+    cast->fuzz_a = (float)(2.01 * size * b->a);
+    cast->fuzz_k = (float)((b->k + size * size * b->w) * 1.01);
+}
+
+static void run_light(const struct simd_fine *fine, const struct simd_fine_light *from, struct simd_light *light)
+{
+    const struct simd_lamp *lamp = from->lamp;
+    double per_c = 1 / fine->seen.c;
+
+    light->k = (float)(lamp->k * per_c);
+    light->g0 = (float)from->g[0];
+    light->g1 = (float)from->g[1];
+    scaled((const double[3]){lamp->qq, from->q[0], from->q[1]}, per_c, &light->qq, &light->q0, &light->q1);
+    light->per_r = (float)lamp->per_r;
+    light->colour_most = 0;
+    for (int c = 0; c < 3; c++) {
+        light->colour[c] = (float)lamp->colour[c];
+        light->colour_most = light->colour[c] > light->colour_most ? light->colour[c] : light->colour_most;
+    }
+    light->faint = (float)from->bounds.lambert;
+    light->casts = lamp->casts;
+    for (int j = 0; j < lamp->casts; j++)
+        run_cast(fine, from, j, &light->cast[j]);
+}
+
+void tia_simd_dither(bool on, int y, struct simd_dither *dither)
+{
+    dither_thresholds(on, y, dither->threshold);
+    for (int i = 0; i < SIMD_MORE; i++)
+        dither->half[i] = (float)((double)dither->threshold[i & 7] * 0x1p-30 - .5);
+}
+
+void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
+{
+    const struct simd_seen *seen = &fine->seen;
+    const struct simd_place *place = &fine->place;
+    const double *d = seen->d;
+    double wider = 1.001 + 4 * fine->depth.es; /* 1/S has up to the fourth power in cells_tmpl.h */
+
+    run->count = fine->end - fine->first;
+    run->grey = fine->grey;
+    run->lights = (int)fine->view->light_count;
+    run->x0 = (float)place->low;
+    run->b0 = (float)seen->b[0];
+    run->b1 = (float)seen->b[1];
+    run->d0 = (float)d[0];
+    run->d1 = (float)d[1];
+    run->d2 = (float)d[2];
+    run->cut = (float)fine->depth.cut;
+    run->c = (float)seen->c;
+    run->v0 = (float)place->v0;
+    run->v1 = (float)place->v1;
+    run->v2 = (float)place->v2;
+    run->v_step = (float)(place->v_step * wider);
+    run->v_most = (float)(place->v_most * wider);
+    run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * 1.01);
+    run->d_sag = (float)((d[2] > 0 ? d[2] * SIMD_CELL * SIMD_CELL / 4 : 0) + seen->size * 0x1p-20);
+    run->b_off = (float)(fabs(seen->b[1]) / (1 << CELL_TURN));
+    run->d_off = (float)((fabs(d[1]) + 2 * fabs(d[2]) * place->reach) * CELL_SLOPE * SIMD_FLOAT);
+    for (int c = 0; c < 3; c++)
+        run->emission[c] = (float)fine->emission[c];
+    run->near31 = (float)fine->near31;
+    run->near63 = (float)fine->near63;
+    run->threshold = dither->half + (fine->first & 7);
+    for (int l = 0; l < run->lights; l++)
+        run_light(fine, &fine->light[l], &run->light[l]);
+}

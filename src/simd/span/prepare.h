@@ -1,0 +1,55 @@
+/* prepare.h - a run's constants, from those of the frame and of the row. */
+#ifndef TIA_SIMD_SPAN_PREPARE_H
+#define TIA_SIMD_SPAN_PREPARE_H
+
+#include "bounds.h"
+#include "render/renderer.h"
+
+/* What a run is made of, in double precision: for the kernels' constants, and for exact.c. */
+struct simd_fine_cast {
+    double a[3], k[3]; /* A'.w s^2 = a[0] s^2 + (a[1] + a[2] x) s + v.v; k s^2 */
+    struct simd_cast_bounds bounds;
+};
+
+struct simd_fine_light {
+    const struct simd_lamp *lamp;
+    double g[2], q[2]; /* G.v and -2 Q.v */
+    struct simd_bounds bounds;
+    struct simd_fine_cast cast[SIMD_CASTS];
+};
+
+struct simd_fine {
+    const struct tia_view *view;
+    const struct simd_row *row;
+    uint32_t sphere;
+    int first, end;
+    bool grey;
+    struct simd_place place;
+    struct simd_seen seen;
+    struct simd_depth depth;
+    double emission[3];
+    double near31, near63; /* half a level less the bound */
+    struct simd_fine_light light[SIMD_LIGHTS];
+};
+
+/* The forms of pixels first..end-1, without bounds; false when they are for plain C. */
+bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
+                   struct simd_fine *fine);
+
+static inline const struct span_sphere *simd_sphere_of(const struct simd_fine *fine)
+{
+    return &span_view_of(fine->view)->spheres[fine->sphere];
+}
+
+/* A row's dithering. */
+struct simd_dither {
+    num_u threshold[8];
+    float half[SIMD_MORE]; /* the same less 1/2, for the kernels */
+};
+
+void tia_simd_dither(bool on, int y, struct simd_dither *dither);
+
+/* The kernels' constants; the bounds must be float's. The run keeps pointers into `dither`. */
+void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run);
+
+#endif

@@ -1,0 +1,75 @@
+/* row.h - where a run lies in its row, and the sphere that it sees: exact coefficients, in double precision. */
+#ifndef TIA_SIMD_SPAN_ROW_H
+#define TIA_SIMD_SPAN_ROW_H
+
+#include "render/span/span.h"
+
+#define SIMD_NEVER 1e30 /* a bound for what cannot be bounded */
+
+struct simd_row {
+    int y;
+    double per_depth, per_depth2;  /* 1/depth, in units of pixel coordinates */
+    num_wide y_coordinate, square; /* Y, and Y^2 + depth^2 */
+};
+
+void tia_simd_row(const struct primary_rays *primary, int y, struct simd_row *row);
+
+/* The pixels first..end-1; x is counted from `middle`. */
+struct simd_place {
+    int middle;
+    double low, high, reach;            /* of x; the larger in size */
+    double v0, v1, v2;                  /* v.v = v0 + v1 x + v2 x^2, at depth 1 */
+    double square_most, v_most, v_step; /* v.v and |v| at most; |v'| */
+    double square_least;
+};
+
+void tia_simd_place(const struct primary_rays *primary, const struct simd_row *row, int first, int end,
+                    struct simd_place *place);
+
+/* a.v = c[0] + c[1] x. */
+void tia_simd_form(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
+                   struct num_vec a, double c[2]);
+
+/* A sphere seen from outside, over a place. */
+struct simd_seen {
+    double b[2], d[3], c;
+    double size;            /* |d0| + |d1| X + |d2| X^2 */
+    double b_least, b_most; /* of b */
+    double least;           /* of D; it may be negative */
+};
+
+/* False when a run cannot be had: the eye is inside, or b is not positive. */
+bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
+                  const struct span_sphere *sphere, struct simd_seen *seen);
+
+/* Between which distances the integer code sees the sphere all along the place, at its outline too. */
+void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
+                      const struct span_sphere *sphere, const struct simd_seen *seen, double t[2]);
+
+/* The same with the bounds that come with a cut: pixels where D is less are left out. */
+struct simd_depth {
+    double cut, floor; /* of D; of sqrt(D) */
+    double sum_least;  /* of S */
+    double es, et;     /* relative bounds of 1/t: of the kernels', of the integer code's */
+    double t_least, t_most;
+    double p_least, p_most; /* |P| */
+    double mantissa_most;   /* of the integer t */
+};
+
+/* `unit` is half an ulp of the arithmetic; `cut` a fraction of the size. */
+void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
+                    const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
+                    struct simd_depth *depth);
+
+/* 2^e, |e| < 1000. */
+static inline double simd_power(int e)
+{
+    union {
+        uint64_t bits;
+        double value;
+    } power = {(uint64_t)(e + 1023) << 52};
+
+    return power.value;
+}
+
+#endif

@@ -1,0 +1,107 @@
+/* run.h - a run: pixels of one row that see one sphere, as the vector kernels take it.
+ *
+ * All is in terms of x, pixels from the run's middle, with directions v scaled to depth 1. Then for a sphere L, r with
+ * c = L.L - r^2, seen from outside,
+ *
+ *     S = c/t = b + sqrt(D),   b = L.v linear, D = b^2 - c v.v quadratic in x
+ *
+ * and what lighting wants of the point P = t v, multiplied by s = 1/t or its square, needs no division:
+ *
+ *     r N.w  s   = K s + G.v                 with w = Q - P, K = c - L.Q, G = Q - L
+ *     |w|^2  s^2 = Q.Q s^2 - 2 Q.v s + v.v
+ *     A'.w   s^2 = (C.Q - B K) s^2 - ((C + Q).v + B G.v) s + v.v      with B = bias/r
+ *     k      s^2 = (C.C - R^2 - apart bias/(r + bias)) s^2 - 2 C.v s + v.v
+ *
+ * and a sphere C, R stands between P and the light where A'.w > 0, A'.w < |w|^2 and (A'.w)^2 > |w|^2 k (1 + B), which
+ * is the reasoning of render/span/kernels.h. The coefficients here take S for s.
+ *
+ * Every value comes with a bound of its distance from what the integer code computes, see bounds.h. Where a bound
+ * leaves a pixel open, its place in the run is put on a list. */
+#ifndef TIA_SIMD_SPAN_RUN_H
+#define TIA_SIMD_SPAN_RUN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define SIMD_LIGHTS 4
+#define SIMD_CASTS 12
+#define SIMD_RUN 2048   /* the most pixels */
+#define SIMD_BLOCK 1024 /* of them, those that a kernel takes at once */
+#define SIMD_MORE 32    /* entries behind a list or thresholds that kernels may read and write */
+#define SIMD_CELL 16    /* pixels from one sample to the next */
+
+/* A sphere that may stand between a run and a light. */
+struct simd_cast {
+    float aq, h0, h1;  /* A'.w s^2 = aq S^2 + (h0 + h1 x) S + v.v */
+    float p0, c0, c1;  /* k s^2 in the same way */
+    float swell;       /* 1 + B */
+    float ea, ek, ew;  /* bounds: of A'.w and k, for s^2 in units of S^2; relative, of |w|^2 */
+    float through[3];  /* what the sphere transmits */
+    int clear;         /* whether that is more than nothing */
+    float radius;      /* R */
+    float turn, shift; /* how far the shadow ray moves from C by a unit of P: turn/|w| + shift */
+    float size;        /* |A'|, at most */
+    float fuzz_a;      /* 2 size times A'.w's bound, to be divided by |w| */
+    float fuzz_k;      /* k's bound and size^2 times |w|^2's */
+};
+
+struct simd_light {
+    float k, g0, g1;   /* r N.w s = k S + g0 + g1 x */
+    float qq, q0, q1;  /* |w|^2 s^2 */
+    float per_r;       /* 1/r */
+    float colour[3];   /* the product of both colours */
+    float colour_most; /* the largest of them */
+    float faint;       /* lambert's bound */
+    int casts;
+    struct simd_cast cast[SIMD_CASTS];
+};
+
+struct simd_run {
+    int count;
+    bool grey; /* the first channel stands for all */
+    int lights;
+    float x0;                      /* of the first pixel */
+    float b0, b1, d0, d1, d2, cut; /* where D is below cut, the pixel is open */
+    float c;                       /* and t = c/S */
+    float v0, v1, v2;
+    float v_step, v_most; /* |v'|, and |v| at most */
+    float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
+    float d_sag;          /* how far D may be below the smaller of two samples' */
+    float b_off, d_off;   /* |S'| is off by less than b_off + d_off/sqrt(D) and 2^-CELL_TURN of D'/(2 sqrt(D)) */
+    float emission[3];
+    float near31, near63;   /* half a level less the bound */
+    const float *threshold; /* less 1/2, from the run's first pixel on, with period 8 */
+    struct simd_light light[SIMD_LIGHTS];
+};
+
+/* Two spheres that the same pixels see: which is nearer? */
+struct simd_body {
+    float b0, b1, d0, d1, d2, cut, per_c;
+};
+
+struct simd_pair {
+    int count; /* at most 64 */
+    float x0;
+    struct simd_body body[2];
+    float bound[2]; /* relative, of 1/t */
+};
+
+struct simd_kernels {
+    /* Draws the pixels that can be decided and writes what it likes to the others, whose places it lists: how many. The
+     * list has room for SIMD_MORE besides all pixels. `cells`: so many bytes. */
+    int (*shade)(const struct simd_run *run, uint16_t *out, uint16_t *list, void *cells);
+    size_t cells;
+
+    /* Bit i: the first body is nearer in pixel i; nobody can say. */
+    void (*nearer)(const struct simd_pair *pair, uint64_t *nearer, uint64_t *open);
+
+    void (*fill)(uint16_t *out, int count, uint16_t pixel);
+
+    /* Copies pixels past the caches, for pictures that do not fit into them; what follows `settle` is seen after it.
+     * Both NULL where there is no such thing. */
+    void (*stream)(uint16_t *out, const uint16_t *from, int count);
+    void (*settle)(void);
+};
+
+#endif
