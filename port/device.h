@@ -10,13 +10,13 @@
 
 #define PORT_WHY 256
 
-/* The user's wishes; zero means the device's own choice. */
+/* What the user asked for; zero means the device's own choice. */
 struct port_wish {
     const char *device; /* a node, or NULL: the first that works */
     uint16_t width, height;
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    bool pointer;          /* for an input: report its pointer's position */
+    bool pointer;          /* of an input: report where its pointer is */
     char *why;             /* [PORT_WHY] */
 };
 
@@ -27,11 +27,9 @@ struct port_display {
     const char *name, *summary;
     bool takes_screen; /* covers the console: must not be opened without an input */
     const struct tia_display *ops;
-    void *(*create)(const struct port_wish *wish); /* NULL on failure; the reason is in *why */
+    void *(*create)(const struct port_wish *wish); /* NULL: *why says what failed */
     void (*destroy)(void *ctx);                    /* after close */
-    void (*list)(
-        port_line *line,
-        void *arg); /* prints each device found, its modes and formats, or the reason why it cannot be opened */
+    void (*list)(port_line *line, void *arg);      /* each device found, modes, formats, or why it cannot be opened */
 };
 
 struct port_input {

@@ -8,7 +8,7 @@
 
 #include "vt.h"
 
-/* Signals that the kernel sends to take the console and to give it back. */
+/* The kernel's signals when it takes the console, and when it gives it back. */
 #define LEAVE SIGUSR1
 #define ENTER SIGUSR2
 
@@ -22,7 +22,7 @@ static struct console {
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* Calls the terminal input's own handler for SIGCONT as well. */
+/* A terminal as the input has its own handler for SIGCONT, which is called, too. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -92,7 +92,7 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* Ignores a signal that did not come from the kernel: no answer is expected, and the screen stays ours. */
+/* If the signal did not come from the kernel, it expects no answer, and the screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -112,7 +112,7 @@ static void answer_enter(void)
     enter();
 }
 
-/* Handles a stop during which the guardian answered the kernel. If it released the console, another program had the
+/* The guardian has answered what the kernel asked during the stop. If it released the console, somebody else had the
  * keyboards and the screen, even if the console is in front again. */
 static void answer_resume(void)
 {
@@ -128,8 +128,8 @@ static void answer_resume(void)
         enter();
 }
 
-/* Answers pending requests. The kernel requests the console only while it is ours, and waits for the answer: when both
- * signals are pending, the state tells which came first. */
+/* The kernel asks for the console only while it is ours, and waits for the answer: when both signals
+ * are pending, the state says which came first. */
 static void answer(void)
 {
     if (resumed)
@@ -223,7 +223,7 @@ void console_close(void)
 {
     if (console.state == CONSOLE_FREE)
         return;
-    /* a switch to another console may just have been requested */
+    /* Another console may have been asked for a moment ago. */
     collect_signals();
     answer();
     leave(CONSOLE_FREE);

@@ -1,4 +1,4 @@
-/* No function here may take a lock, as malloc does: another thread may have held it at the fork. */
+/* Nothing here may take a lock, as malloc does: another thread may have held it at the fork. */
 #include "guard.h"
 
 #include <errno.h>
@@ -24,9 +24,9 @@
 #include "traced.h"
 
 #define LINE 0        /* the socket's descriptor in this process */
-#define SETTLE_MS 100 /* longest wait for a stopped process's main thread, in case a driver holds it */
+#define SETTLE_MS 100 /* how long a stopped process may take until its main thread stops, in case a driver holds it */
 
-static pid_t process, process_group; /* the guarded process */
+static pid_t process, process_group; /* that is guarded */
 static int process_end;              /* its pidfd */
 
 /* ---- consoles and framebuffers ---- */
@@ -97,7 +97,7 @@ static bool is_any_key_down(int fd)
     return false;
 }
 
-/* Reads all events: a query for the keys removes only key events from the queue, and the rest would wake us again. */
+/* Reads all events: asking for the keys removes only key events from the queue, and the rest would wake us again. */
 static bool is_released(int fd)
 {
     struct input_event events[64];
@@ -107,7 +107,7 @@ static bool is_released(int fd)
     return !is_any_key_down(fd);
 }
 
-/* Does as much as is possible now; true when nothing is left to do. */
+/* Does what can be done now; true when nothing is left to do. */
 static bool finish_one(struct saved *saved)
 {
     bool done = saved->fd < 0 || (saved->kind != TEXT && saved->kind != KEYBOARD);
@@ -187,7 +187,7 @@ static bool take_message(void)
 
 /* ---- signals ---- */
 
-/* True if the main thread, which uses the terminals, has stopped, with the process or by its tracer, such as strace. */
+/* The main thread, which uses the terminals: in a stop of the process or of its tracer's, such as strace. */
 static bool is_main_stopped(void)
 {
     char path[32], line[64] = "";
@@ -197,12 +197,11 @@ static bool is_main_stopped(void)
     ssize_t n = fd >= 0 ? read(fd, line, sizeof line - 1) : 0;
     (void)close(fd);
     line[n > 0 ? n : 0] = '\0';
-    const char *state = strrchr(line, ')'); /* end of the name; a space and the state follow */
+    const char *state = strrchr(line, ')'); /* ends the name; then follow a space and the state */
     return state && strlen(state) > 2 && (state[2] == 'T' || state[2] == 't');
 }
 
-/* Reads all messages: the process sends one before it changes a terminal, so every change is known when it is undone.
- */
+/* What the process has sent before it touched a terminal is known when that is put back. */
 static void take_all_messages(void)
 {
     struct pollfd line = {.fd = LINE, .events = POLLIN};
@@ -212,7 +211,7 @@ static void take_all_messages(void)
 }
 
 /* A shell takes the terminal's modes for its own when it sees the stop, so they are put back before, unless SIGCONT has
- * come already. If it comes meanwhile, the program is made to check its terminal once more. */
+ * come already. If it comes meanwhile, the program is to look at its terminal once more. */
 static void on_stop(bool held)
 {
     stand_in_begin();
@@ -254,8 +253,8 @@ static void stay_alive(void)
     (void)close(fd);
 }
 
-/* Renames the process, so that `pkill tia` spares it, and closes all descriptors, so that no reader of a pipe waits for
- * it. It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
+/* Takes a name of its own, so that killing tia by name spares it, and closes all files, so that nobody waits for it at
+ * a pipe. It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
  * terminal. */
 static void go_away(int line)
 {
@@ -268,7 +267,7 @@ static void go_away(int line)
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < (limit > 0 && limit < 65536 ? limit : 65536); fd++)
             (void)close(fd);
-    /* descriptors of the other process; this process's own come with messages */
+    /* These were descriptors of the other process; ours come with messages. */
     for (int i = 0; i < KEPT_MOST; i++)
         kept[i].fd = -1;
 }
@@ -320,8 +319,8 @@ static void put_all_back(void)
     close_cards();
     cooked_at_the_end(process_group);
     traced_end();
-    /* The process is gone when the kernel has closed its files, and with them put DRM devices back. Waits 2 s at most,
-     * in case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
+    /* The process is gone when the kernel has closed its files, and with them put DRM devices back. At most 2 s, in
+     * case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
     if (kept_any(VT) || kept_any(FB))
         (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
     restore_screens();

@@ -22,18 +22,18 @@
 #include "console/kept.h"
 
 #define RETRY_MS 100               /* after a fork that failed */
-#define SYNC_MS 200                /* longest wait for a guardian that somebody has stopped */
+#define SYNC_MS 200                /* how long a guardian may take that somebody has stopped */
 #define WATCHER_STACK (256 * 1024) /* for a thread that only waits and forks */
 
-/* The lock protects these and the table: the watcher (guard.h), which replaces a guardian that died, uses both, too. */
+/* The lock protects this and the table: the watcher (guard.h), which replaces a guardian that died, uses both, too. */
 static struct {
     pthread_mutex_t lock;
     pthread_t watcher, held;
     sem_t traced;   /* the guardian has answered the watcher */
-    sem_t holding;  /* the held thread has stored its number */
-    sem_t released; /* the held thread may end */
-    pid_t holder;   /* the held thread's number */
-    int line;       /* socket to the guardian; -1: there is none */
+    sem_t holding;  /* the held thread has told its number */
+    sem_t released; /* and may end */
+    pid_t holder;   /* that number */
+    int line;       /* to the guardian; -1: there is none */
     pid_t process;
     bool watched; /* there is a watcher */
     bool ending;
@@ -57,7 +57,7 @@ static int send_message(const struct saved *saved)
     return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *saved ? 0 : -1;
 }
 
-/* Sends all descriptors: a new guardian has the table from the fork, but has closed the descriptors in it. */
+/* A new guardian has the table from the fork, but has closed the descriptors in it. */
 static void send_descriptors(void)
 {
     for (int i = 0; i < KEPT_MOST; i++)
@@ -67,8 +67,8 @@ static void send_descriptors(void)
 
 /* ---- the process ---- */
 
-/* Starts the guardian's process. No signal to our process group or session ends it: it blocks all of them from the
- * start and, before this returns, is in a group of its own, since SIGKILL cannot be blocked. */
+/* No signal to our process group or session ends it: it blocks all of them from the start and, before this returns, is
+ * in a group of its own, since SIGKILL cannot be blocked. */
 static int start_process(void)
 {
     int ends[2];
@@ -96,8 +96,7 @@ static int start_process(void)
     return 0;
 }
 
-/* Reaps the guardian, which has ended, or does when its socket is closed; SIGCONT is for one that somebody has stopped.
- */
+/* It has ended, or does when its socket is closed; SIGCONT is for one that somebody has stopped. */
 static void reap_process(void)
 {
     if (guardian.line < 0)
@@ -116,7 +115,7 @@ static pid_t own_number(void)
     return (pid_t)syscall(SYS_gettid);
 }
 
-/* Makes the guardian trace this thread and the one to be held. Where the kernel has Yama, we have to allow it. */
+/* Asks the guardian to trace this thread and the one to be held. Where the kernel has Yama, we have to allow it. */
 static void be_traced(void)
 {
     const struct saved saved = {
@@ -128,7 +127,7 @@ static void be_traced(void)
         (void)!recv(guardian.line, &answer, 1, 0);
 }
 
-/* Returns when the guardian has died, or when end() has shut the socket down. */
+/* Returns when the guardian has died, or end() has shut the socket down. */
 static void await_death(int line)
 {
     struct pollfd end = {.fd = line, .events = POLLIN};
@@ -167,7 +166,7 @@ static void *be_held(void *arg)
     return NULL;
 }
 
-/* Starts the held thread; guardian.holder is 0 if it cannot be started. */
+/* guardian.holder is 0 if there is no such thread. */
 static void start_held(const pthread_attr_t *small)
 {
     guardian.holder = 0;
@@ -178,7 +177,7 @@ static void start_held(const pthread_attr_t *small)
             ;
 }
 
-/* Starts both with all signals blocked: signals are for the other threads, and a traced thread would stop at each. */
+/* All signals are blocked in both: they are for the other threads, and a traced thread would stop at each. */
 static void start_threads(void)
 {
     pthread_attr_t small;

@@ -18,7 +18,7 @@ const char *node_error(int error, char text[PORT_WHY])
     return text;
 }
 
-/* Writes how to get the right to open the node: join its group, if the group may read it. */
+/* How to get the right to open the node: join its group, if the group may read it. */
 static void fix(const char *path, char text[64])
 {
     char buffer[1024];
@@ -64,7 +64,7 @@ int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char
     return visited;
 }
 
-/* True if the process holds the device open. */
+/* Does the process hold the device open? */
 static bool holds(long pid, dev_t device)
 {
     char path[64];

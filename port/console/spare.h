@@ -1,14 +1,14 @@
-/* spare.h - a second guardian, the first one's child, that restores everything when both the first and the guarded
+/* spare.h - a second guardian, the first one's child, that puts everything back when both the first and the guarded
  * process are killed at nearly the same moment. Private to guard.c.
  *
  * It traces nothing, so the shell may come first then: modes that the shell has set stay. */
 #ifndef PORT_CONSOLE_SPARE_H
 #define PORT_CONSOLE_SPARE_H
 
-/* Forks the spare. `process` is the guarded process's pidfd; `put_back` restores what the table has. */
+/* Forks it. `process` is the guarded process's pidfd; `put_back` puts back what the table has. */
 void spare_start(int process, void (*put_back)(void));
 
-/* Notifies the spare that the table has changed. */
+/* The table has changed. */
 void spare_follow(void);
 
 #endif

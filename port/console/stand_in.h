@@ -1,21 +1,19 @@
 /* stand_in.h - answers the kernel for a stopped process, so that consoles can still be switched. Private to guard.c.
  *
- * While the process has the console its keyboards stay grabbed, and keys typed meanwhile are queued for it.
+ * While the process has the console its keyboards stay grabbed, and what is typed waits for it.
  */
 #ifndef PORT_CONSOLE_STAND_IN_H
 #define PORT_CONSOLE_STAND_IN_H
 
-/* Called when the guarded process has stopped. */
+/* The guarded process has stopped, or continues. */
 void stand_in_begin(void);
-/* Called when it continues. */
 void stand_in_end(void);
 
-/* Called on the kernel's signal that requests the console. */
+/* The kernel's signals: it asks for the console, or the VT is in front again. */
 void stand_in_leave(void);
-/* Called on the kernel's signal that the VT is in front again. */
 void stand_in_enter(void);
 
-/* Returns a descriptor, readable when a key was pressed or released; -1 unless the process is stopped. */
+/* A descriptor, readable when a key was pressed or released; -1 unless the process is stopped. */
 int stand_in_keys(void);
 /* Switches consoles if Ctrl-Alt-Fn is down. */
 void stand_in_look(void);

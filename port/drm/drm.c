@@ -15,9 +15,9 @@ struct drm {
     struct port_wish wish;
     struct card card;
     struct scanout scanout;
-    const drmModeConnector *connector; /* of the card */
-    bool direct;                       /* frames are drawn straight into the buffers */
-    struct canvas canvas;              /* if not direct: frames are drawn here, then expanded */
+    const drmModeConnector *connector; /* of the card's */
+    bool direct;                       /* draw straight into the buffers */
+    struct canvas canvas;              /* otherwise draw here, then expand */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
@@ -157,7 +157,7 @@ static int drm_open(void *ctx, struct tia_mode *mode)
 
 /* ---- a frame ---- */
 
-/* Checks that the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
+/* Whether the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
 static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);

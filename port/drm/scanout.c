@@ -71,7 +71,7 @@ static int try(struct scanout *s, const char **what)
     return -1;
 }
 
-/* True for an error that no other mode or format can avoid. */
+/* An error that no other mode or format can avoid. */
 static bool hopeless(int error)
 {
     return error == ENODEV || error == EACCES || error == EPERM || error == ENOMEM;
@@ -157,13 +157,13 @@ void scanout_settle(struct scanout *scanout)
 {
     while (scanout->pending > 0)
         if (!read_event(scanout, FLIP_MS)) {
-            /* the driver loses events: show frames by setting the mode instead, which waits by itself */
+            /* The driver loses events: show frames by setting the mode instead, which waits by itself. */
             scanout->flips = false;
             scanout->pending = 0;
         }
 }
 
-/* Flips; retries on EBUSY: the driver is still busy with the frame before, which may not even be ours. */
+/* Retries on EBUSY: the driver is still busy with the frame before, which may not even be ours. */
 static int flip(struct scanout *s, int buffer)
 {
     for (int ms = 0;; ms++) {

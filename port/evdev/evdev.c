@@ -20,7 +20,7 @@
 #define KEYBOARDS 32
 #define DESCRIPTORS (KEYBOARDS + POINTERS + 1)
 
-/* Longest wait at close for a held key, usually the one that quits, to be released: a keyboard that repeats by itself
+/* How long close waits for a held key, usually the one that quits, to be released: a keyboard that repeats by itself
  * (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
 #define RELEASE_MS 1000
 
@@ -33,8 +33,8 @@ struct evdev {
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
     struct pointers pointers;
-    char failure[PORT_WHY]; /* for the first node that should have worked and did not, or for the directory */
-    bool no_memory;         /* memory for the directory's listing ran out */
+    char failure[PORT_WHY]; /* of the first node that should have worked and did not, or of the directory */
+    bool no_memory;         /* to look into the directory */
 };
 
 /* ---- keyboards that come and go ---- */
@@ -68,7 +68,7 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
-/* Opens the directory. Without it the machine has no keyboard; any other failure to open it is reported. */
+/* Without the directory the machine has no keyboard; any other failure to open it is reported. */
 static DIR *open_directory(struct evdev *evdev)
 {
     DIR *directory = opendir(DIRECTORY);
@@ -214,7 +214,7 @@ static int evdev_open(void *ctx)
     return evdev->no_memory ? TIA_ERR_MEMORY : TIA_ERR_DEVICE;
 }
 
-/* True if the key counts as released: a key held on two keyboards is released when it is up on both. */
+/* A key held on two keyboards is released when it is up on both. */
 static bool is_reported(const struct evdev *evdev, unsigned code)
 {
     for (unsigned i = 0; i < evdev->count; i++)
@@ -244,7 +244,7 @@ static bool report(const struct evdev *evdev, const struct key_change *change, u
     return true;
 }
 
-/* Gives events that are still to be reported after an unplug, a switch or an overflow. */
+/* Events that are still to be reported after an unplug, a switch or an overflow. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -272,7 +272,7 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Handles Ctrl-Alt-Fn, which switches the console: a grabbed keyboard's events do not reach the kernel's console. */
+/* Ctrl-Alt-Fn switches the console: the kernel's console does not see a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -295,13 +295,13 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
-    /* the console switches first: keys typed elsewhere while this process was stopped are not ours */
+    /* First let the console switch: keys typed elsewhere while this process was stopped are not ours. */
     if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY) {
-            discard(evdev); /* read no further: a key that comes now is not ours either */
+            discard(evdev); /* and read nothing more: a key that comes now is not ours either */
             return 0;
         }
         keyboard = oldest_event(evdev);

@@ -79,7 +79,7 @@ void keyboard_close(struct keyboard *keyboard)
     keyboard->fd = -1;
 }
 
-/* A set's keys to write: all, the modifiers, or the others. */
+/* Which keys of a set: all, the modifiers, or the others. */
 enum which { ALL, MODIFIERS, OTHERS };
 
 static bool is_meant(enum which which, unsigned code)
@@ -88,7 +88,7 @@ static bool is_meant(enum which which, unsigned code)
 }
 
 /* Writes events of a set's keys, one for each value from `first` to `last` (0 release, 1 press), in a single call, so
- * that a key is unlikely to move meanwhile. A device that refuses is unplugged: the next read fails. */
+ * that a key is unlikely to move meanwhile. A device that refuses is unplugged, which the next read notices. */
 static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
                        int last)
 {
@@ -112,7 +112,7 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* Reads the key state; EVIOCGKEY also removes all key events from the queue, including those that we wrote. */
+/* EVIOCGKEY also removes all key events from the queue, including those that we wrote. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -123,8 +123,7 @@ static void begin(struct keyboard *keyboard)
     key_state_begin(&keyboard->state, &down);
 }
 
-/* Grabs the keyboard; false when a key went down between the two steps: the console got the press and would miss the
- * release. */
+/* False when a key went down between the two steps: the console saw the press and would miss the release. */
 static bool try_grab(struct keyboard *keyboard)
 {
     struct key_set before, after;
@@ -140,7 +139,7 @@ static bool try_grab(struct keyboard *keyboard)
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
 
-/* Tries three times: nobody types fast enough to spoil all of them. */
+/* Nobody types fast enough to spoil three tries. */
 void keyboard_grab(struct keyboard *keyboard)
 {
     if (keyboard->grabbed || keyboard->unplugged)
@@ -211,7 +210,7 @@ uint64_t keyboard_next_us(const struct keyboard *keyboard)
     return (uint64_t)e->input_event_sec * 1000000u + (uint64_t)e->input_event_usec;
 }
 
-/* Recovers from SYN_DROPPED (Documentation/input/event-codes.rst): ignores events up to SYN_REPORT, then reads the
+/* SYN_DROPPED (Documentation/input/event-codes.rst): ignore events up to SYN_REPORT, then ask for the
  * state. Later events still count: one that repeats the state changes nothing. */
 static void synchronise(struct keyboard *keyboard, const struct input_event *e)
 {

@@ -23,25 +23,25 @@ bool key_set_has(const struct key_set *set, unsigned code);
 void key_set_add(struct key_set *set, unsigned code);
 void key_set_remove(struct key_set *set, unsigned code);
 
-/* Returns the key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
+/* The key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
 uint16_t key_at(unsigned code);
 
-/* True for Ctrl, Shift, Alt and Meta, left and right. */
+/* Ctrl, Shift, Alt and Meta, left and right. */
 bool key_is_modifier(unsigned code);
 
-/* Returns the number of the console, 1..12, that Ctrl-Alt and this key switch to, or 0. */
+/* The number of the console that Ctrl-Alt and this key switch to, 1..12, or 0. */
 unsigned key_console(unsigned code);
 
-/* True if a device with these codes types: it has a letter or the space bar. */
+/* Does a device with these codes type? It has a letter or the space bar. */
 bool key_set_types(const struct key_set *set);
 
 /* The keys of one keyboard. All zero at first. */
 struct key_state {
-    struct key_set held;     /* down, according to the keyboard's events */
-    struct key_set reported; /* keys of `held` whose press was reported */
+    struct key_set held;     /* down, as far as the keyboard has said */
+    struct key_set reported; /* those of them whose press was reported */
     bool interrupt;          /* KEY_C was reported as Ctrl-C */
-    struct key_set ending;   /* keys of `reported` whose release is still to be reported */
-    struct key_set missing;  /* keys that are down and whose press is still to be reported */
+    struct key_set ending;   /* those of `reported` whose release is still to be reported */
+    struct key_set missing;  /* down, and a press is still to be reported */
 };
 
 struct key_change {
@@ -49,27 +49,27 @@ struct key_change {
     uint16_t code, key;
 };
 
-/* Modifiers that are down on any keyboard. */
+/* Which modifiers are down, on any keyboard. */
 struct key_modifiers {
     bool ctrl, alt, shift;
 };
 
-/* Adds this keyboard's modifiers. */
+/* Adds those of this keyboard. */
 void key_state_modifiers(const struct key_state *state, struct key_modifiers *modifiers);
 
-/* Takes an EV_KEY event; true if it is a change to report. */
+/* Takes an EV_KEY event. True: it is a change to report; false: it is none. */
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* Sets the keys that are down now; neither their presses nor their releases are meant for us. Releases follow for all
- * keys that were reported as pressed. */
+/* These keys are down now, and neither their presses nor their releases are meant for us. Releases follow of all keys
+ * that were reported as pressed. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
-/* Sets the keys that are down now, after events were lost. */
+/* Events were lost, and these keys are down now. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
-/* Gives the next overdue change, releases first. Call it after those two until it returns false, before taking more
- * events. */
+/* Call it after those two until it returns false, before taking more events. It reports what is missing, releases
+ * first. */
 bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "keys.h"
 
-/* ---- meaning of events ---- */
+/* ---- what events mean ---- */
 
 static int32_t limited(int64_t value, int32_t low, int32_t high)
 {
@@ -37,15 +37,14 @@ static void take_absolute(struct pointer *pointer, const struct input_event *inp
     }
 }
 
-/* Starts or ends a drag. A drag begins at a position, which the kernel does not repeat for a pointer that has not
- * moved. */
+/* A drag begins at a place, which the kernel does not repeat for a pointer that has not moved. */
 static void take_button(struct pointer *pointer, bool drag)
 {
     pointer->moved = pointer->moved || (pointer->absolute && drag != pointer->drag);
     pointer->drag = drag;
 }
 
-/* Returns the position as part of the axis; the middle if the axis has no range. */
+/* An axis without a range has the pointer in its middle. */
 static int32_t part_of_axis(const struct pointer *pointer, int axis)
 {
     int64_t low = pointer->low[axis], high = pointer->high[axis];
@@ -111,7 +110,7 @@ static void get_range(struct pointer *pointer, int axis)
     pointer->at[axis] = info.value;
 }
 
-/* True if the device is a pointer. Joysticks have axes, too, but not these buttons. */
+/* Joysticks have axes, too, but not these buttons. */
 static bool examine(struct pointer *pointer)
 {
     int fd = pointer->fd, clock = CLOCK_MONOTONIC;
@@ -148,7 +147,7 @@ void pointers_try(struct pointers *pointers, const char *path)
         (void)close(pointer->fd);
 }
 
-/* Reads the pending events; false when the device is unplugged. */
+/* False when it is unplugged. */
 static bool read_events(struct pointer *pointer)
 {
     ssize_t n = read(pointer->fd, pointer->events, sizeof pointer->events);

@@ -1,7 +1,6 @@
-/* pointer.h - mice, tablets and touch screens: event devices of the kernel that report positions or movements in x and
- * y.
+/* pointer.h - mice, tablets and touch screens: event devices of the kernel that have a place or a movement in x and y.
  *
- * They are not grabbed. Their events while another program has the console are discarded.
+ * They are not grabbed. What they say while another program has the console is thrown away.
  */
 #ifndef PORT_EVDEV_POINTER_H
 #define PORT_EVDEV_POINTER_H
@@ -14,24 +13,23 @@
 #define POINTERS 16
 #define POINTER_EVENTS 64
 
-/* A pointing device. Without a descriptor it is only the state of its event decoder. */
+/* One of them. Without a descriptor it is what its events mean. */
 struct pointer {
     int fd;
     char path[64];
     bool absolute;
-    int32_t low[2], high[2]; /* absolute device: its range in x and y */
-    int32_t at[2];           /* absolute: position; relative: movement since the last report */
-    int32_t wheel;           /* steps not reported yet, positive away from the user */
+    int32_t low[2], high[2]; /* of an absolute one: its range in x and y */
+    int32_t at[2];           /* its place, or by how much it has moved since the last report */
+    int32_t wheel;           /* steps that are not reported yet, away from the hand */
     bool moved, drag;
     struct input_event events[POINTER_EVENTS];
     size_t next, count; /* read and not yet taken: [next, count) */
 };
 
-/* Takes an event of the kernel; true if *event is to be reported: a position, or the sum of all movements since the
- * last. */
+/* Takes an event of the kernel. True: *event is one to report, a place or a movement of all since the last. */
 bool pointer_take(struct pointer *pointer, const struct input_event *input, struct tia_event *event);
 
-/* Takes a step of its wheel; true if *event is the key + or -. */
+/* Takes a step of its wheel: true: *event is the key + or -. */
 bool pointer_wheel(struct pointer *pointer, struct tia_event *event);
 
 struct pointers {
@@ -42,13 +40,12 @@ struct pointers {
 /* Uses the node if it is a pointer, can be read and is not used yet. */
 void pointers_try(struct pointers *pointers, const char *path);
 
-/* Gives the next event: 1, or 0 if there is none. Pointers that are unplugged are dropped. */
+/* 1 and the next event; 0: there is none. Pointers that are unplugged are forgotten. */
 int pointers_poll(struct pointers *pointers, struct tia_event *event);
-/* Discards all pending events. */
 void pointers_discard(struct pointers *pointers);
 void pointers_close(struct pointers *pointers);
 
-/* Adds the descriptors to wait for, POINTERS at most. */
+/* Adds what to wait for, POINTERS at most; whether there are events without waiting. */
 nfds_t pointers_list(const struct pointers *pointers, struct pollfd *fds);
 bool pointers_wait_not(const struct pointers *pointers);
 

@@ -15,13 +15,13 @@
 #define DEVICES 32 /* FB_MAX of the kernel */
 
 struct fbdev {
-    const char *device; /* the device in the user's wish, or NULL */
+    const char *device; /* the one asked for, or NULL */
     char *why;
     struct fb_screen screen;
     struct expander expander;
     struct console_listener listener;
-    struct canvas frame; /* the frame being drawn */
-    unsigned page;       /* the page on screen */
+    struct canvas frame; /* being drawn */
+    unsigned page;       /* the one that is shown */
     char format[PIXEL_NAME];
 };
 
@@ -44,7 +44,7 @@ static void enter(void *arg)
     copy(f, f->page);
 }
 
-/* Releases the screen. The frame stays in memory, and mode() returns TIA_HIDDEN. */
+/* The frame stays in memory, and mode() says that nobody sees it. */
 static void leave(void *arg)
 {
     (void)arg;

@@ -35,7 +35,7 @@ struct port_memory {
     /* Maintained by the display; zero before open. */
     atomic_size_t call_count;
     atomic_uint acquired; /* tiles acquired but not submitted */
-    unsigned frames;      /* frames presented so far */
+    unsigned frames;      /* presented so far */
     bool is_open;
 };
 

@@ -20,7 +20,7 @@ typedef void (*gl_proc)(void);
     F(void, RasterPos2f, (GLfloat, GLfloat))                                                                           \
     F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/* F for the members of a table of functions. */
+/* F for the members of a table of functions, and for the rows of the list from which gl_symbols fills it. */
 #define GL_MEMBER(type, name, arguments) type(GLAPIENTRY *name) arguments;
 #define GL_ROW(table, prefix, name)                                                                                    \
     {                                                                                                                  \
@@ -40,7 +40,7 @@ struct gl_screen {
     const struct gl_platform *platform;
     void *state; /* the platform's own */
     uint16_t width, height;
-    tia_rgb565 *pixels; /* the frame buffer, top row first; written by the platform */
+    tia_rgb565 *pixels; /* the frame buffer, top row first; the platform writes it */
     struct gl_common gl;
     char *why; /* [PORT_WHY] */
 };
@@ -59,14 +59,14 @@ struct gl_platform {
 
 extern const struct gl_platform gl_mesa, gl_egl;
 
-/* Loads the shared library `file`, never to be unloaded. NULL on failure, with the reason in `why`. */
+/* Loads the shared library `file`, for good. NULL on failure, with the reason in `why`. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package);
 
 /* Fills a table with functions of a library or, if library is NULL, of GL. False if one is missing; `why` names it. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count);
 bool gl_load(struct gl_screen *screen, void *table, const struct gl_row *rows, size_t count);
 
-/* Writes "osmesa:NAME: ..." to `why`; returns `status`. */
+/* Writes "osmesa:NAME: ..." to `why`; returns status. */
 __attribute__((format(printf, 3, 4))) int gl_fail(struct gl_screen *screen, int status, const char *format, ...);
 
 #endif

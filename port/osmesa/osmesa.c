@@ -12,7 +12,7 @@
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480
 
-/* Platforms in the order to try. */
+/* In the order to try. */
 static const struct gl_platform *const platforms[] = {
 #ifdef TIA_HAVE_LIBOSMESA
     &gl_mesa,

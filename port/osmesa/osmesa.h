@@ -20,11 +20,11 @@ void *port_osmesa_create(const struct port_wish *wish);
 void port_osmesa_destroy(void *ctx);
 void port_osmesa_list(port_line *line, void *arg);
 
-/* Returns GL's frame buffer of an open display, top row first, without gaps; valid until the next call. NULL when GL
+/* For an open display: GL's frame buffer, top row first, without gaps; valid until the next call. NULL when GL
  * fails. */
 const tia_rgb565 *port_osmesa_read(void *ctx);
 
-/* Returns a GL function of an open display by name, for programs that draw on their own; NULL if GL has none. */
+/* For an open display: a GL function by name, for programs that draw on their own; NULL if GL has none. */
 void (*port_osmesa_proc(void *ctx, const char *name))(void);
 
 #endif

@@ -9,7 +9,7 @@
 #include <tia/fixed.h>
 
 struct pixel_channel {
-    uint8_t offset, length; /* bits; offset 0 is the pixel's lowest bit */
+    uint8_t offset, length; /* bits; offset 0 is the pixel's lowest */
 };
 
 /* A pixel is an integer of `bits` / 8 bytes, rounded up. All zero: no format. */
@@ -22,13 +22,13 @@ struct pixel_format {
 
 extern const struct pixel_format pixel_rgb565, pixel_bgr565, pixel_xrgb8888, pixel_xbgr8888;
 
-/* Returns the bytes of a pixel: 2, 3 or 4. */
+/* Bytes of a pixel: 2, 3 or 4. */
 unsigned pixel_bytes(const struct pixel_format *format);
-/* True if the format is tia_rgb565, bit for bit. */
+/* Whether it is tia_rgb565, bit for bit. */
 bool pixel_is_rgb565(const struct pixel_format *format);
-/* Returns NULL when tia supports the format, otherwise the reason: "green is 0 bits wide". */
+/* NULL when tia supports the format, otherwise the reason: "green is 0 bits wide". */
 const char *pixel_fault(const struct pixel_format *format);
-/* Writes and returns "RGB565", "XBGR8888", or a list of channels: "32 bit r10@0 g10@10 b10@20". */
+/* "RGB565", "XBGR8888", or a list of channels: "32 bit r10@0 g10@10 b10@20". */
 #define PIXEL_NAME 48
 const char *pixel_name(const struct pixel_format *format, char text[PIXEL_NAME]);
 

@@ -8,7 +8,7 @@
 
 #define LARGE_PAGE ((size_t)2 << 20)
 
-/* Falls back to aligned memory of malloc's kind below the size of a large page, or where the system has none. */
+/* Less than a large page, or a system that has none, is as good as malloc. */
 void *pages_alloc(size_t size)
 {
     size_t rounded = (size + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;

@@ -1,14 +1,14 @@
-/* pages.h - memory in large pages, as fast at first use as later: for pictures, and for data of each pixel. */
+/* pages.h - memory that is as fast at first use as later: for pictures, and for what is kept of each pixel. */
 #ifndef PORT_PAGES_H
 #define PORT_PAGES_H
 
 #include <stddef.h>
 
-/* Returns at least `size` bytes for free(), in pages of 2 MB where the system has them: the first use takes few page
- * faults, and later uses few misses of the TLB. NULL: no memory. */
+/* At least `size` bytes for free(), in pages of 2 MB where the system has them, so that using them for the first time
+ * takes few page faults, and later the processor finds them at once. NULL: no memory. */
 void *pages_alloc(size_t size);
 
-/* Returns the same, all zero and in memory already: no page fault is left for the first frame. */
+/* The same, all zero and in memory already: no page fault is left for the first frame. */
 void *pages_alloc_cleared(size_t size);
 
 #endif

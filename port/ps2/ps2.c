@@ -3,7 +3,7 @@
 
 /* clang-format off */
 enum {
-    SILENT = 1,                         /* no event: a modifier, a lock, or a fake shift */
+    SILENT = 1,                         /* causes no event: a modifier, a lock, or a fake shift */
     CTRL = 0x14, ALT_GR = 0x11,
     SUPER_LEFT = 0x1f, SUPER_RIGHT = 0x27,
     FAKE_SHIFT_LEFT = 0x12, FAKE_SHIFT_RIGHT = 0x59,
@@ -72,7 +72,7 @@ static uint16_t key_of(const struct tia_ps2 *ps2, bool extended, uint8_t code)
     return plain[code] ? plain[code] : (uint16_t)TIA_KEY_OTHER;
 }
 
-/* Notes that a key went down or came up; 1 if that is a change, and the key is not silent. */
+/* Notes that a key went down or came up; 1 if that is a change, and not of a silent key. */
 static int change(struct tia_ps2 *ps2, bool extended, uint8_t code, bool down, struct tia_event *event)
 {
     if (is_held(ps2, extended, code) == down)

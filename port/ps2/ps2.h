@@ -21,12 +21,12 @@ struct tia_ps2 {
     bool forget;                        /* replugged, or bytes were lost: release all held keys */
 };
 
-/* Decodes a byte: 1 and *event (without a time), or 0 if the byte completes no event: it is a modifier or lock key, a
- * key that is held already, a part of a sequence, or the answer to a command. */
+/* Decodes a byte: 1 and *event (without a time), or 0 when there is no event: for a modifier or lock key, a key that is
+ * held already, a part of a sequence, or the answer to a command. */
 int tia_ps2_feed(struct tia_ps2 *ps2, uint8_t byte, struct tia_event *event);
 
-/* Releases the held keys, one a call, after the keyboard was replugged or bytes were lost, since their release codes
- * will not come. Call it after each byte until it returns 0. */
+/* Call after each byte until it returns 0. Releases the held keys after the keyboard was replugged or bytes were lost,
+ * since their release codes will not come. */
 int tia_ps2_owed(struct tia_ps2 *ps2, struct tia_event *event);
 
 #endif

@@ -1,4 +1,4 @@
-/* best.c - the instruction sets that this library and this processor support. */
+/* best.c - which levels this library has, and which of them this processor. */
 #include <string.h>
 
 #include <tia/simd.h>
@@ -16,7 +16,7 @@ struct entry {
     bool (*there)(void);
 };
 
-/* gcc's cpu model also checks that the system saves the wide registers. */
+/* gcc's cpu model also asks whether the system saves the wide registers. */
 #define THERE(name, question)                                                                                          \
     static bool name(void)                                                                                             \
     {                                                                                                                  \
@@ -65,13 +65,13 @@ THERE(has_neon, true) /* every AArch64 */
 #endif
 #ifdef TIA_HAVE_WASM
 extern const struct tia_simd tia_simd_wasm;
-THERE(has_wasm, true) /* a module with SIMD does not start without it */
+THERE(has_wasm, true) /* a module that asks for it does not start without it */
 #define WASM &tia_simd_wasm, has_wasm
 #else
 #define WASM NULL, NULL
 #endif
 
-/* From the narrowest; those of one processor architecture side by side. */
+/* From the narrowest; those of one processor side by side. */
 static const struct entry entries[] = {{"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2},
                                        {"avx512", AVX512}, {"neon", NEON},   {"wasm", WASM}};
 #define ENTRIES (sizeof entries / sizeof *entries)
@@ -124,7 +124,7 @@ int tia_simd_named(const char *name, const struct tia_simd **simd)
         if (entries[i].simd && entries[i].there())
             found = entries[i].simd;
         if (strcmp(name, entries[i].name) == 0) {
-            /* "neon" on x86: allows nothing that this processor has */
+            /* "neon" allows nothing that a processor of the other kind has */
             *simd = i < 4 || entries[i].simd ? found : NULL;
             return TIA_OK;
         }

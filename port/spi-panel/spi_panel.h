@@ -36,15 +36,15 @@ struct tia_spi_panel {
     uint16_t left, top;     /* where the glass begins in the controller's memory */
     uint8_t orientation;    /* SPI_PANEL_... */
     bool inverted;          /* IPS glass: send 21h (INVON) */
-    const uint8_t *setup;   /* vendor registers, or NULL: each is the command, */
-    size_t setup_size;      /* the number of parameters, the parameters */
+    const uint8_t *setup;   /* vendor registers, or NULL: for each the command, the */
+    size_t setup_size;      /* number of parameters, the parameters */
     tia_rgb565 *strips;     /* two strips, one after the other */
     size_t strips_size;     /* bytes; a strip has as many whole rows as fit in half of it */
 
     /* Private to the port, except `why`. */
     const char *why; /* the reason of the last failure, one line */
-    uint16_t rows;   /* rows of a strip */
-    uint8_t strip;   /* strip to draw next */
+    uint16_t rows;   /* of a strip */
+    uint8_t strip;   /* the one to draw next */
     bool awake, shown;
     uint8_t range[4]; /* CASET's or PASET's parameters, being sent */
 };

@@ -21,7 +21,7 @@ static unsigned square(int difference)
     return (unsigned)(difference * difference);
 }
 
-/* Returns the nearest channel value: the sum of squares is least when each channel's square is. */
+/* The sum of squares is least when each channel's square is. */
 static unsigned nearest_level(uint8_t value)
 {
     unsigned best = 0;
@@ -32,8 +32,8 @@ static unsigned nearest_level(uint8_t value)
     return best;
 }
 
-/* Sum (c - g)^2 = 3 (g - mean)^2 + a term without g: the grey 8 + 10 k nearest to the mean is that nearest to (sum -
- * 24)/30; adding 14 of 30 rounds a half down. */
+/* Sum (c - g)^2 = 3 (g - mean)^2 + what does not depend on g: the grey 8 + 10 k nearest to the
+ * mean is that nearest to (sum - 24)/30; adding 14 of 30 rounds a half down. */
 static unsigned nearest_grey(struct rgb8 c)
 {
     unsigned sum = (unsigned)c.r + c.g + c.b;
@@ -64,7 +64,7 @@ static bool ends_with(const char *text, const char *end)
     return n >= m && strcmp(text + n - m, end) == 0;
 }
 
-/* True if COLORTERM names 24-bit colours; ssh and sudo drop that variable, so the terminal's name decides then. */
+/* Most terminals say so in COLORTERM; ssh and sudo drop it, and then the name has to do. */
 bool colour_is_direct(const char *term, const char *colorterm)
 {
     static const char *const known[] = {"alacritty", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"};

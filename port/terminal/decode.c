@@ -13,14 +13,14 @@ enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
 #define PASTE_BEGIN 200
 #define PASTE_END 201
 
-/* True for the byte of Ctrl and a letter, which is the letter's code less 0x60. Backspace, Tab, Enter and Line Feed
- * have the codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
+/* Ctrl and a letter give the letter's code less 0x60. Backspace, Tab, Enter and Line Feed have
+ * the codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
 static bool is_ctrl_letter(uint8_t byte)
 {
     return byte >= 1 && byte <= 26 && byte != '\b' && byte != '\t' && byte != '\n' && byte != '\r';
 }
 
-/* Returns the key of a sign as on a US keyboard, with or without Shift. */
+/* As on a US keyboard, with or without Shift. */
 static uint16_t sign_key(uint8_t byte)
 {
     switch (byte) {
@@ -73,8 +73,8 @@ static uint16_t arrow_key(uint8_t final)
     }
 }
 
-/* Decodes a mouse report. Button numbers: 0 is the left one, 3 none; 32 is added while it moves, 64 to those of the
- * wheel, and 4, 8, 16 for Shift, Alt and Ctrl. */
+/* A button's number: 0 is the left one, 3 none; 32 is added while it moves, 64 to those of the wheel, and 4, 8, 16 for
+ * Shift, Alt and Ctrl. */
 static uint16_t mouse_report(struct decoder *d, uint8_t final)
 {
     unsigned button = d->number & 0x43u;
@@ -119,7 +119,7 @@ static void begin_sequence(struct decoder *d, uint8_t state)
     d->more_parameters = false;
 }
 
-/* Begins a character: lead bytes of UTF-8 (RFC 3629) announce one to three more. */
+/* Lead bytes of UTF-8 (RFC 3629) announce one to three more. */
 static uint16_t begin_utf8(struct decoder *d, uint8_t byte)
 {
     if (byte >= 0xc2 && byte <= 0xf4)
@@ -157,11 +157,11 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
         d->number = byte;
         return 0;
     default:
-        return after_ground(d, byte); /* Alt and another key */
+        return after_ground(d, byte); /* Alt and a key */
     }
 }
 
-/* Adds a digit; after a mark such as < the first parameter begins. */
+/* After a mark such as < the first parameter begins. */
 static void add_digit(struct decoder *d, uint8_t digit)
 {
     uint16_t *number = d->parameters == 0 ? &d->number : d->parameters < 3 ? &d->more[d->parameters - 1] : NULL;

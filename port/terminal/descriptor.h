@@ -11,13 +11,13 @@ int descriptor_open(const char *path, int access);
  * file description. A terminal without a name, or that we may not open, is only duplicated, and may block. */
 int descriptor_copy(int fd, int access);
 
-/* False when another process group has the terminal in front: its shell then has its own modes and its own screen. */
+/* False when another process group has the terminal in front: a shell has its own modes and its own screen then. */
 bool descriptor_in_front(int fd);
 
 /* Stops a process in the background until its terminal is in front, or a signal comes. Returns descriptor_in_front. */
 bool descriptor_await_front(int fd);
 
-/* Drops output that the kernel has not yet passed to the terminal. */
+/* Drops what the kernel has not yet passed to the terminal. */
 void descriptor_drop_output(int fd);
 
 #endif

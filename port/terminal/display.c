@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
- * Frames are drawn into memory; present encodes the changes in strips and sends them. Work beyond 20 ms, to encode or
- * for the terminal to accept, is left to go_on. The rest of a frame is sent before the next one, since the grid counts
- * it as shown.
+ * Frames are drawn into memory; present encodes what changed, in strips, and sends them. What takes longer than 20 ms,
+ * to encode or for the terminal to accept, is left to go_on. The rest of a frame is sent before the next one, since the
+ * grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -27,10 +27,10 @@
 #include "utf8.h"
 #include "ways.h"
 
-#define DEFAULT_COLUMNS 80 /* for a terminal that does not report its size, such as a serial line */
+#define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
 #define DEFAULT_ROWS 24
 
-#define SLICE_MS 20 /* longest time for present or go_on */
+#define SLICE_MS 20 /* that present and go_on take */
 
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
@@ -39,15 +39,15 @@ struct terminal {
     char *why;
     unsigned max_width, max_height;
     bool clear;    /* the next frame begins on an empty window */
-    bool fresh;    /* the canvas has a frame that is not encoded yet */
-    bool encoding; /* a frame is encoded in part: the rows up to `next`; `begun`: it has added text */
+    bool fresh;    /* the canvas has a frame of which nothing is encoded */
+    bool encoding; /* one is encoded in part: the rows up to `next`; `begun`: and has added text */
     bool begun;
     unsigned next;
-    unsigned columns, rows; /* the window's */
-    struct way way;         /* the user's wish */
+    unsigned columns, rows; /* of the window */
+    struct way way;         /* as the user wants it */
     enum pictures pictures;
     struct symbols symbols;
-    struct cell cell; /* for pictures: the size of a cell */
+    struct cell cell; /* where there are pictures */
     struct canvas canvas;
     struct grid grid;
     struct output output;
@@ -83,7 +83,7 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
     }
 }
 
-/* Returns the pixels across a window of so many columns. */
+/* Pixels in a window of so many columns and rows. */
 static unsigned pixels_across(const struct terminal *t, unsigned columns)
 {
     return t->grid.spaces && columns > 1 ? columns / 2 : columns;
@@ -192,7 +192,7 @@ static void begin_frame(struct terminal *t)
     t->next = 0;
 }
 
-/* Encodes a strip; adds no text where nothing changed. */
+/* Adds nothing where nothing changed. */
 static void encode_strip(struct terminal *t)
 {
     struct strip strip = pictures_strip(t->pictures, &t->cell, t->next, t->canvas.width, t->canvas.height);
@@ -238,8 +238,7 @@ static int encode(struct terminal *t)
     return TIA_ERR_MEMORY;
 }
 
-/* True if the window is ours. After a stop the shell has had it: the last frame is shown again. False in the
- * background. */
+/* After a stop the shell has had the window: the last frame is shown again. False in the background. */
 static bool has_window(struct terminal *t)
 {
     if (!output_is_lost(&t->output))
@@ -251,8 +250,8 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* Goes on with a frame. One that is not encoded yet waits until all of the one before is sent. One that a stop has cut
- * is shown again after the viewer's next look for keys: the terminal may have hung up. */
+/* A frame that is not encoded yet waits until all of the one before is sent. One that a stop has cut is shown again
+ * when the viewer has looked for keys: the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {
     struct terminal *t = ctx;

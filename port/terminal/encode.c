@@ -1,4 +1,4 @@
-/* encode.c - half blocks in few bytes: only changes are written. */
+/* encode.c - half blocks, in few bytes: only what changed. */
 #include "encode.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "colour.h"
 
 #define BLACK_256 16
-#define UNKNOWN UINT32_MAX /* no valid colour code or column */
+#define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */
 
 static bool text_room(struct text *text, size_t more)
 {
@@ -41,7 +41,7 @@ void text_free(struct text *text)
     *text = (struct text){0};
 }
 
-/* Returns the columns of the window that a cell takes. */
+/* Columns of the window that a cell takes. */
 static unsigned span(const struct grid *grid)
 {
     return grid->spaces ? 2 : 1;
@@ -75,7 +75,7 @@ void grid_free(struct grid *grid)
     grid->columns = grid->rows = 0;
 }
 
-/* The pen: the terminal's cursor position and present colours. */
+/* The pen: where the terminal's cursor is and which colours it has. */
 struct pen {
     struct text *text;
     bool direct;
@@ -83,7 +83,7 @@ struct pen {
     uint32_t fore, back;  /* codes, or UNKNOWN */
 };
 
-/* The functions below write into room that grid_draw made before. */
+/* Everything below writes into room that grid_draw made before. */
 static void put(struct text *text, const char *bytes, size_t count)
 {
     memcpy(text->bytes + text->count, bytes, count);
@@ -157,7 +157,7 @@ static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
     pen->back = back;
 }
 
-/* Writes a cell. A cell of one colour is a space, which needs no foreground colour. */
+/* A cell of one colour is a space, which needs no foreground colour. */
 static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
 {
     uint32_t upper = cell >> 16, lower = cell & 0xffff;

@@ -9,7 +9,7 @@
 
 #include <tia/port.h>
 
-/* A growing text. If memory runs out, it stays as it is and `failed` is set. */
+/* A text that grows. Without memory it stays as it is, and `failed` is set. */
 struct text {
     char *bytes;
     size_t count, capacity;
@@ -28,10 +28,10 @@ struct strip {
     unsigned first, rows;
 };
 
-/* The terminal's contents, cell by cell, as written by us. */
+/* The terminal's contents, cell by cell, as far as we wrote it. */
 struct grid {
     unsigned columns, rows; /* of cells: the picture's width and (height + 1)/2, or its height */
-    unsigned left, top;     /* the window's cell at the grid's upper left corner */
+    unsigned left, top;     /* the window's cell of its upper left corner */
     bool direct;            /* 24-bit colours, else 256 */
     bool spaces;            /* a cell is one pixel and two columns of the window, else half blocks */
     bool known;             /* the terminal shows `cells` */
@@ -47,8 +47,8 @@ int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned win
 void grid_forget(struct grid *grid); /* the window may show anything */
 void grid_free(struct grid *grid);
 
-/* Adds the text that turns the grid into the picture, if it differs, and updates the grid. `pixels` are width x height,
- * row by row. If text->failed gets set, no text is added and the grid is forgotten. */
+/* Adds the text that turns the grid into the picture, none if it is the same, and updates the grid. `pixels` are width
+ * x height, row by row. If text->failed gets set, nothing is added and the grid is forgotten. */
 void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
 
 #endif

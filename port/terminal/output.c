@@ -9,7 +9,7 @@
 #include "console/guardian.h"
 #include "descriptor.h"
 
-#define LAST_WRITE_MS 150 /* longest wait of output_leave for a terminal that accepts nothing */
+#define LAST_WRITE_MS 150 /* how long output_leave waits for a terminal that accepts nothing */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
  * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
@@ -52,7 +52,7 @@ bool output_take(struct output *output)
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output->since.put_back = guardian_put_back() - 1; /* counts as lost: in the background */
+    output->since.put_back = guardian_put_back() - 1; /* lost, in the background */
     (void)output_take(output);
     output->entered = true;
 }
@@ -85,7 +85,7 @@ int output_send(struct output *output, int timeout_ms)
     return send_unless(terminal_is_lost, output, timeout_ms);
 }
 
-/* Drops the rest of a frame, also what the kernel still has of it: a slow terminal would take long to show it. */
+/* Without the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
 static void send_last(struct output *output)
 {
     uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;

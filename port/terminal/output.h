@@ -1,4 +1,4 @@
-/* output.h - output on its way to a terminal, and ownership of its window. */
+/* output.h - what is on its way to a terminal, and whether the window is ours. */
 #ifndef PORT_TERMINAL_OUTPUT_H
 #define PORT_TERMINAL_OUTPUT_H
 
@@ -9,23 +9,24 @@ struct output {
     int fd;           /* -1: closed */
     bool kitty;       /* pictures of kitty's protocol may be cut short */
     bool entered;     /* the alternate screen */
-    struct text text; /* bytes to send: [sent, text.count) */
+    struct text text; /* what is to be sent: [sent, text.count) */
     size_t sent;
 
-    struct terminal_stops since; /* stop counts when the window was last taken */
+    struct terminal_stops since; /* when the window was last taken */
 };
 
 /* Takes the window if it is in front, and has the guardian give it back if this process dies or is stopped. */
 void output_enter(struct output *output);
 
-/* Gives the window back, if it is ours: within 150 ms, or later by the guardian if the terminal accepts nothing. Unsent
- * output is dropped. */
+/* Gives the window back, if it is ours: within 150 ms, or later by the guardian if the terminal accepts nothing. What
+ * is still to be sent is dropped. */
 void output_leave(struct output *output);
 
 /* True if the shell has or had the window, because of a stop. */
 bool output_is_lost(const struct output *output);
 
-/* Takes the window again: drops unsent output and overwrites what the shell wrote. False in the background. */
+/* Takes it again: nothing that was to be sent before matters any more, and it shows what the shell wrote. False in the
+ * background. */
 bool output_take(struct output *output);
 
 bool output_is_left(const struct output *output);

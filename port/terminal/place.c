@@ -1,6 +1,6 @@
 #include "place.h"
 
-#define CELL 256 /* fractions of a cell: a picture need not end with a whole one */
+#define CELL 256 /* parts of a cell: a picture need not end with one */
 
 /* A process has one controlling terminal. */
 static struct {

@@ -5,21 +5,21 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
-/* Makes SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest. */
+/* From now on SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the
+ * last terminal_signals_end undoes the first terminal_signals_begin. */
 void terminal_signals_begin(void);
-/* Undoes it, when called as often as terminal_signals_begin. */
 void terminal_signals_end(void);
 
-/* Counts of the process's stops, as read when a terminal was taken. */
+/* Counts of what has happened to the process when a terminal was taken. */
 struct terminal_stops {
     int resumes;       /* SIGCONT */
-    unsigned put_back; /* guardian_put_back's count */
+    unsigned put_back; /* guardian_put_back */
 };
 
-/* Returns the present counts. Includes a pending SIGCONT, which then no longer ends a console_wait. */
+/* Today's counts, with a SIGCONT that is pending, which no longer ends a console_wait. */
 struct terminal_stops terminal_stops_now(void);
 
-/* True if the guardian has restored the terminal since: it is the shell's, or was. */
+/* True if the guardian has put the terminal back since: it is the shell's, or was. */
 bool terminal_is_put_back(const struct terminal_stops *since);
 
 /* True if the process has continued since as well: others may have written on the screen and changed the terminal's

@@ -20,8 +20,8 @@ struct symbols {
 };
 
 /* Adds the text that shows a strip of width x height pixels, whole characters, in 24-bit colours (`direct`) or the
- * nearest of the 256. Only characters that changed are written. A frame's strips come from the top down. If
- * text->failed gets set, all contents count as unknown. */
+ * nearest of the 256; only of characters that changed, none if there are none. A frame's strips come from the top down.
+ * If text->failed gets set, nothing is known any more. */
 void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
                   struct strip strip, bool direct, struct text *text);
 void symbols_forget(struct symbols *symbols); /* the window may show anything */

@@ -25,27 +25,27 @@
 #include "terminal.h"
 #include "typed.h"
 
-/* Longest pause between an ESC and the rest of a sequence. The bytes of one key are sent at once; 50 ms allow for a
- * network's packets, and are too short for a person's next key. */
+/* How long after an ESC the rest of a sequence may take. The bytes of one key are sent at once;
+ * 50 ms allow for a network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
-#define BEHIND_MS 100 /* between two checks for the foreground */
+#define BEHIND_MS 100 /* between two looks at whether the terminal is in front */
 
 /* Bracketed paste: pasted text can be distinguished from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
-/* The mouse, too: all of its movements, in numbers of any size. */
+/* And the mouse: all of its movements, in numbers of any size. */
 static const char mouse_on[] = "\033[?2004h\033[?1003h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1003l\033[?2004l";
 
 struct tty {
     const char *device;
     char *why;
-    const char *on, *off; /* texts sent first and last */
+    const char *on, *off; /* what is sent first and last */
     int fd;               /* -1: closed */
-    bool controlling;     /* the process's controlling terminal, which the display may have queried */
-    bool raw;             /* `before` holds the modes that close restores */
+    bool controlling;     /* it is the process's, which the display may have asked */
+    bool raw;             /* `before` holds what close puts back */
     struct termios before, now;
-    struct terminal_stops since; /* stop counts when `now` was last set */
+    struct terminal_stops since; /* when `now` was last set */
     struct decoder decoder;
     uint64_t last_us;          /* when the last byte came */
     uint8_t bytes[TYPED_MOST]; /* read and not yet decoded: [next, count) */
@@ -102,8 +102,7 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* Sends a text; false when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung
- * up. */
+/* False when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung up. */
 static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = terminal_write(tty->fd, text, strlen(text));
@@ -111,7 +110,7 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
-/* Restores the terminal, unless a stop has done so already: then it is the shell's. */
+/* After a stop that put all this back the terminal is the shell's. */
 static void make_cooked(const struct tty *tty)
 {
     /* If it cannot be sent now, the guardian sends it later. */
@@ -169,7 +168,7 @@ static int take_typed(struct tty *tty)
     return 1;
 }
 
-/* Reads the pending bytes: 1, or 0 if there are none. */
+/* Reads what is there: 1, or 0 if that is nothing. */
 static int read_bytes(struct tty *tty)
 {
     struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
@@ -200,7 +199,7 @@ static uint16_t next_key(struct tty *tty)
     return key;
 }
 
-/* Sets the modes again: the shell has set its own during the stop. */
+/* After a stop the shell has set its own modes. */
 static void after_stop(struct tty *tty)
 {
     if (!terminal_is_lost(&tty->since) || !descriptor_await_front(tty->fd))
@@ -213,7 +212,7 @@ static void after_stop(struct tty *tty)
     (void)send(tty, tty->on);
 }
 
-/* Sets the event; a mouse's position is the middle of the cell. */
+/* The middle of the cell. */
 static void set_event(const struct tty *tty, uint16_t key, struct tia_event *event)
 {
     const struct decoder *d = &tty->decoder;
@@ -256,8 +255,8 @@ static int smaller(int limit_ms, int timeout_ms)
     return timeout_ms < 0 || limit_ms < timeout_ms ? limit_ms : timeout_ms;
 }
 
-/* Limits the wait: an unfinished sequence soon counts as a lone Escape. A lost terminal is taken again soon: the
- * SIGCONT that would end the wait may have been counted already. */
+/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape. A lost terminal is taken again
+ * soon: the SIGCONT that would end the wait may have been counted already. */
 static int limit_ms(const struct tty *tty, int timeout_ms)
 {
     if (terminal_is_lost(&tty->since))

@@ -8,16 +8,16 @@
 
 #define WAYS_NAMES "automatic, halfblocks, symbols, sixel or kitty"
 
-/* Zero is automatic: the best that the terminal reports. */
+/* Zero is automatic: the best that the terminal has, as it says itself. */
 struct way {
     bool chosen;
     enum pictures pictures; /* if chosen */
 };
 
-/* True if `name` (NULL: not given) is one of WAYS_NAMES, which is then stored in `way`. */
+/* Whether `name` (NULL: not given) is one of WAYS_NAMES, which then is stored in `way`. */
 bool ways_find(const char *name, struct way *way);
 
-/* Returns the text of the mode's format; `direct`: characters have 24-bit colours. */
+/* What is shown, for the mode's format; `direct`: characters have 24-bit colours. */
 const char *ways_format(enum pictures pictures, bool direct);
 
 #endif

@@ -6,12 +6,12 @@
 /* An event as the script writes it. */
 struct host_event {
     int32_t kind, key, shift, drag, x, y;
-    double time_us; /* host_now's time */
+    double time_us; /* by host_now */
 };
 
 HOST("now") double host_now(void); /* microseconds */
 HOST("look") int32_t host_look(void);
-HOST("rest") int32_t host_rest(int32_t timeout_ms); /* returns 1 if it is not supported here */
+HOST("rest") int32_t host_rest(int32_t timeout_ms); /* 1: not here */
 HOST("take") int32_t host_take(struct host_event *event);
 HOST("show") void host_show(const tia_rgb565 *pixels, uint32_t width, uint32_t height, const struct web_frame *frame);
 HOST("lines") void host_lines(const struct web_line *lines, uint32_t count);
@@ -45,7 +45,7 @@ static int web_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* Does nothing: the picture is shown by web_show, with its data. */
+/* The picture is shown when all is known of it. */
 static int web_present(void *ctx)
 {
     (void)ctx;
@@ -67,7 +67,7 @@ static int web_open(void *ctx)
     return TIA_OK;
 }
 
-/* Lets the script store a new event while the program goes on. */
+/* The script takes a new event while it goes on. */
 static int web_poll(void *ctx, struct tia_event *event)
 {
     struct host_event got;

@@ -39,10 +39,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct options options;
     int status = arguments_parse(&options, words.argc, words.argv);
 
-    MUST(status == EXIT_FINE || status == EXIT_USAGE || status == EXIT_DISPLAY || status == EXIT_RUNNING);
-    if (status == EXIT_FINE && options.action != ACTION_HELP && options.action != ACTION_VERSION)
+    MUST(status == COMMAND_RUN || status == EXIT_FINE || status == EXIT_USAGE || status == EXIT_DISPLAY ||
+         status == EXIT_RUNNING);
+    if (status == COMMAND_RUN)
         must_keep_limits(&options);
-    if (status == EXIT_FINE && !options.scene_path && options.action <= ACTION_DRAW)
+    if (status == COMMAND_RUN && !options.scene_path && options.action <= ACTION_DRAW)
         must_plan(&options);
     arguments_free(&options);
     free(words.text);

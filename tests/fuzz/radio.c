@@ -47,8 +47,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static struct options options;
     int status = arguments_parse(&options, words.argc, words.argv);
 
-    MUST(status == FINE || status == REFUSED || status == FAILED || status == -1);
-    if (status == FINE)
+    MUST(status == FINE || status == REFUSED || status == FAILED || status == COMMAND_RUN);
+    if (status == COMMAND_RUN)
         must_keep_limits(&options);
     free(words.text);
     return 0;

@@ -4,6 +4,8 @@
 
 #include <tia/scene.h>
 
+#include "command_line.h"
+
 #define CONVERT_TILES 16
 
 struct request {
@@ -21,8 +23,8 @@ struct request {
 };
 
 struct converter {
-    const char *tool, *usage;
-    const char *symbol; /* default of --name; NULL: the command has no --name */
+    const struct command *command; /* of struct request */
+    const char *symbol;            /* default of --name */
     /* Writes request->output. TIA_OK, or a failure with the reason in `why`, PORT_WHY bytes. */
     int (*write)(const struct request *request, const struct tia_scene *scene, char *why);
     /* NULL, or writes request->memory in the same way. */

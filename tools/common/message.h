@@ -16,10 +16,6 @@ int message_list(const char *tool, int status, const char *format, va_list value
 /* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" where there is no why (""). Returns `status`. */
 int message_why(const char *tool, int status, const char *what, const char *why);
 
-/* Reports what getopt_long refused, ':' a missing value and '?' anything else, where opterr is 0 and the short options
- * begin with ':'. Returns 2, the exit status for wrong usage. */
-int message_option(const char *tool, int option, char **argv);
-
 /* Prints a text to standard output, as after --help. Returns 0, or 1 after a message that it could not be written. */
 int message_output(const char *tool, const char *text);
 

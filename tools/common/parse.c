@@ -1,22 +1,35 @@
 #include "parse.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value)
+bool parse_wide(const char *text, const char **end, uint64_t min, uint64_t max, uint64_t *value)
 {
     uint64_t sum = 0;
     const char *at = text;
     for (; *at >= '0' && *at <= '9'; at++) {
-        sum = sum * 10 + (uint64_t)(*at - '0');
-        if (sum > max)
+        uint64_t digit = (uint64_t)(*at - '0');
+        if (digit > max || sum > (max - digit) / 10)
             return false;
+        sum = sum * 10 + digit;
     }
     if (at == text || sum < min || (!end && *at != '\0'))
         return false;
     if (end)
         *end = at;
-    *value = (uint32_t)sum;
+    *value = sum;
     return true;
+}
+
+bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value)
+{
+    uint64_t wide;
+    bool fine = parse_wide(text, end, min, max, &wide);
+
+    if (fine)
+        *value = (uint32_t)wide;
+    return fine;
 }
 
 bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *width, uint16_t *height)
@@ -100,4 +113,23 @@ bool parse_rate(const char *text, uint32_t rate[2])
     if (!parse_number(text, &rest, 1, 1000000, &rate[0]))
         return false;
     return *rest == '\0' || (*rest == '/' && parse_number(rest + 1, NULL, 1, 1000000, &rate[1]));
+}
+
+bool parse_real(const char **text, double *value)
+{
+    char *end;
+
+    *value = strtod(*text, &end);
+    if (end == *text || !isfinite(*value))
+        return false;
+    *text = end;
+    return true;
+}
+
+bool parse_reals(const char *text, double *values, int count)
+{
+    for (int i = 0; i < count; i++)
+        if ((i > 0 && *text++ != ',') || !parse_real(&text, &values[i]))
+            return false;
+    return *text == '\0';
 }

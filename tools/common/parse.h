@@ -7,6 +7,7 @@
 /* A decimal number from `min` to `max`, without sign or blanks. *end is set to what follows; with end NULL, nothing
  * may follow. */
 bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value);
+bool parse_wide(const char *text, const char **end, uint64_t min, uint64_t max, uint64_t *value);
 
 /* "640x480", each number 1..max; *end as above. */
 bool parse_size(const char *text, const char **end, uint32_t max, uint16_t *width, uint16_t *height);
@@ -22,5 +23,9 @@ unsigned parse_longest(int bits);
 
 /* "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);
+
+/* A finite number at *text, which goes on behind it; and so many with commas between them, and nothing else. */
+bool parse_real(const char **text, double *value);
+bool parse_reals(const char *text, double *values, int count);
 
 #endif

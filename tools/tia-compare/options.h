@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "common/command_line.h"
+
 struct options {
     const char *keys;             /* NULL: draw the built-in scene as it is, and after each of its keys */
     bool thesis;                  /* the built-in scene's frames */
@@ -12,7 +14,7 @@ struct options {
     uint64_t seed;
     char **scenes; /* files, scene_count of them */
     int scene_count;
-    unsigned width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random scenes choose their own */
+    uint16_t width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random scenes choose their own */
     unsigned threads;
     bool json, summary;
     const char *heatmap;
@@ -23,7 +25,7 @@ struct options {
     const char *technique;         /* only this one; NULL: all */
 };
 
-/* 0: continue; 1: done (--help); -1: usage error, after an error message. */
+/* COMMAND_RUN; or the status to exit with, 0 after --help and --version, else after an error message. */
 int options_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -172,8 +172,8 @@ int main(int argc, char **argv)
     struct run run = {0};
     int result = options_parse(&run.options, argc, argv);
 
-    if (result != 0)
-        return result < 0 ? 2 : 0;
+    if (result != COMMAND_RUN)
+        return result;
     signals_prepare();
     struct threads *pool = threads_create(run.options.threads);
     if (!pool)

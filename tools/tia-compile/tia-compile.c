@@ -1,25 +1,76 @@
 /* tia-compile - converts a scene file to const tables in C, for programs without a file system. */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <tia/render.h>
+
+#include "common/choices.h"
 #include "common/convert.h"
+#include "common/parse.h"
 #include "memory.h"
 #include "unit.h"
 
-static const char usage[] =
+#define LIGHTS_MOST 65535
+
+static const char *set_name(void *context, char *value)
+{
+    static const char keywords[] =
+        " auto break case char const continue default do double else enum extern float for goto if inline int long "
+        "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while ";
+    struct request *request = context;
+    char word[68];
+    size_t length = strlen(value);
+    bool fine = length > 0 && length < 64;
+
+    for (size_t i = 0; i < length; i++)
+        fine = fine &&
+               (isalpha((unsigned char)value[i]) || value[i] == '_' || (i > 0 && isdigit((unsigned char)value[i])));
+    (void)snprintf(word, sizeof word, " %.64s ", value);
+    request->symbol = value;
+    return fine && !strstr(keywords, word) ? NULL : "";
+}
+
+static const char *add_size(void *context, char *value)
+{
+    struct request *request = context;
+    uint16_t width, height;
+
+    if (request->tile_count == CONVERT_TILES || !parse_size(value, NULL, TIA_SIZE_MAX, &width, &height))
+        return "";
+    request->tiles[request->tile_count][0] = width;
+    request->tiles[request->tile_count++][1] = height;
+    return NULL;
+}
+
+#define TO(member) OPTION_TO(struct request, member)
+
+static const struct option_row rows[] = {
+    {"output", 'o', OPTION_TEXT, "FILE.c", "- is standard output", TO(output)},
+    {"memory", 0, OPTION_TEXT, "FILE.h",
+     "how many bytes it takes to draw the scene, as macros: SYMBOL_VIEW and, for each size, SYMBOL_HITS_320x240 and "
+     "SYMBOL_VIEWER_320x240",
+     TO(memory)},
+    {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "of a picture or a tile; again for more", .parse = add_size,
+     .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
+    {"lights", 0, OPTION_NUMBER, "N", "at most so many at once; default: the scene's, and one for each key", TO(lights),
+     .min = 1, .max = LIGHTS_MOST},
+    {"name", 0, OPTION_PARSED, "SYMBOL", "default: scene", .parse = set_name,
+     .rule = "not a name in C, of less than 64 letters"},
+    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "when the scene's name does not say", TO(format)},
+    {"strict", 0, OPTION_FLAG, NULL, "refuse what is only warned of otherwise", TO(strict)},
+    OPTION_END};
+
+static const struct command command = {
+    "tia-compile",
     "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\n"
     "       tia-compile SCENE --memory FILE.h [--name SYMBOL] [--lights N] [-s WIDTHxHEIGHT]...\n"
     "Writes a scene as C: const tables, all that is in it and its hierarchy of boxes, as\n"
     "`const struct tia_scene SYMBOL`. It needs nothing but tia's public headers.\n"
+    "\n",
+    rows,
     "\n"
-    "  -o, --output FILE.c      - is standard output\n"
-    "      --name SYMBOL        default: scene\n"
-    "      --memory FILE.h      how many bytes it takes to draw the scene, as macros: SYMBOL_VIEW and,\n"
-    "                           for each size, SYMBOL_HITS_320x240 and SYMBOL_VIEWER_320x240\n"
-    "  -s, --size WIDTHxHEIGHT  of a picture or a tile; again for more\n"
-    "      --lights N           at most so many at once; default: the scene's, and one for each key\n"
-    "      --scene-format tia|nff|obj   when the scene's name does not say\n"
-    "      --strict             refuse what is only warned of otherwise\n"
-    "  -h, --help, -V, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n";
+    "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n"};
 
 /* A hierarchy of so few objects is a single box around them all: a waste of flash. */
 #define FEW 4
@@ -56,7 +107,7 @@ static int write_unit(const struct request *request, const struct tia_scene *sce
 
 int main(int argc, char **argv)
 {
-    static const struct converter converter = {"tia-compile", usage, "scene", write_unit, write_memory};
+    static const struct converter converter = {&command, "scene", write_unit, write_memory};
 
     return convert(&converter, argc, argv);
 }

@@ -1,10 +1,11 @@
 /* tia-join - joins separately drawn parts of a picture or film. */
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include <tia/tia.h>
 
+#include "common/choices.h"
+#include "common/command_line.h"
 #include "common/image/series.h"
 #include "common/message.h"
 #include "common/signals.h"
@@ -12,19 +13,7 @@
 #include "parts.h"
 #include "ports.h"
 
-static const char usage[] =
-    "Usage: tia-join -o FILE PART...\n"
-    "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
-    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm or .tiapart.\n"
-    "\n"
-    "  -o, --output FILE    a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame\n"
-    "                       with %04d in its name), a part (.tiapart), or - for standard output\n"
-    "      --format FORMAT  png, ppm, bmp, 565, pfm, y4m or tiapart, when FILE's name does not say\n"
-    "  -h, --help, -V, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 the file cannot be written, 2 wrong usage or parts that do not fit together.\n";
-
-enum { FINE, NOT_WRITTEN, REFUSED, FORMAT = 256 };
+enum { FINE, NOT_WRITTEN, REFUSED };
 
 struct join {
     const char *output;
@@ -87,22 +76,6 @@ static int join_parts(struct join *join, char *const *paths, unsigned count)
 
 /* ---- the command line ---- */
 
-static int parse_option(struct join *join, int option, char **argv)
-{
-    switch (option) {
-    case 'o':
-        join->output = optarg;
-        return FINE;
-    case FORMAT:
-        join->format = image_format_called(optarg);
-        return join->format != IMAGE_UNKNOWN
-                   ? FINE
-                   : refuse(REFUSED, "--format", "not png, ppm, bmp, 565, pfm, y4m or tiapart");
-    default:
-        return message_option("tia-join", option, argv);
-    }
-}
-
 static int check(struct join *join, int parts)
 {
     if (!join->output)
@@ -118,26 +91,35 @@ static int check(struct join *join, int parts)
     return parts > 0 ? FINE : refuse(REFUSED, "no part is named", "(tia-join -h)");
 }
 
+static const struct option_row rows[] = {{"output", 'o', OPTION_TEXT, "FILE",
+                                          "a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame with "
+                                          "%04d in its name), a part (.tiapart), or "
+                                          "- for standard output",
+                                          OPTION_TO(struct join, output)},
+                                         {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "when FILE's name does not say",
+                                          OPTION_TO(struct join, format), .min = IMAGE_PNG},
+                                         OPTION_END};
+
+static const struct command command = {
+    "tia-join",
+    "Usage: tia-join -o FILE PART...\n"
+    "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
+    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm or .tiapart.\n"
+    "\n",
+    rows,
+    "\n"
+    "Exit status: 0 fine, 1 the file cannot be written, 2 wrong usage or parts that do not fit together.\n"};
+
 int main(int argc, char **argv)
 {
-    static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
-                                          {"format", required_argument, NULL, FORMAT},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {"version", no_argument, NULL, 'V'},
-                                          {0}};
     struct join join = {.format = IMAGE_UNKNOWN};
-    int result = FINE;
-    opterr = 0;
     signals_prepare();
-    for (int option; result == FINE && (option = getopt_long(argc, argv, ":o:hV", longs, NULL)) != -1;) {
-        if (option == 'h' || option == 'V')
-            return message_output("tia-join", option == 'h' ? usage : "tia-join " TIA_VERSION "\n");
-        result = parse_option(&join, option, argv);
-    }
+    int result = command_parse(&command, &join, &argc, &argv);
+    if (result != COMMAND_RUN)
+        return result;
+    result = check(&join, argc);
     if (result == FINE)
-        result = check(&join, argc - optind);
-    if (result == FINE)
-        result = join_parts(&join, argv + optind, (unsigned)(argc - optind));
+        result = join_parts(&join, argv, (unsigned)argc);
     parts_close(&join.parts);
     return result;
 }

@@ -1,11 +1,11 @@
 /* tia-observe - what an eye sees of a light-field display, by its pictures. */
-#include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include <tia/tia.h>
 
+#include "common/command_line.h"
 #include "common/lenticular.h"
 #include "common/message.h"
 #include "common/parse.h"
@@ -15,31 +15,7 @@
 #include "observe.h"
 #include "ports.h"
 
-static const char usage[] =
-    "Usage: tia-observe [options] --eye X,Y,Z -o FILE SCENE PICTURES\n"
-    "Shows what an eye sees of the display of SCENE's camera lightfield, from PICTURES that tia drew:\n"
-    "a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or what a panel with\n"
-    "lenses shows, with --lenticular or --calibration as tia was told. The screen fills the picture.\n"
-    "The eye is X right of the screen's middle, Y above it and Z before it.\n"
-    "\n"
-    "  -e, --eye X,Y,Z         where the eye is, in the scene's unit\n"
-    "  -o, --output FILE       a picture (.png .ppm .bmp .565) or, of a moving eye, a film (.y4m, or a\n"
-    "                          picture a frame with %04d in its name)\n"
-    "      --views N           the pictures are of N views\n"
-    "      --modules M         of M projectors; M,distance=L,spacing=L as tia was told\n"
-    "      --lenticular KEYS   a panel's: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,\n"
-    "                          flip,invert\n"
-    "      --calibration FILE  a panel's, by visual.json\n"
-    "  -s, --size WxH          of what an eye sees; default that of a view or of the panel\n"
-    "      --two D             two eyes, D apart, side by side\n"
-    "      --anaglyph          both in one picture, for red and cyan glasses\n"
-    "      --to X,Y,Z          the eye moves there\n"
-    "  -n, --frames N          in so many frames, default 25\n"
-    "  -h, --help, -V, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 a file cannot be read or written, 2 wrong usage, scene or pictures.\n";
-
-enum { FINE, FAILED, REFUSED, TWO = 256, ANAGLYPH, TO, VIEWS, MODULES, LENTICULAR, CALIBRATION };
+enum { FINE, FAILED, REFUSED };
 enum { FRAMES = 25, FRAMES_MAX = 1000000 };
 
 struct request {
@@ -59,73 +35,66 @@ static int refuse(int status, const char *what, const char *why)
 
 /* ---- the command line ---- */
 
-static bool number(const char *text, char **end, double *value)
+static const char *set_eye(struct eye *eye, const char *text)
 {
-    *value = strtod(text, end);
-    return *end != text && fabs(*value) < 32768;
+    double at[3];
+
+    if (!parse_reals(text, at, 3) || fabs(at[0]) >= 32768 || fabs(at[1]) >= 32768 || at[2] >= 32768 || at[2] <= 0)
+        return "not a place before the screen (X,Y,Z like 0.1,0,2.5; Z above 0)";
+    *eye = (struct eye){at[0], at[1], at[2]};
+    return NULL;
 }
 
-static int set_eye(const char *option, struct eye *eye)
+static const char *set_from(void *request, char *value)
 {
-    char *end;
-
-    if (!number(optarg, &end, &eye->x) || *end != ',' || !number(end + 1, &end, &eye->y) || *end != ',' ||
-        !number(end + 1, &end, &eye->z) || *end != '\0' || !(eye->z > 0))
-        return refuse(REFUSED, option, "not a place before the screen (X,Y,Z like 0.1,0,2.5; Z above 0)");
-    return FINE;
+    return set_eye(&((struct request *)request)->observation.eye, value);
 }
 
-static int set_two(double *apart)
+static const char *set_to(void *request, char *value)
 {
-    char *end;
-
-    return number(optarg, &end, apart) && *end == '\0' && *apart > 0
-               ? FINE
-               : refuse(REFUSED, "--two", "not how far eyes are apart (above 0, like 0.065)");
+    return set_eye(&((struct request *)request)->observation.to, value);
 }
 
-static int parse_option(struct request *r, int option, char **argv)
+static const char *set_two(void *request, char *value)
 {
-    switch (option) {
-    case 'o':
-        r->output = optarg;
-        return FINE;
-    case 'e':
-        r->has_eye = true;
-        return set_eye("--eye", &r->observation.eye);
-    case TO:
-        r->moves = true;
-        return set_eye("--to", &r->observation.to);
-    case TWO:
-        return set_two(&r->observation.apart);
-    case ANAGLYPH:
-        r->observation.anaglyph = true;
-        return FINE;
-    case VIEWS:
-        return parse_number(optarg, NULL, 1, MODULES_MAX, &r->views)
-                   ? FINE
-                   : refuse(REFUSED, "--views", "not a number from 1 to 65536");
-    case MODULES:
-        r->modules = optarg;
-        return FINE;
-    case LENTICULAR:
-        r->lenticular = optarg;
-        return FINE;
-    case CALIBRATION:
-        r->calibration = optarg;
-        return FINE;
-    case 's':
-        return parse_size(optarg, NULL, TIA_SIZE_MAX, &r->width, &r->height)
-                   ? FINE
-                   : refuse(REFUSED, "--size", "not a size (1x1 to 8192x8192, like 640x480)");
-    case 'n':
-        return parse_number(optarg, NULL, 1, FRAMES_MAX, &r->frames)
-                   ? FINE
-                   : refuse(REFUSED, "--frames", "not a number from 1 to 1000000");
-    default:
-        return message_option("tia-observe", option, argv);
-    }
+    double *apart = &((struct request *)request)->observation.apart;
+
+    return parse_reals(value, apart, 1) && *apart > 0 && *apart < 32768 ? NULL : "";
 }
+
+#define TO(member) OPTION_TO(struct request, member)
+
+static const struct option_row rows[] = {
+    {"eye", 'e', OPTION_PARSED, "X,Y,Z", "where the eye is, in the scene's unit", .parse = set_from,
+     .given = offsetof(struct request, has_eye)},
+    {"output", 'o', OPTION_TEXT, "FILE",
+     "a picture (.png .ppm .bmp .565) or, of a moving eye, a film (.y4m, or a picture a frame with %04d in its name)",
+     TO(output)},
+    {"views", 0, OPTION_NUMBER, "N", "the pictures are of N views", TO(views), .min = 1, .max = MODULES_MAX},
+    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]", "of M projectors, as tia was told", TO(modules)},
+    {"lenticular", 0, OPTION_TEXT, "KEYS",
+     "a panel's: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert", TO(lenticular)},
+    {"calibration", 0, OPTION_TEXT, "FILE", "a panel's, by visual.json", TO(calibration)},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "of what an eye sees; default that of a view or of the panel",
+     OPTION_PAIR(struct request, width, height), .max = TIA_SIZE_MAX},
+    {"two", 0, OPTION_PARSED, "DISTANCE", "two eyes, so far apart, side by side", .parse = set_two,
+     .rule = "not how far eyes are apart (above 0, like 0.065)"},
+    {"anaglyph", 0, OPTION_FLAG, NULL, "both in one picture, for red and cyan glasses", TO(observation.anaglyph)},
+    {"to", 0, OPTION_PARSED, "X,Y,Z", "the eye moves there", .parse = set_to, .given = offsetof(struct request, moves)},
+    {"frames", 'n', OPTION_NUMBER, "N", "in so many frames, default 25", TO(frames), .min = 1, .max = FRAMES_MAX},
+    OPTION_END};
+
+static const struct command command = {
+    "tia-observe",
+    "Usage: tia-observe [options] --eye X,Y,Z -o FILE SCENE PICTURES\n"
+    "Shows what an eye sees of the display of SCENE's camera lightfield, from PICTURES that tia drew:\n"
+    "a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or what a panel with\n"
+    "lenses shows, with --lenticular or --calibration as tia was told. The screen fills the picture.\n"
+    "The eye is X right of the screen's middle, Y above it and Z before it.\n"
+    "\n",
+    rows,
+    "\n"
+    "Exit status: 0 fine, 1 a file cannot be read or written, 2 wrong usage, scene or pictures.\n"};
 
 static int check(const struct request *r, int arguments)
 {
@@ -254,36 +223,17 @@ static int run(struct request *r)
 
 int main(int argc, char **argv)
 {
-    static const struct option longs[] = {{"eye", required_argument, NULL, 'e'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"views", required_argument, NULL, VIEWS},
-                                          {"modules", required_argument, NULL, MODULES},
-                                          {"lenticular", required_argument, NULL, LENTICULAR},
-                                          {"calibration", required_argument, NULL, CALIBRATION},
-                                          {"size", required_argument, NULL, 's'},
-                                          {"two", required_argument, NULL, TWO},
-                                          {"anaglyph", no_argument, NULL, ANAGLYPH},
-                                          {"to", required_argument, NULL, TO},
-                                          {"frames", required_argument, NULL, 'n'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {"version", no_argument, NULL, 'V'},
-                                          {NULL, 0, NULL, 0}};
     struct request r = {.output = NULL};
 
     signals_prepare();
-    opterr = 0;
-    for (int option; (option = getopt_long(argc, argv, ":e:o:s:n:hV", longs, NULL)) != -1;) {
-        if (option == 'h' || option == 'V')
-            return message_output("tia-observe", option == 'h' ? usage : "tia-observe " TIA_VERSION "\n");
-        int status = parse_option(&r, option, argv);
-        if (status != FINE)
-            return status;
-    }
-    int status = check(&r, argc - optind);
+    int status = command_parse(&command, &r, &argc, &argv);
+    if (status != COMMAND_RUN)
+        return status;
+    status = check(&r, argc);
     if (status != FINE)
         return status;
-    r.scene = argv[optind];
-    r.pictures = argv[optind + 1];
+    r.scene = argv[0];
+    r.pictures = argv[1];
     if (!r.moves)
         r.observation.to = r.observation.eye;
     return run(&r);

@@ -1,17 +1,25 @@
 /* tia-pov - converts a scene file to POV-Ray's language, so that an independent renderer can draw it. */
+#include "common/choices.h"
 #include "common/convert.h"
 #include "pov.h"
 
-static const char usage[] = "Usage: tia-pov SCENE -o FILE.pov\n"
-                            "Writes a scene in POV-Ray's language, version 3.7. What that cannot say is a comment\n"
-                            "there and a line on standard error. Pictures become FILE-N.ppm or .pgm beside it.\n"
-                            "\n"
-                            "  -o, --output FILE.pov    - is standard output, without pictures\n"
-                            "      --scene-format tia|nff|obj   when the scene's name does not say\n"
-                            "      --strict             refuse what is only warned of otherwise\n"
-                            "  -h, --help, -V, --version\n"
-                            "\n"
-                            "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n";
+#define TO(member) OPTION_TO(struct request, member)
+
+static const struct option_row rows[] = {
+    {"output", 'o', OPTION_TEXT, "FILE.pov", "- is standard output, without pictures", TO(output)},
+    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "when the scene's name does not say", TO(format)},
+    {"strict", 0, OPTION_FLAG, NULL, "refuse what is only warned of otherwise", TO(strict)},
+    OPTION_END};
+
+static const struct command command = {
+    "tia-pov",
+    "Usage: tia-pov SCENE -o FILE.pov\n"
+    "Writes a scene in POV-Ray's language, version 3.7. What that cannot say is a comment\n"
+    "there and a line on standard error. Pictures become FILE-N.ppm or .pgm beside it.\n"
+    "\n",
+    rows,
+    "\n"
+    "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n"};
 
 static int write_pov(const struct request *request, const struct tia_scene *scene, char *why)
 {
@@ -32,7 +40,7 @@ static int write_pov(const struct request *request, const struct tia_scene *scen
 
 int main(int argc, char **argv)
 {
-    static const struct converter converter = {"tia-pov", usage, NULL, write_pov, NULL};
+    static const struct converter converter = {&command, NULL, write_pov, NULL};
 
     return convert(&converter, argc, argv);
 }

@@ -1,6 +1,5 @@
 #include "arguments.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,87 +8,195 @@
 
 #include "common/image/image.h"
 #include "common/message.h"
+#include "common/parse.h"
 #include "fail.h"
 #include "materials.h"
-#include "values.h"
 
-static const char usage[] =
+/* ---- values: each function returns NULL, or the mistake as in common/command_line.h ---- */
+
+static bool is_near(double metres)
+{
+    return fabs(metres * 65536) < 2147483647.0;
+}
+
+static const char *add_place(char *text, double (*places)[3], unsigned *count)
+{
+    double at[3];
+
+    if (*count == PLACES_MOST)
+        return "one too many (at most 16)";
+    if (!parse_reals(text, at, 3) || !is_near(at[0]) || !is_near(at[1]) || !is_near(at[2]))
+        return "not X,Y,Z in metres, within 32767 (1.5,2,-3)";
+    memcpy(places[(*count)++], at, sizeof at);
+    return NULL;
+}
+
+static const char *add_tx(void *context, char *text)
+{
+    struct options *o = context;
+
+    return add_place(text, o->tx_at, &o->tx_count);
+}
+
+static const char *add_rx(void *context, char *text)
+{
+    struct options *o = context;
+
+    return add_place(text, o->rx_at, &o->rx_count);
+}
+
+static const char *set_frequency(void *context, char *text)
+{
+    static const char units[] = "kMG";
+    static const double factors[] = {1e3, 1e6, 1e9};
+    struct options *o = context;
+    const char *at = text;
+    bool fine = parse_real(&at, &o->frequency);
+    const char *unit = fine && *at != '\0' ? strchr(units, *at) : NULL;
+
+    if (unit) {
+        o->frequency *= factors[unit - units];
+        at++;
+    }
+    return fine && *at == '\0' && o->frequency >= 1e6 && o->frequency <= 1e12 ? NULL : "";
+}
+
+static const char *set_map(void *context, char *text)
+{
+    struct options *o = context;
+
+    if (text[0] < 'x' || text[0] > 'z' || text[1] != '=' || !parse_reals(text + 2, &o->map_at, 1) ||
+        !is_near(o->map_at))
+        return "";
+    o->map_axis = text[0] - 'x';
+    return NULL;
+}
+
+static const char *set_area(void *context, char *text)
+{
+    struct options *o = context;
+    const double *area = o->area;
+
+    return parse_reals(text, o->area, 4) && area[0] < area[2] && area[1] < area[3] && fabs(area[0]) < 32767 &&
+                   fabs(area[1]) < 32767 && fabs(area[2]) < 32767 && fabs(area[3]) < 32767
+               ? NULL
+               : "";
+}
+
+static const char *set_range(void *context, char *text)
+{
+    struct options *o = context;
+    double range[2];
+
+    if (!parse_reals(text, range, 2) || range[0] >= range[1])
+        return "";
+    o->low = range[0];
+    o->high = range[1];
+    return NULL;
+}
+
+/* One of "permittivity:5", "conductivity:0.1", "thickness:0.2". */
+static bool parse_property(const char *text, size_t length, struct naming *naming)
+{
+    static const char *const words[] = {"permittivity:", "conductivity:", "thickness:"};
+    static const double most[] = {1e6, 1e12, 1000};
+    double *values[] = {&naming->permittivity, &naming->conductivity, &naming->thickness};
+
+    for (int i = 0; i < 3; i++) {
+        size_t word = strlen(words[i]);
+        const char *at = text + word;
+        if (length > word && strncmp(text, words[i], word) == 0)
+            return parse_real(&at, values[i]) && at == text + length && *values[i] >= (i == 0 ? 1 : 0) &&
+                   *values[i] <= most[i] && (i < 2 || *values[i] > 0);
+    }
+    return false;
+}
+
+static const char *set_material(void *context, char *text)
+{
+    struct options *o = context;
+    const char *equals = strchr(text, '='), *at = equals ? equals + 1 : text;
+    struct naming *naming = &o->namings[o->naming_count];
+
+    if (o->naming_count == NAMES_MOST)
+        return "one too many (at most 64)";
+    *naming = (struct naming){.permittivity = 0};
+    if (equals && (equals == text || (size_t)(equals - text) >= sizeof naming->name))
+        return "";
+    if (equals)
+        memcpy(naming->name, text, (size_t)(equals - text));
+    for (bool first = true; *at != '\0'; first = false) {
+        size_t length = strcspn(at, ",");
+        if (!parse_property(at, length, naming)) {
+            if (!first || length == 0 || length >= sizeof naming->itu || memchr(at, ':', length))
+                return "";
+            memcpy(naming->itu, at, length);
+            if (!itu_has(naming->itu))
+                return "no such material (--materials lists them)";
+        }
+        at += length;
+        at += *at == ',' && at[1] != '\0';
+        if (*at == ',')
+            return "";
+    }
+    if (naming->itu[0] == '\0' && naming->permittivity == 0)
+        return "";
+    o->naming_count++;
+    return NULL;
+}
+
+/* ---- the table ---- */
+
+#define TO(member) OPTION_TO(struct options, member)
+#define GIVEN(member) .given = offsetof(struct options, member)
+
+static const struct option_row rows[] = {
+    {"tx", 0, OPTION_PARSED, "X,Y,Z", "a transmitter; up to 16 of them", .parse = add_tx},
+    {"rx", 0, OPTION_PARSED, "X,Y,Z", "a receiver; up to 16 of them", .parse = add_rx},
+    {"frequency", 'f', OPTION_PARSED, "FREQUENCY", "in hertz, or with k, M or G: 2.4G", .parse = set_frequency,
+     .rule = "not a frequency from 1M to 1000G (2.4G)"},
+    {"reflections", 0, OPTION_NUMBER, "N", "at most so many, # (default 2)", TO(order), .max = TIA_RADIO_ORDER_MAX},
+    {"transmissions", 0, OPTION_NUMBER, "N", "goes through at most so many walls, # (default 0)", TO(walls),
+     .max = TIA_RADIO_WALLS_MAX},
+    {"method", 0, OPTION_CHOICE, "image|sbr|hybrid", "default image", TO(method), .min = METHOD_IMAGE},
+    {"density", 0, OPTION_NUMBER, "N", "rays of sbr and hybrid: 10 N^2 + 2, N # (default 64)", TO(density), .min = 1,
+     .max = TIA_RADIO_DENSITY_MAX},
+    {"material", 0, OPTION_PARSED, "[NAME=]WHAT",
+     "what the scene's material NAME is, or all materials: a material of ITU-R P.2040-3 or "
+     "permittivity:E,conductivity:S; then ,thickness:M",
+     .parse = set_material, .rule = "not [NAME=]MATERIAL[,thickness:M] or [NAME=]permittivity:E,conductivity:S"},
+    {"materials", 0, OPTION_FLAG, NULL, "lists those materials and their frequencies", TO(lists)},
+    {"up", 0, OPTION_CHOICE, "y|z", "what is vertical (default y)", TO(up), .min = 1},
+    {"polarization", 0, OPTION_CHOICE, "vertical|horizontal", "of maps (default vertical)", TO(horizontal)},
+    {"json", 0, OPTION_FLAG, NULL, "JSON instead of a table", TO(json)},
+    {"output", 'o', OPTION_TEXT, "FILE",
+     "the scene with its paths, or the map, as a picture (.png .ppm .bmp .565; a part of a map .tiapart)", TO(output)},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "of the picture or map (default 640x480)",
+     OPTION_PAIR(struct options, width, height), GIVEN(has_size), .max = TIA_SIZE_MAX},
+    {"map", 0, OPTION_PARSED, "AXIS=AT", "a map of the gain across AXIS, x, y or z", .parse = set_map,
+     .rule = "not x=, y= or z= and a number (y=1.5)"},
+    {"area", 0, OPTION_PARSED, "A0,B0,A1,B1",
+     "of the map along the other two axes (default: what boxes and triangles take up)", .parse = set_area,
+     GIVEN(has_area), .rule = "not A0,B0,A1,B1 in metres, rising, within 32767"},
+    {"csv", 0, OPTION_TEXT, "FILE", "the map's numbers; - is standard output", TO(csv)},
+    {"range", 0, OPTION_PARSED, "LOW,HIGH", "of the map's colours in dB (default -140,-40)", .parse = set_range,
+     .rule = "not LOW,HIGH in dB (-120,-60)"},
+    {"best-server", 0, OPTION_FLAG, NULL, "paints which transmitter is best, not how good it is", TO(best_server)},
+    {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST",
+     "draws these rows of the map alone; tia-join joins such .tiapart files",
+     OPTION_PAIR(struct options, first_row, last_row), GIVEN(has_rows), .max = TIA_SIZE_MAX - 1},
+    {"threads", 'j', OPTION_NUMBER, "N", "# (default: one a processor)", TO(threads), .min = 1, .max = THREADS_MAX},
+    OPTION_END};
+
+static const struct command command = {
+    "tia-radio",
     "Usage: tia-radio SCENE --tx X,Y,Z --rx X,Y,Z --frequency HZ [OPTION...]\n"
     "       tia-radio SCENE --tx X,Y,Z --map y=HEIGHT --frequency HZ [OPTION...]\n"
     "Finds the paths of radio waves by reflection at flat faces, and what arrives. Lengths are in metres.\n"
+    "\n",
+    rows,
     "\n"
-    "      --tx X,Y,Z         a transmitter; up to 16 of them\n"
-    "      --rx X,Y,Z         a receiver; up to 16 of them\n"
-    "  -f, --frequency HZ     in hertz, or with k, M or G: 2.4G\n"
-    "      --reflections N    at most so many, 0-8 (default 2)\n"
-    "      --transmissions N  goes through at most so many walls, 0-8 (default 0)\n"
-    "      --method METHOD    image, sbr or hybrid (default image)\n"
-    "      --density N        rays of sbr and hybrid: 10 N^2 + 2, N 1-2048 (default 64)\n"
-    "      --material [NAME=]WHAT   what the scene's material NAME is, or all materials: a material of\n"
-    "                         ITU-R P.2040-3 or permittivity:E,conductivity:S; then ,thickness:M\n"
-    "      --materials        lists those materials and their frequencies\n"
-    "      --up AXIS          what is vertical: y or z (default y)\n"
-    "      --polarization P   of maps: vertical or horizontal (default vertical)\n"
-    "      --json             JSON instead of a table\n"
-    "  -o, --output FILE      the scene with its paths, or the map, as a picture (.png .ppm .bmp .565; a\n"
-    "                         part of a map .tiapart)\n"
-    "  -s, --size WxH         of the picture or map (default 640x480)\n"
-    "      --map AXIS=AT      a map of the gain across AXIS, x, y or z\n"
-    "      --area A0,B0,A1,B1   of the map along the other two axes (default: what boxes and triangles\n"
-    "                         take up)\n"
-    "      --csv FILE         the map's numbers; - is standard output\n"
-    "      --range LOW,HIGH   of the map's colours in dB (default -140,-40)\n"
-    "      --best-server      paints which transmitter is best, not how good it is\n"
-    "      --tile-rows A-B    draws these rows of the map alone; tia-join joins such .tiapart files\n"
-    "  -j, --threads N        1-1024 (default: one a processor)\n"
-    "  -h, --help, -V, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 failure, 2 wrong usage or a scene that will not do.\n";
-
-enum {
-    TX = 256,
-    RX,
-    REFLECTIONS,
-    TRANSMISSIONS,
-    METHOD,
-    DENSITY,
-    MATERIAL,
-    MATERIALS,
-    UP,
-    POLARIZATION,
-    JSON,
-    MAP,
-    AREA,
-    CSV,
-    RANGE,
-    BEST_SERVER,
-    TILE_ROWS
-};
-
-static const struct option longs[] = {{"tx", required_argument, NULL, TX},
-                                      {"rx", required_argument, NULL, RX},
-                                      {"frequency", required_argument, NULL, 'f'},
-                                      {"reflections", required_argument, NULL, REFLECTIONS},
-                                      {"transmissions", required_argument, NULL, TRANSMISSIONS},
-                                      {"method", required_argument, NULL, METHOD},
-                                      {"density", required_argument, NULL, DENSITY},
-                                      {"material", required_argument, NULL, MATERIAL},
-                                      {"materials", no_argument, NULL, MATERIALS},
-                                      {"up", required_argument, NULL, UP},
-                                      {"polarization", required_argument, NULL, POLARIZATION},
-                                      {"json", no_argument, NULL, JSON},
-                                      {"output", required_argument, NULL, 'o'},
-                                      {"size", required_argument, NULL, 's'},
-                                      {"map", required_argument, NULL, MAP},
-                                      {"area", required_argument, NULL, AREA},
-                                      {"csv", required_argument, NULL, CSV},
-                                      {"range", required_argument, NULL, RANGE},
-                                      {"best-server", no_argument, NULL, BEST_SERVER},
-                                      {"tile-rows", required_argument, NULL, TILE_ROWS},
-                                      {"threads", required_argument, NULL, 'j'},
-                                      {"help", no_argument, NULL, 'h'},
-                                      {"version", no_argument, NULL, 'V'},
-                                      {0}};
+    "Exit status: 0 fine, 1 failure, 2 wrong usage or a scene that will not do.\n"};
 
 static int list_materials(void)
 {
@@ -98,87 +205,7 @@ static int list_materials(void)
                  "material", "from GHz", "to GHz", "a", "b", "c", "d");
     for (const struct itu_row *row = itu_rows; row->name; row++)
         (void)printf("%-18s %8g %8g %8g %6g %9g %8g\n", row->name, row->low, row->high, row->a, row->b, row->c, row->d);
-    return message_output("tia-radio", "") ? FAILED : -1;
-}
-
-/* ---- the command line ---- */
-
-static int parse_words(struct options *o, int option, const char *text)
-{
-    switch (option) {
-    case METHOD:
-        for (o->method = METHOD_IMAGE; o->method < METHODS; o->method++)
-            if (strcmp(text, method_name(o->method)) == 0)
-                return FINE;
-        return wrong("--method", text, "not image, sbr or hybrid");
-    case UP:
-        o->up = text[0] - 'x';
-        return strcmp(text, "y") == 0 || strcmp(text, "z") == 0 ? FINE : wrong("--up", text, "not y or z");
-    case POLARIZATION:
-        o->horizontal = strcmp(text, "horizontal") == 0;
-        return o->horizontal || strcmp(text, "vertical") == 0
-                   ? FINE
-                   : wrong("--polarization", text, "not vertical or horizontal");
-    case AREA:
-        o->has_area = parse_numbers(text, o->area, 4) && o->area[0] < o->area[2] && o->area[1] < o->area[3] &&
-                      fabs(o->area[0]) < 32767 && fabs(o->area[1]) < 32767 && fabs(o->area[2]) < 32767 &&
-                      fabs(o->area[3]) < 32767;
-        return o->has_area ? FINE : wrong("--area", text, "not A0,B0,A1,B1 in metres, rising, within 32767");
-    default: {
-        double range[2];
-        if (!parse_numbers(text, range, 2) || range[0] >= range[1])
-            return wrong("--range", text, "not LOW,HIGH in dB (-120,-60)");
-        o->low = range[0];
-        o->high = range[1];
-        return FINE;
-    }
-    }
-}
-
-static int parse_option(struct options *o, int option, char **argv)
-{
-    switch (option) {
-    case TX:
-        return parse_place("--tx", optarg, o->tx_at, &o->tx_count);
-    case RX:
-        return parse_place("--rx", optarg, o->rx_at, &o->rx_count);
-    case 'f':
-        return parse_frequency(optarg, &o->frequency);
-    case REFLECTIONS:
-        return parse_count("--reflections", optarg, 0, TIA_RADIO_ORDER_MAX, &o->order);
-    case TRANSMISSIONS:
-        return parse_count("--transmissions", optarg, 0, TIA_RADIO_WALLS_MAX, &o->walls);
-    case DENSITY:
-        return parse_count("--density", optarg, 1, TIA_RADIO_DENSITY_MAX, &o->density);
-    case 'j':
-        return parse_count("--threads", optarg, 1, THREADS_MAX, &o->threads);
-    case MATERIAL:
-        return parse_material(optarg, o);
-    case 's':
-        o->has_size = true;
-        return parse_size(optarg, o);
-    case MAP:
-        return parse_map(optarg, o);
-    case TILE_ROWS:
-        return parse_rows(optarg, o);
-    case JSON:
-        o->json = true;
-        return FINE;
-    case BEST_SERVER:
-        o->best_server = true;
-        return FINE;
-    case 'o':
-        o->output = optarg;
-        return FINE;
-    case CSV:
-        o->csv = optarg;
-        return FINE;
-    case ':':
-    case '?':
-        return message_option("tia-radio", option, argv);
-    default:
-        return parse_words(o, option, optarg);
-    }
+    return message_output("tia-radio", "");
 }
 
 static int check_map(const struct options *o)
@@ -215,11 +242,11 @@ static int check_output(struct options *o)
 
 static int check(struct options *o, int argc, char **argv)
 {
-    if (optind >= argc)
+    if (argc == 0)
         return refuse(REFUSED, "no scene is named (tia-radio -h)");
-    o->scene = argv[optind++];
-    if (optind < argc)
-        return refuse(REFUSED, "%.200s: one scene at a time", argv[optind]);
+    o->scene = argv[0];
+    if (argc > 1)
+        return refuse(REFUSED, "%.200s: one scene at a time", argv[1]);
     if (o->tx_count == 0)
         return refuse(REFUSED, "--tx: is missing (tia-radio -h)");
     if (o->rx_count == 0 && o->map_axis < 0)
@@ -242,15 +269,11 @@ int arguments_parse(struct options *o, int argc, char **argv)
                           .high = -40,
                           .threads = threads_processors(),
                           .format = IMAGE_UNKNOWN};
-    int result = FINE;
-
-    opterr = 0;
-    for (int option; result == FINE && (option = getopt_long(argc, argv, ":f:o:s:j:hV", longs, NULL)) != -1;) {
-        if (option == MATERIALS)
-            return list_materials();
-        if (option == 'h' || option == 'V')
-            return message_output("tia-radio", option == 'h' ? usage : "tia-radio " TIA_VERSION "\n") ? FAILED : -1;
-        result = parse_option(o, option, argv);
-    }
-    return result != FINE ? result : check(o, argc, argv);
+    int result = command_parse(&command, o, &argc, &argv);
+    if (result != COMMAND_RUN)
+        return result;
+    if (o->lists)
+        return list_materials();
+    result = check(o, argc, argv);
+    return result == FINE ? COMMAND_RUN : result;
 }

@@ -4,7 +4,7 @@
 
 #include "options.h"
 
-/* FINE, or REFUSED after printing why; -1 after --help or the like. */
+/* COMMAND_RUN; or the status to exit with, FINE after --help or the like, else after an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef TOOLS_RADIO_OPTIONS_H
 #define TOOLS_RADIO_OPTIONS_H
 
+#include "common/command_line.h"
 #include "common/image/film.h"
 #include "links.h"
 
@@ -24,7 +25,7 @@ struct options {
     uint32_t order, walls, density;
     enum method method;
     unsigned threads;
-    bool json, best_server, horizontal;
+    bool lists, json, best_server, horizontal;
     int up;         /* the axis */
     int map_axis;   /* -1: no map */
     double map_at;  /* metres */

@@ -99,8 +99,8 @@ int main(int argc, char **argv)
     const struct options *o = &run.options;
     int result = arguments_parse(&run.options, argc, argv);
 
-    if (result != FINE)
-        return result < 0 ? FINE : result;
+    if (result != COMMAND_RUN)
+        return result;
     signals_prepare();
     struct threads *pool = threads_create(o->threads);
     run.search = (struct search){NULL, pool, o->method, o->order, o->walls, o->density};

@@ -1,6 +1,5 @@
 #include "arguments.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,72 +7,11 @@
 #include "arithmetic.h"
 #include "check.h"
 #include "common/keys.h"
-#include "common/message.h"
 #include "common/parse.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "integration.h"
 #include "lightfield.h"
-#include "parse_option.h"
-
-static const char shorts[] = ":d:o:s:k:i:n:j:hV";
-static const struct option longs[] = {{"display", required_argument, NULL, 'd'},
-                                      {"output", required_argument, NULL, 'o'},
-                                      {"format", required_argument, NULL, OPT_FORMAT},
-                                      {"scene-format", required_argument, NULL, OPT_SCENE_FORMAT},
-                                      {"strict", no_argument, NULL, OPT_STRICT},
-                                      {"size", required_argument, NULL, 's'},
-                                      {"samples", required_argument, NULL, OPT_SAMPLES},
-                                      {"depth", required_argument, NULL, OPT_DEPTH},
-                                      {"shadows", required_argument, NULL, OPT_SHADOWS},
-                                      {"integrator", required_argument, NULL, OPT_INTEGRATOR},
-                                      {"spp", required_argument, NULL, OPT_SPP},
-                                      {"samples-range", required_argument, NULL, OPT_SAMPLES_RANGE},
-                                      {"resume", required_argument, NULL, OPT_RESUME},
-                                      {"denoise", no_argument, NULL, OPT_DENOISE},
-                                      {"guide", required_argument, NULL, OPT_GUIDE},
-                                      {"time-limit", required_argument, NULL, OPT_TIME_LIMIT},
-                                      {"error", required_argument, NULL, OPT_ERROR},
-                                      {"tone", required_argument, NULL, OPT_TONE},
-                                      {"exposure", required_argument, NULL, OPT_EXPOSURE},
-                                      {"colour", required_argument, NULL, OPT_COLOUR},
-                                      {"map-size", required_argument, NULL, OPT_MAP_SIZE},
-                                      {"bias", required_argument, NULL, OPT_BIAS},
-                                      {"filter", required_argument, NULL, OPT_FILTER},
-                                      {"tessellated", required_argument, NULL, OPT_TESSELLATED},
-                                      {"keys", required_argument, NULL, 'k'},
-                                      {"input", required_argument, NULL, 'i'},
-                                      {"frames", required_argument, NULL, 'n'},
-                                      {"time", required_argument, NULL, OPT_TIME},
-                                      {"fps", required_argument, NULL, OPT_FPS},
-                                      {"frame-range", required_argument, NULL, OPT_FRAME_RANGE},
-                                      {"tile-rows", required_argument, NULL, OPT_TILE_ROWS},
-                                      {"threads", required_argument, NULL, 'j'},
-                                      {"arithmetic", required_argument, NULL, OPT_ARITHMETIC},
-                                      {"dither", no_argument, NULL, OPT_DITHER},
-                                      {"rotate", required_argument, NULL, OPT_ROTATE},
-                                      {"connector", required_argument, NULL, OPT_CONNECTOR},
-                                      {"mode", required_argument, NULL, OPT_MODE},
-                                      {"checksum", no_argument, NULL, OPT_CHECKSUM},
-                                      {"stats", no_argument, NULL, OPT_STATS},
-                                      {"stats-overlay", no_argument, NULL, OPT_STATS_OVERLAY},
-                                      {"progress", no_argument, NULL, OPT_PROGRESS},
-                                      {"view", required_argument, NULL, OPT_VIEW},
-                                      {"draw-rays", required_argument, NULL, OPT_DRAW_RAYS},
-                                      {"gaze", required_argument, NULL, OPT_GAZE},
-                                      {"view-angle", required_argument, NULL, OPT_VIEW_ANGLE},
-                                      {"w0", required_argument, NULL, OPT_W0},
-                                      {"m", required_argument, NULL, OPT_M},
-                                      {"smooth", no_argument, NULL, OPT_SMOOTH},
-                                      {"views", required_argument, NULL, OPT_VIEWS},
-                                      {"lenticular", required_argument, NULL, OPT_LENTICULAR},
-                                      {"calibration", required_argument, NULL, OPT_CALIBRATION},
-                                      {"modules", required_argument, NULL, OPT_MODULES},
-                                      {"module-range", required_argument, NULL, OPT_MODULE_RANGE},
-                                      {"list-displays", no_argument, NULL, OPT_LIST},
-                                      {"help", no_argument, NULL, 'h'},
-                                      {"version", no_argument, NULL, 'V'},
-                                      {NULL, 0, NULL, 0}};
 
 /* The widest level that there is and that the environment does not mask. */
 static int choose_simd(struct options *options)
@@ -96,20 +34,17 @@ int arguments_parse(struct options *options, int argc, char **argv)
                                 .input = "auto",
                                 .rate = {25, 1},
                                 .threads = threads_processors()};
-    opterr = 0;
-    for (int option; (option = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
-        int result = option == ':' || option == '?' ? message_option("tia", option, argv)
-                                                    : parse_option(options, option, optarg);
-        if (result != EXIT_FINE || options->action == ACTION_HELP || options->action == ACTION_VERSION)
-            return result;
-    }
-    options->scene_path = argv[optind]; /* NULL after the last argument */
-    options->scene_paths = argv + optind;
-    options->scene_count = (uint32_t)(argc - optind);
+    int status = command_parse(&tia_command, options, &argc, &argv);
+    if (status != COMMAND_RUN)
+        return status;
+    options->scene_path = argv[0]; /* NULL after the last argument */
+    options->scene_paths = argv;
+    options->scene_count = (uint32_t)argc;
     options->format_of_scenes = options->scene_format;
     options->plain_core = options->core;
-    int status = check(options);
-    return status ? status : choose_simd(options);
+    status = check(options);
+    status = status ? status : choose_simd(options);
+    return status ? status : COMMAND_RUN;
 }
 
 /* ---- loading the scene and its keys ---- */

@@ -4,10 +4,7 @@
 
 #include "options.h"
 
-/* As parse_option. */
-int gaze_parse(struct options *options, int option, char *value);
-
-/* EXIT_FINE, or EXIT_USAGE after an error message. Sets the defaults of what is not given. */
+/* EXIT_FINE, or EXIT_USAGE after an error message. */
 int gaze_check(struct options *options);
 
 /* The viewer's gaze: none where none is given. */

@@ -4,9 +4,6 @@
 
 #include "options.h"
 
-/* As parse_option. */
-int integration_parse(struct options *options, int option, char *value);
-
 /* Applies the options to the scene, and chooses how many bits a picture has. EXIT_FINE, or EXIT_USAGE after an error
  * message. */
 int integration_load(struct options *options);

@@ -6,25 +6,10 @@
 #include "common/image/series.h"
 #include "common/lenticular.h"
 #include "common/modules.h"
-#include "common/parse.h"
 #include "common/quilt.h"
 #include "fail.h"
-#include "option_codes.h"
-
-enum { PICTURES_MAX = MODULES_MAX };
 
 /* ---- the command line alone ---- */
-
-static int set_module_range(struct options *options, const char *value)
-{
-    const char *rest;
-
-    options->light.module_range = options->frame_range = true;
-    if (!parse_number(value, &rest, 0, PICTURES_MAX - 1, &options->first_frame) || *rest != '-' ||
-        !parse_number(rest + 1, NULL, options->first_frame, PICTURES_MAX - 1, &options->last_frame))
-        return wrong("--module-range", value, "not a range (FIRST-LAST, counted from 0)");
-    return EXIT_FINE;
-}
 
 /* EXIT_FINE, or the status of a failure after its message. */
 static int take_lens(struct light_options *light, const struct lenticular *panel, int status)
@@ -37,11 +22,11 @@ static int take_lens(struct light_options *light, const struct lenticular *panel
     return EXIT_FINE;
 }
 
-static int parse_lens(struct light_options *light, const char *value)
+static int parse_lens(struct light_options *light)
 {
     struct lenticular panel;
 
-    return take_lens(light, &panel, lenticular_parse(&panel, value));
+    return take_lens(light, &panel, lenticular_parse(&panel, light->lenticular));
 }
 
 static int read_lens(struct light_options *light)
@@ -49,29 +34,6 @@ static int read_lens(struct light_options *light)
     struct lenticular panel;
 
     return take_lens(light, &panel, calibration_read(&panel, light->calibration));
-}
-
-int light_parse(struct options *options, int option, char *value)
-{
-    struct light_options *light = &options->light;
-
-    switch (option) {
-    case OPT_VIEWS:
-        if (!parse_number(value, NULL, 1, PICTURES_MAX, &light->views))
-            return wrong("--views", value, "not a number from 1 to 65536");
-        return EXIT_FINE;
-    case OPT_LENTICULAR:
-        light->lenticular = true;
-        return parse_lens(light, value);
-    case OPT_CALIBRATION:
-        light->calibration = value;
-        return EXIT_FINE;
-    case OPT_MODULES:
-        light->modules = value;
-        return EXIT_FINE;
-    default:
-        return set_module_range(options, value);
-    }
 }
 
 /* The option that asks for a light field; NULL: none. */
@@ -103,10 +65,16 @@ int light_check(struct options *options)
     struct tia_quilt quilt;
     uint32_t aspect;
     bool quilted = options->output && quilt_named(options->output, &quilt, &aspect);
+    int fields = (light->modules != NULL) + (light->views != 0) + (light->calibration != NULL) +
+                 (light->lenticular != NULL) + quilted;
 
+    int status = light->lenticular ? parse_lens(light) : EXIT_FINE;
+    if (status != EXIT_FINE)
+        return status;
+    options->frame_range = options->frame_range || light->module_range;
     if (light->module_range && !light->modules)
         return fail(EXIT_USAGE, "--module-range: needs --modules");
-    if ((light->modules != NULL) + (light->views != 0) + (light->calibration != NULL) + light->lenticular + quilted > 1)
+    if (fields > 1)
         return fail(EXIT_USAGE, "--%s: not with %s", option_of(light), quilted ? "a quilt" : "another light field");
     return light->modules || light->views ? check_pictures(options) : EXIT_FINE;
 }

@@ -6,10 +6,8 @@
 #include "lightfield_options.h"
 #include "options.h"
 
-/* Takes one of its options. EXIT_FINE, or EXIT_USAGE after an error message. */
-int light_parse(struct options *options, int option, char *value);
-
-/* What the command line says by itself; then what it says of the scene, which gets its field. */
+/* Checks the options by themselves; then loads what they say of the scene, which gets its field. EXIT_FINE, or the
+ * status after an error message. */
 int light_check(struct options *options);
 int light_load(struct options *options);
 

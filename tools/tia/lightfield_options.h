@@ -5,9 +5,9 @@
 #include <tia/lightfield.h>
 
 struct light_options {
-    const char *calibration, *modules; /* NULL: not given */
-    uint32_t views;                    /* 0: not given */
-    bool lenticular, module_range;
+    const char *lenticular, *calibration, *modules; /* NULL: not given */
+    uint32_t views;                                 /* 0: not given */
+    bool module_range;
 
     struct tia_light_field field;
     bool has_field;

@@ -4,12 +4,13 @@
 
 #include <tia/tia.h>
 
+#include "common/command_line.h"
 #include "common/image/image.h"
 #include "common/scene/scene.h"
 #include "common/views/views.h"
 #include "lightfield_options.h"
 
-enum action { ACTION_SHOW, ACTION_DRAW, ACTION_HELP, ACTION_VERSION, ACTION_LIST, ACTION_MODES };
+enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
 
 struct options {
     enum action action;
@@ -43,7 +44,7 @@ struct options {
     struct light_options light;
     struct tia_gaze gaze; /* its angle 0: the default */
     bool gazes;
-    const char *gaze_option;              /* one that needs a gaze; NULL: none is given */
+    bool w0_given, m_given;
     const struct tia_simd *simd;          /* vector units; NULL: plain C */
     const char *display, *display_device; /* "auto" and NULL by default */
     const char *input, *input_device;
@@ -64,7 +65,6 @@ struct options {
     bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 
-/* Ends with NULL. */
-extern const char *const options_help[];
+extern const struct command tia_command; /* of struct options */
 
 #endif

@@ -7,7 +7,6 @@
 #include <tia/tia.h>
 
 #include "arguments.h"
-#include "common/message.h"
 #include "common/signals.h"
 #include "draw.h"
 #include "estimate.h"
@@ -23,27 +22,9 @@ static void fill_descriptors(void)
             (void)open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-static int print(const char *text)
-{
-    return message_output("tia", text);
-}
-
-static int print_help(void)
-{
-    int status = EXIT_FINE;
-
-    for (const char *const *piece = options_help; *piece && status == EXIT_FINE; piece++)
-        status = print(*piece);
-    return status;
-}
-
 static int act(struct options *options)
 {
     switch (options->action) {
-    case ACTION_HELP:
-        return print_help();
-    case ACTION_VERSION:
-        return print("tia " TIA_VERSION "\n");
     case ACTION_LIST:
         return show_list(NULL);
     case ACTION_MODES:
@@ -57,16 +38,22 @@ static int act(struct options *options)
     }
 }
 
+static int run(struct options *options)
+{
+    bool draws = options->action == ACTION_DRAW || options->action == ACTION_SHOW;
+    int status = draws ? arguments_load(options) : EXIT_FINE;
+
+    return status == EXIT_FINE ? act(options) : status;
+}
+
 int main(int argc, char **argv)
 {
     struct options options;
     fill_descriptors();
     signals_prepare();
     int status = arguments_parse(&options, argc, argv);
-    if (status == EXIT_FINE && (options.action == ACTION_DRAW || options.action == ACTION_SHOW))
-        status = arguments_load(&options);
-    if (status == EXIT_FINE)
-        status = act(&options);
+    if (status == COMMAND_RUN)
+        status = run(&options);
     arguments_free(&options);
     return status;
 }

@@ -128,8 +128,8 @@ static void egl_read(struct gl_screen *screen)
     }
 }
 
-/* Destroying the context frees its frame buffer object. The display is not terminated: it belongs to the whole program,
- * without reference counting, so termination would destroy the contexts of others. */
+/* Destroying the context frees its frame buffer object. The display is not terminated: it belongs to the whole
+ * program, without reference counting, so that would destroy the contexts of others. */
 static void egl_close(struct gl_screen *screen)
 {
     struct egl *egl = screen->state;

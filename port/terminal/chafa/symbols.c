@@ -1,4 +1,4 @@
-/* symbols.c - characters and colours chosen by libchafa; only changes are written. */
+/* symbols.c - libchafa chooses the characters and their colours; what changed is written here. */
 #include "terminal/symbols.h"
 
 #include <chafa.h>
@@ -18,7 +18,7 @@ struct symbol {
     uint32_t code, fore, back;
 };
 
-/* The terminal's cursor position and present colours. */
+/* Where the cursor is and which colours it has. */
 struct pen {
     unsigned column, row;
     uint32_t fore, back;
@@ -79,7 +79,7 @@ static uint32_t code_of(gint colour, bool direct)
     return direct ? c : colour_nearest((struct rgb8){(uint8_t)(c >> 16), (uint8_t)(c >> 8), (uint8_t)c});
 }
 
-/* Returns a cell's symbol. A cell of one colour is a space, which needs no foreground colour. */
+/* A character of one colour is a space, which needs no foreground colour. */
 static struct symbol symbol_at(ChafaCanvas *canvas, unsigned column, unsigned row, bool direct)
 {
     gint fore, back;
@@ -133,7 +133,7 @@ static void put_symbol(struct pen *pen, const struct symbol *s, bool direct, str
     text_add(text, character);
 }
 
-/* Adds the symbols that changed. The canvas has the rows from `top` on. */
+/* The canvas has the rows from `top` on. */
 static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned top, unsigned rows, bool direct,
                         struct text *text)
 {

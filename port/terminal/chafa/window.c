@@ -1,4 +1,4 @@
-/* window.c - the size of pictures in a terminal's window. */
+/* window.c - how large pictures are in a terminal's window. */
 #include <stdlib.h>
 #include <sys/ioctl.h>
 
@@ -27,8 +27,7 @@ enum pictures pictures_find(int fd, struct cell *cell)
     return found;
 }
 
-/* Returns the reason why the multiplexer cannot show such pictures, or NULL: it drops them silently. It reports itself
- * if it supports sixel. */
+/* What a multiplexer does not show it drops without a word. Of sixel it says itself whether it does. */
 static const char *multiplexer_needs(int fd, enum pictures pictures)
 {
     const char *term = getenv("TERM");
@@ -55,11 +54,11 @@ static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
 }
 
-/* Limits of a strip: sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
+/* Sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
 #define STRIP_PIXELS (1u << 19)
 #define SYMBOLS_PIXELS (1u << 18)
 
-/* Returns the least common multiple of both. */
+/* The least common multiple of both. */
 static unsigned common(unsigned a, unsigned b)
 {
     unsigned multiple = a;

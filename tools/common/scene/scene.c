@@ -17,7 +17,7 @@
 
 static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj"};
 
-int scene_format_called(const char *name)
+static int format_called(const char *name)
 {
     for (int format = TIA_FORMAT_TIA; format <= TIA_FORMAT_OBJ; format++)
         if (strcasecmp(name, names[format]) == 0)
@@ -28,7 +28,7 @@ int scene_format_called(const char *name)
 int scene_format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    return dot ? scene_format_called(dot + 1) : SCENE_UNKNOWN;
+    return dot ? format_called(dot + 1) : SCENE_UNKNOWN;
 }
 
 static const char *shown(const struct scene_file *file)

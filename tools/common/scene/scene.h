@@ -6,8 +6,7 @@
 
 #define SCENE_UNKNOWN (-1)
 
-/* The format called `name` ("tia"), or that of a file by its extension; SCENE_UNKNOWN for others. */
-int scene_format_called(const char *name);
+/* The format of a file by its extension; SCENE_UNKNOWN for others. */
 int scene_format_of(const char *path);
 
 /* Reads the scene `path` ("-": standard input) of `format` (enum tia_format). Files that it refers to are relative to

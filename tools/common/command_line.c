@@ -1,0 +1,301 @@
+#include "command_line.h"
+
+#include <getopt.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include <tia/tia.h>
+
+#include "message.h"
+#include "parse.h"
+
+enum {
+    OPTIONS_MOST = 96, /* in a table */
+    CODE = 256,        /* of the first row: greater than any letter */
+    TEXT_SIZE = 400,
+    LINE_WIDTH = 100,
+    LEFT_MOST = 32 /* for the texts' column; wider rows have theirs on the next line */
+};
+
+/* ---- values ---- */
+
+/* Returns the index of `value` among the words of "a|b|c"; -1: it is none of them. */
+static int word_of(const char *words, const char *value)
+{
+    size_t length = strlen(value);
+
+    for (int i = 0;; i++) {
+        size_t word = strcspn(words, "|");
+        if (word == length && strncasecmp(words, value, length) == 0)
+            return i;
+        if (words[word] == '\0')
+            return -1;
+        words += word + 1;
+    }
+}
+
+static bool has_words(const struct option_row *row)
+{
+    return row->argument && strchr(row->argument, '|');
+}
+
+static void store(const struct option_row *row, void *to, uint64_t value)
+{
+    uint8_t byte = (uint8_t)value;
+    uint16_t half = (uint16_t)value;
+    uint32_t word = (uint32_t)value;
+    const void *from = row->size == 1   ? (const void *)&byte
+                       : row->size == 2 ? (const void *)&half
+                       : row->size == 4 ? (const void *)&word
+                                        : &value;
+
+    memcpy(to, from, row->size);
+}
+
+static bool parse_pair(const struct option_row *row, const char *value, uint64_t pair[2])
+{
+    char separator = row->kind == OPTION_SIZE ? 'x' : row->kind == OPTION_PIXEL ? ',' : '-';
+    uint64_t low = row->kind == OPTION_SIZE;
+    const char *rest;
+
+    return parse_wide(value, &rest, low, row->max, &pair[0]) && *rest == separator &&
+           parse_wide(rest + 1, NULL, row->kind == OPTION_RANGE ? pair[0] : low, row->max, &pair[1]);
+}
+
+static bool parse_decimal(const struct option_row *row, const char *value, uint64_t *number)
+{
+    tia_q16 scaled;
+    bool fine = parse_scaled(value, row->bits, &scaled);
+
+    *number = fine ? (uint64_t)scaled : 0;
+    return fine && *number >= row->min && *number <= row->max;
+}
+
+/* Reads the one or two numbers of a value; texts and parsed values have none. `word` is its index among the words. */
+static bool parse_numbers(const struct option_row *row, const char *value, int word, uint64_t numbers[2])
+{
+    switch (row->kind) {
+    case OPTION_FLAG:
+        numbers[0] = true;
+        return true;
+    case OPTION_CHOICE:
+        numbers[0] = row->min + (uint64_t)word;
+        return true;
+    case OPTION_NUMBER:
+        return parse_wide(value, NULL, row->min, row->max, &numbers[0]);
+    case OPTION_DECIMAL:
+        return parse_decimal(row, value, &numbers[0]);
+    default:
+        return parse_pair(row, value, numbers);
+    }
+}
+
+/* Stores a value. Returns NULL, or the mistake as `parse` does. */
+static const char *set(const struct option_row *row, char *options, char *value)
+{
+    uint64_t numbers[2];
+
+    if (row->given)
+        *(bool *)(void *)(options + row->given) = true;
+    if (row->kind == OPTION_PARSED)
+        return row->parse(options, value);
+    int word = has_words(row) ? word_of(row->argument, value) : 0;
+    if (word < 0)
+        return "";
+    if (row->kind == OPTION_TEXT) {
+        memcpy(options + row->at, &value, sizeof value);
+        return NULL;
+    }
+    if (!parse_numbers(row, value, word, numbers))
+        return "";
+    store(row, options + row->at, numbers[0]);
+    if (row->second)
+        store(row, options + row->second, numbers[1]);
+    return NULL;
+}
+
+/* ---- messages ---- */
+
+/* Writes "a|b|c" as "a, b or c". */
+static void list_words(const char *words, char *text, size_t size)
+{
+    size_t used = 0;
+
+    text[0] = '\0';
+    while (*words != '\0' && used < size) {
+        int word = (int)strcspn(words, "|");
+        bool last = words[word] == '\0';
+        const char *before = used == 0 ? "" : last ? " or " : ", ";
+        used += (size_t)snprintf(text + used, size - used, "%s%.*s", before, word, words);
+        words += word + !last;
+    }
+}
+
+static void format_limits(const struct option_row *row, char *text, size_t size)
+{
+    unsigned long long min = row->min, max = row->max;
+
+    if (row->kind == OPTION_SIZE)
+        (void)snprintf(text, size, "1x1 to %llux%llu", max, max);
+    else
+        (void)snprintf(text, size, "%llu to %llu", min, max);
+}
+
+static void format_rule(const struct option_row *row, char *text, size_t size)
+{
+    char allowed[TEXT_SIZE];
+    bool words = has_words(row);
+
+    if (words)
+        list_words(row->argument, allowed, sizeof allowed);
+    else
+        format_limits(row, allowed, sizeof allowed);
+    if (row->rule)
+        (void)snprintf(text, size, "%s", row->rule);
+    else if (row->kind == OPTION_PIXEL)
+        (void)snprintf(text, size, "not a pixel (X,Y from 0,0 at the upper left)");
+    else if (row->kind == OPTION_RANGE)
+        (void)snprintf(text, size, "not a range (FIRST-LAST, counted from 0)");
+    else if (row->kind == OPTION_SIZE)
+        (void)snprintf(text, size, "not a size (%s, like 640x480)", allowed);
+    else
+        (void)snprintf(text, size, "not %s%s", words ? "" : "a number from ", allowed);
+}
+
+static int refuse(const struct command *command, const struct option_row *row, const char *value, const char *mistake)
+{
+    char rule[TEXT_SIZE + 40];
+
+    format_rule(row, rule, sizeof rule);
+    return message(command->name, 2, "--%s '%.200s': %s", row->name, value ? value : "", *mistake ? mistake : rule);
+}
+
+/* Reports an option that getopt_long refused: its code is ':' for a missing value, '?' for anything else. */
+static int refuse_option(const char *tool, int code, char **argv)
+{
+    const char letter[] = {'-', (char)optopt, '\0'};
+    bool is_short = optopt > 0 && optopt < CODE && strncmp(argv[optind - 1], "--", 2) != 0;
+    const char *name = is_short ? letter : argv[optind - 1];
+
+    if (code == ':')
+        return message(tool, 2, "%.200s: a value is missing (%s -h shows which)", name, tool);
+    if (!is_short && optopt != 0)
+        return message(tool, 2, "%.200s: takes no value", name);
+    return message(tool, 2, "%.200s: unknown option (%s -h lists them)", name, tool);
+}
+
+/* ---- help ---- */
+
+/* Writes "  -s, --size WIDTHxHEIGHT". Returns its width. */
+static unsigned format_left(const struct option_row *row, char *text, size_t size)
+{
+    const char letter[] = {'-', row->letter, ',', '\0'};
+
+    return (unsigned)snprintf(text, size, "  %3s --%s%s%s", row->letter ? letter : "", row->name,
+                              row->argument ? " " : "", row->argument ? row->argument : "");
+}
+
+/* Writes the row's help, with the limits in place of '#'. */
+static void format_right(const struct option_row *row, char *text, size_t size)
+{
+    const char *mark = strchr(row->help, '#');
+    char limits[64];
+
+    format_limits(row, limits, sizeof limits);
+    (void)snprintf(text, size, "%.*s%s%s", mark ? (int)(mark - row->help) : (int)strlen(row->help), row->help,
+                   mark ? limits : "", mark ? mark + 1 : "");
+}
+
+static void print_row(const struct option_row *row, unsigned column)
+{
+    char left[TEXT_SIZE], right[TEXT_SIZE];
+    unsigned at = format_left(row, left, sizeof left);
+
+    format_right(row, right, sizeof right);
+    (void)fputs(left, stdout);
+    for (const char *word = right; *word != '\0';) {
+        unsigned length = (unsigned)strcspn(word, " ");
+        bool starts = word == right && at + 2 <= column;
+        if (!starts && (word == right || at + 1 + length > LINE_WIDTH)) {
+            (void)putchar('\n');
+            at = 0;
+        }
+        unsigned indent = at < column ? column - at : 1;
+        (void)printf("%*s%.*s", (int)indent, "", (int)length, word);
+        at += indent + length;
+        word += length + strspn(word + length, " ");
+    }
+    (void)putchar('\n');
+}
+
+static int print_help(const struct command *command)
+{
+    unsigned column = 0;
+    char left[TEXT_SIZE];
+
+    for (const struct option_row *row = command->options; row->name; row++) {
+        unsigned width = format_left(row, left, sizeof left) + 2;
+        column = width > column && width <= LEFT_MOST ? width : column;
+    }
+    (void)fputs(command->about, stdout);
+    for (const struct option_row *row = command->options; row->name; row++)
+        print_row(row, column);
+    return message_output(command->name, command->notes);
+}
+
+static int print_version(const struct command *command)
+{
+    (void)printf("%s " TIA_VERSION "\n", command->name);
+    return message_output(command->name, "");
+}
+
+/* ---- the command line ---- */
+
+static void name_options(const struct option_row *rows, struct option *longs, char *shorts)
+{
+    *shorts++ = ':';
+    for (int i = 0; rows[i].name && i < OPTIONS_MOST; i++) {
+        int has_arg = rows[i].argument ? required_argument : no_argument;
+        longs[i] = (struct option){rows[i].name, has_arg, NULL, CODE + i};
+        if (rows[i].letter)
+            *shorts++ = rows[i].letter;
+        if (rows[i].letter && rows[i].argument)
+            *shorts++ = ':';
+    }
+    *shorts = '\0';
+}
+
+/* Returns the row of a code of getopt_long; NULL: the code says that the option was refused. */
+static const struct option_row *row_of(const struct option_row *rows, int code)
+{
+    if (code >= CODE)
+        return rows + (code - CODE);
+    while (rows->name && rows->letter != code)
+        rows++;
+    return rows->name ? rows : NULL;
+}
+
+int command_parse(const struct command *command, void *options, int *argc, char ***argv)
+{
+    struct option longs[OPTIONS_MOST + 1] = {{0}};
+    char shorts[2 * OPTIONS_MOST + 2];
+
+    name_options(command->options, longs, shorts);
+    opterr = 0;
+    for (int code; (code = getopt_long(*argc, *argv, shorts, longs, NULL)) != -1;) {
+        const struct option_row *row = row_of(command->options, code);
+        if (!row)
+            return refuse_option(command->name, code, *argv);
+        if (row->kind == OPTION_HELP || row->kind == OPTION_VERSION)
+            return row->kind == OPTION_HELP ? print_help(command) : print_version(command);
+        const char *mistake = set(row, options, optarg);
+        if (mistake)
+            return refuse(command, row, optarg, mistake);
+    }
+    *argc -= optind;
+    *argv += optind;
+    return COMMAND_RUN;
+}

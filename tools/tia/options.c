@@ -1,0 +1,251 @@
+#include "options.h"
+
+#include <string.h>
+
+#include "arithmetic.h"
+#include "common/choices.h"
+#include "common/modules.h"
+#include "common/parse.h"
+#include "common/thread_pool.h"
+
+enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
+
+/* ---- values with parsers of their own: each returns NULL, or the mistake as in common/command_line.h ---- */
+
+/* Cuts "drm:/dev/dri/card1" into its name and device. */
+static const char *cut_device(char *value, const char **name, const char **device)
+{
+    char *colon = strchr(value, ':');
+    *name = value;
+    *device = colon && colon[1] != '\0' ? colon + 1 : NULL;
+    if (colon)
+        *colon = '\0';
+    return NULL;
+}
+
+static const char *set_display(void *context, char *value)
+{
+    struct options *options = context;
+
+    return cut_device(value, &options->display, &options->display_device);
+}
+
+static const char *set_input(void *context, char *value)
+{
+    struct options *options = context;
+
+    return cut_device(value, &options->input, &options->input_device);
+}
+
+static const char *set_connector(void *context, char *value)
+{
+    struct options *options = context;
+
+    if (strcmp(value, "help") == 0)
+        options->action = ACTION_MODES;
+    options->connector = value;
+    return NULL;
+}
+
+static const char *set_mode(void *context, char *value)
+{
+    struct options *options = context;
+    bool lists = strcmp(value, "help") == 0;
+
+    if (lists)
+        options->action = ACTION_MODES;
+    options->mode = value;
+    return lists || parse_mode(value) ? NULL : "";
+}
+
+static const char *set_list(void *context, char *value)
+{
+    struct options *options = context;
+
+    (void)value;
+    options->action = ACTION_LIST;
+    return NULL;
+}
+
+static const char *set_arithmetic(void *context, char *value)
+{
+    struct options *options = context;
+
+    options->core = arithmetic_called(value);
+    return options->core ? NULL : arithmetic_missing(value);
+}
+
+static const char *set_rate(void *context, char *value)
+{
+    struct options *options = context;
+
+    return parse_rate(value, options->rate) ? NULL : "";
+}
+
+/* Accepts "none", or a bias and its amount: "slope=1.5". */
+static const char *set_bias(void *context, char *value)
+{
+    struct options *options = context;
+    size_t length = strcspn(value, "=");
+    const char *name;
+
+    for (unsigned i = TIA_BIAS_NONE; (name = tia_bias_name(i)) != NULL; i++) {
+        if (strncmp(name, value, length) != 0 || name[length] != '\0')
+            continue;
+        options->map.bias = (enum tia_bias)i;
+        options->map.amount = 0;
+        if (i == TIA_BIAS_NONE ? !value[length]
+                               : value[length] && parse_seconds(value + length + 1, &options->map.amount))
+            return NULL;
+    }
+    return "";
+}
+
+/* Accepts "ao=2.5" as well, which it cuts at the '='. */
+static const char *set_integrator(void *context, char *value)
+{
+    struct options *options = context;
+    char *equals = strchr(value, '=');
+    const char *name;
+
+    if (equals)
+        *equals = '\0';
+    options->distance = equals ? equals + 1 : NULL;
+    for (unsigned i = 0; (name = tia_integrator_name(i)) != NULL; i++)
+        if (!strcmp(name, value)) {
+            options->integrator = i + 1;
+            return equals && i != TIA_OCCLUSION ? "has no distance (ao=2.5 has)" : NULL;
+        }
+    return "";
+}
+
+static const char *set_colour(void *context, char *value)
+{
+    struct options *options = context;
+
+    options->depth_bits = !strcmp(value, "888") ? 8 : !strcmp(value, "16") ? 16 : 0;
+    return options->depth_bits || !strcmp(value, "565") ? NULL : "";
+}
+
+/* ---- the table, in the manual's order ---- */
+
+#define TO(member) OPTION_TO(struct options, member)
+#define PAIR(first, last) OPTION_PAIR(struct options, first, last)
+#define GIVEN(member) .given = offsetof(struct options, member)
+#define PARSED(function) .parse = (function)
+
+static const struct option_row rows[] = {
+    {"display", 'd', OPTION_PARSED, "auto|drm|fbdev|terminal|none[:DEVICE]",
+     "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty", PARSED(set_display)},
+    {"output", 'o', OPTION_TEXT, "FILE",
+     "draw into FILE instead, or -: a picture (.png .ppm .bmp .565 .pfm), a film (.y4m, or a picture a frame with %04d "
+     "in its name) or a part for tia-join (.tiapart)",
+     TO(output)},
+    {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "when FILE's name does not say", TO(format), .min = IMAGE_PNG},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "#; default the display's, 640x480 for a file", PAIR(width, height),
+     .max = TIA_SIZE_MAX},
+    {"samples", 0, OPTION_NUMBER, "1|4|16", "rays a pixel, against jagged edges; default the scene's", TO(samples),
+     .max = TIA_SAMPLES_MAX},
+    {"depth", 0, OPTION_NUMBER, "N", "bends and reflections of a ray, #; default the scene's", TO(depth), .min = 1,
+     .max = TIA_DEPTH_MAX},
+    {"integrator", 0, OPTION_PARSED, "whitted|ao|ao=DISTANCE|path", "how light is summed up; default the scene's",
+     PARSED(set_integrator)},
+    {"spp", 0, OPTION_NUMBER, "N", "of ao and path: samples a pixel, #", TO(spp), .min = 1, .max = TIA_SPP_MAX},
+    {"samples-range", 0, OPTION_RANGE, "FIRST-LAST", "only these samples, counted from 0, into a part (.tiapart)",
+     PAIR(first_sample, last_sample), GIVEN(samples_range), .max = UINT32_MAX - 1},
+    {"resume", 0, OPTION_TEXT, "FILE", "keep finished rows and frames in FILE, and go on with them", TO(resume)},
+    {"time-limit", 0, OPTION_DECIMAL, "SECONDS", "of ao and path: end after that time", TO(time_limit), .min = 1,
+     .max = INT32_MAX, .rule = "not a number of seconds (above 0, to 32767.999, like 10)"},
+    {"error", 0, OPTION_DECIMAL, "PART", "of ao and path: end at this estimated error, 0.02 for 2 percent", TO(error),
+     .min = 1, .max = TIA_Q16_ONE, .rule = "not an error (0.0001 to 1, like 0.02)"},
+    {"denoise", 0, OPTION_FLAG, NULL, "of ao and path: take the noise out of a .png, .ppm or .pfm", TO(denoise)},
+    {"guide", 0, OPTION_CHOICE, "normal|depth|albedo|error", "draw what --denoise goes by instead", TO(guide),
+     .min = TIA_SHOW_NORMAL},
+    {"tone", 0, OPTION_CHOICE, "linear|srgb", "of ao and path", TO(tone), .min = TIA_TONE_LINEAR},
+    {"exposure", 0, OPTION_TEXT, "STOPS", "of ao and path: 2^STOPS times as bright", TO(exposure)},
+    {"colour", 0, OPTION_PARSED, "565|888|16", "bits a channel of a .png or .ppm", PARSED(set_colour),
+     GIVEN(colour_given)},
+    {"shadows", 0, OPTION_CHOICE, SHADOW_TECHNIQUES, "the technique for them; default the scene's", TO(shadows),
+     .min = 1},
+    {"map-size", 0, OPTION_NUMBER, "64|128|256|512|1024|2048|4096", "texels along a shadow map's side", TO(map.size),
+     .max = TIA_MAP_SIZE_MAX},
+    {"bias", 0, OPTION_PARSED, "none|constant=A|slope=A|normal=A|plane=A", "of shadow maps, and its amount",
+     PARSED(set_bias), .rule = "not none, or constant, slope, normal or plane with an amount (slope=1.5)"},
+    {"filter", 0, OPTION_CHOICE, "none|bilinear|3x3|5x5|7x7|poisson|pcss", "of shadow maps", TO(map.filter),
+     .min = TIA_FILTER_NONE},
+    {"tessellated", 0, OPTION_TEXT, "ERROR",
+     "if not traced, curved shapes as flat faces that are at most so far from the surface; 0: as they are",
+     TO(tessellated)},
+    {"keys", 'k', OPTION_TEXT, "KEYS",
+     "press these keys first: the scene's (a d s w) and <left> <right> <up> <down> <pgup> <pgdn>", TO(key_text)},
+    {"input", 'i', OPTION_PARSED, "auto|evdev|tty|none[:DEVICE]", "the keyboard", PARSED(set_input)},
+    {"frames", 'n', OPTION_NUMBER, "N", "stop after N frames; a film's default is the scene's keyframes", TO(frames),
+     .min = 1, .max = UINT32_MAX},
+    {"time", 0, OPTION_DECIMAL, "SECONDS", "the scene at this time; a film begins there", TO(time), .max = INT32_MAX,
+     .rule = "not a number of seconds (0 to 32767.999, like 1.25)"},
+    {"fps", 0, OPTION_PARSED, "RATE",
+     "a film's frames a second, 25 (default) or 30000/1001; on a screen without --frames, those that motion keeps, by "
+     "coarser pictures",
+     PARSED(set_rate), GIVEN(rate_given), .rule = "not a rate (1 to 1000000 frames, like 25 or 30000/1001)"},
+    {"frame-range", 0, OPTION_RANGE, "FIRST-LAST", "only these frames of a film, counted from 0",
+     PAIR(first_frame, last_frame), GIVEN(frame_range), .max = UINT32_MAX - 1},
+    {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST", "only these rows of each picture, into a part",
+     PAIR(first_row, last_row), GIVEN(tile_rows), .max = UINT32_MAX - 1},
+    {"threads", 'j', OPTION_NUMBER, "N", "#; default: all processors", TO(threads), .min = 1, .max = THREADS_MAX},
+    {"arithmetic", 0, OPTION_PARSED, "q16|f32|f64", "integers, the default, or floating point", PARSED(set_arithmetic)},
+    {"dither", 0, OPTION_FLAG, NULL, "ordered dithering against RGB565's bands", TO(dither)},
+    {"rotate", 0, OPTION_NUMBER, "0|90|180|270", "degrees clockwise", TO(rotate), .max = 270},
+    {"connector", 0, OPTION_PARSED, "NAME|help", "DRM: which socket", PARSED(set_connector)},
+    {"mode", 0, OPTION_PARSED, "preferred|WIDTHxHEIGHT[@HERTZ]|help", "DRM: the size and the rate", PARSED(set_mode),
+     .rule = "not preferred, WxH or WxH@HERTZ (--mode help lists what there is)"},
+    {"checksum", 0, OPTION_FLAG, NULL, "print each frame's number and CRC-32", TO(checksum)},
+    {"stats", 0, OPTION_FLAG, NULL, "one JSON object on standard error at the end", TO(stats)},
+    {"stats-overlay", 0, OPTION_FLAG, NULL, "and on the picture: times, frames a second, latency", TO(stats_overlay)},
+    {"progress", 0, OPTION_FLAG, NULL,
+     "percent and time left: on a coarse picture, or of a file, a line each second where standard error is no terminal",
+     TO(progress)},
+    {"view", 0, OPTION_CHOICE, "colour|depth|normal|object|cost|light|path", "false colours", TO(views.view)},
+    {"draw-rays", 0, OPTION_PIXEL, "X,Y", "the rays of this pixel, drawn into the picture", PAIR(views.x, views.y),
+     GIVEN(views.draws_rays), .max = TIA_SIZE_MAX - 1},
+    {"views", 0, OPTION_NUMBER, "N",
+     "a picture of each of N views of a camera lightfield, into a name with %03d; into NAME_qs8x6a0.75.png goes a "
+     "quilt "
+     "of 8 x 6",
+     TO(light.views), .min = 1, .max = MODULES_MAX},
+    {"lenticular", 0, OPTION_TEXT, "KEYS",
+     "what a panel with lenses shows: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert",
+     TO(light.lenticular)},
+    {"calibration", 0, OPTION_TEXT, "FILE", "the same by visual.json, which a Looking Glass holds",
+     TO(light.calibration)},
+    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]", "a picture of each of M projectors behind the screen",
+     TO(light.modules)},
+    {"module-range", 0, OPTION_RANGE, "FIRST-LAST", "only these modules, counted from 0", PAIR(first_frame, last_frame),
+     GIVEN(light.module_range), .max = MODULES_MAX - 1},
+    {"gaze", 0, OPTION_PIXEL, "X,Y", "every pixel where the eye looks, fewer elsewhere; follows the mouse",
+     PAIR(gaze.x, gaze.y), GIVEN(gazes), .max = UINT16_MAX},
+    {"view-angle", 0, OPTION_DECIMAL, "DEGREES", "how wide the picture is to the eye, 1 to 170; default 50",
+     TO(gaze.view_angle), .min = TIA_FOV_MIN, .max = TIA_FOV_MAX, .rule = "not an angle (1 to 170 degrees)"},
+    {"w0", 0, OPTION_DECIMAL, "DEGREES", "the eye's acuity, w0 + m e: smallest angle where it looks, 1/48", TO(gaze.w0),
+     GIVEN(w0_given), .max = INT32_MAX, .bits = ACUITY_BITS, .rule = "not a number from 0 to 127 (like 0.0275)"},
+    {"m", 0, OPTION_DECIMAL, "SLOPE", "and what a degree off adds, 0.0275", TO(gaze.m), GIVEN(m_given),
+     .max = INT32_MAX, .bits = ACUITY_BITS, .rule = "not a number from 0 to 127 (like 0.0275)"},
+    {"smooth", 0, OPTION_FLAG, NULL, "interpolate what is left out", TO(gaze.smooth)},
+    {"list-displays", 0, OPTION_PARSED, NULL, "what was found, and why it can or cannot be opened", PARSED(set_list)},
+    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "when SCENE's name does not say", TO(scene_format)},
+    {"strict", 0, OPTION_FLAG, NULL, "refuse a model with mistakes that are only warned of otherwise", TO(strict)},
+    OPTION_END};
+
+const struct command tia_command = {
+    "tia",
+    "Usage: tia [options] [SCENE ...]\n"
+    "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
+    ".nff or .obj, or - for standard input; without it a ball on the ground is drawn. On a screen\n"
+    "there may be several: n and p go to the next and the previous one.\n"
+    "\n",
+    rows,
+    "\n"
+    "Keys: a scene's own put lights (a d s w: above left, above right, near, far); arrows and page\n"
+    "up/down move the first one. In the built-in scene every other key quits. In all others:\n"
+    "tab: next light   shift and arrows, page up/down: move the eye   h j k l, drag: orbit\n"
+    "+ - : zoom   home: back   n p: next, previous scene   v: next view   t: technique for shadows\n"
+    "space: pause   c: save a picture, tia-0001.png   ?: help   q, escape: quit\n"};
