@@ -21,9 +21,9 @@ def numbers(*values):
 # ---- flake: balls upon balls ----
 
 FLAKE = """\
-# flake.tia - a flake of spheres: on each ball sit nine of a third of its size, down to the fourth generation.
-# {count} balls that mirror each other; the hierarchy of boxes makes them as fast as a handful. tools/generate/scenes.py
-# wrote this.
+# flake.tia - a flake of spheres: each ball carries nine of a third of its size, down to the fourth generation.
+# {count} balls that mirror each other; the bounding volume hierarchy makes them almost as fast as a few.
+# Written by tools/generate/scenes.py.
 
 camera eye 2.4 2.1 4.8 look -0.02 0.08 0 fov 38
 samples 16
@@ -38,7 +38,7 @@ texture tiles checker even 0.46 0.46 0.48 odd 0.75 0.72 0.66 repeat 0.7
 material floor texture tiles colour 1 mirror 0.12
 plane point 0 -1.35 0 normal 0 1 0 material floor
 
-# Each generation is of another metal.
+# Each generation has another metal.
 """
 METALS = (("gold", "colour 0.30 0.20 0.05 mirror 0.62 0.46 0.18"), ("copper", "colour 0.32 0.15 0.08 mirror 0.58 0.32 0.22"),
           ("steel", "colour 0.12 0.14 0.18 mirror 0.62 0.66 0.72"), ("silver", "colour 0.25 0.25 0.27 mirror 0.60 0.60 0.62"))
@@ -84,8 +84,8 @@ def flake():
 # ---- castle: cells of a grid ----
 
 CASTLE = """\
-# castle.tia - a castle of cells on an island in a calm sea: one grid of {size} cells, walked cell by cell, so that a
-# ray's time grows with its way and not with the number of cells. tools/generate/scenes.py wrote this.
+# castle.tia - a castle of cells on an island in a calm sea: one grid of {size} cells, traversed cell by cell, so
+# that a ray's time grows with its length and not with the number of cells. Written by tools/generate/scenes.py.
 
 camera eye 36 26 54 look -1.2 5.0 0 fov 35
 samples 16
@@ -240,9 +240,9 @@ def castle():
 # ---- vase: a surface of revolution with a picture ----
 
 VASE = """\
-# vase.tia - a porcelain vase: a mesh of {faces} faces with smooth normals, its picture wrapped around it three
-# times, the glaze by Fresnel's equations' cheap cousins: a highlight and a little mirror. tools/generate/scenes.py wrote
-# this and vase.ppm.
+# vase.tia - a porcelain vase: a mesh of {faces} faces with smooth normals, a texture that repeats three times
+# around it, and a glaze of a highlight and a weak mirror, cheaper than Fresnel's equations. This file and vase.ppm are
+# written by tools/generate/scenes.py.
 
 camera eye 0.6 3.3 9.0 look 0.35 1.62 0 fov 33
 samples 16

@@ -26,36 +26,34 @@ static const char *set_percentage(void *context, char *value)
 enum { COUNT_MAX = 1000000 };
 
 static const struct option_row rows[] = {
-    {"keys", 'k', OPTION_TEXT, "KEYS", "the built-in scene after these keys; default: as it is, a, d, s, w", TO(keys)},
-    {"random", 0, OPTION_NUMBER, "N", "N random scenes of balls instead", TO(random), .min = 1, .max = COUNT_MAX},
-    {"rays-random", 0, OPTION_NUMBER, "N", "N random scenes of all shapes, mirrors, glass and lights instead",
+    {"keys", 'k', OPTION_TEXT, "KEYS", "draw the built-in scene after these keys; default: none, a, d, s, w", TO(keys)},
+    {"random", 0, OPTION_NUMBER, "N", "draw N random scenes of balls instead", TO(random), .min = 1, .max = COUNT_MAX},
+    {"rays-random", 0, OPTION_NUMBER, "N", "draw N random scenes of all shapes, mirrors, glass and lights instead",
      TO(rays_random), .min = 1, .max = COUNT_MAX},
-    {"seed", 0, OPTION_NUMBER, "S", "of this series (default 1)", TO(seed), .max = UINT64_MAX},
-    {"thesis", 0, OPTION_FLAG, NULL, "the built-in scene's frames besides the others", TO(thesis)},
-    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "default 1920x1080, files 640x480, random scenes their own",
+    {"seed", 0, OPTION_NUMBER, "S", "the seed of the random scenes (default 1)", TO(seed), .max = UINT64_MAX},
+    {"thesis", 0, OPTION_FLAG, NULL, "draw the frames of the built-in scene as well", TO(thesis)},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the size of the pictures; default 1920x1080, 640x480 for files",
      OPTION_PAIR(struct options, width, height), .max = TIA_SIZE_MAX},
     {"threads", 'j', OPTION_NUMBER, "N", "#; default: all processors", TO(threads), .min = 1, .max = THREADS_MAX},
-    {"json", 0, OPTION_FLAG, NULL, "one JSON object instead of the table", TO(json)},
-    {"summary", 0, OPTION_FLAG, NULL, "the sums alone", TO(summary)},
+    {"json", 0, OPTION_FLAG, NULL, "print one JSON object instead of the table", TO(json)},
+    {"summary", 0, OPTION_FLAG, NULL, "print only the totals", TO(summary)},
     {"heatmap", 0, OPTION_TEXT, "FILE.png",
-     "where the differences are, q16 left and f32 right: yellow one level, red more, cyan another object or shadow; "
-     "with "
-     "several frames FILE-1.png, FILE-2.png, ...",
+     "draw the differences, q16 left and f32 right: yellow one level, red more, cyan a flip; several frames are named "
+     "FILE-1.png, FILE-2.png, ...",
      TO(heatmap)},
-    {"require-identical", 0, OPTION_PARSED, "PERCENT", "fail when fewer of q16's pixels are identical",
+    {"require-identical", 0, OPTION_PARSED, "PERCENT", "fail if fewer of the pixels of q16 are identical",
      .parse = set_percentage, .rule = "not a percentage from 0 to 100"},
-    {"max-flips", 0, OPTION_NUMBER, "N", "fail when more than N of q16's pixels show another object or shadow",
-     TO(max_flips), .max = INT64_MAX},
-    {"max-levels", 0, OPTION_NUMBER, "N", "fail when another of q16's pixels is off by more than N levels",
+    {"max-flips", 0, OPTION_NUMBER, "N", "fail if q16 has more than N flips", TO(max_flips), .max = INT64_MAX},
+    {"max-levels", 0, OPTION_NUMBER, "N", "fail if a pixel of q16, without being a flip, is off by more than N levels",
      TO(max_levels), .max = INT64_MAX},
     {"shadows", 0, OPTION_FLAG, NULL,
-     "compare techniques for shadows with rays instead: pixels, time, memory; with --keys, --size, --threads, --json "
-     "and "
-     "--heatmap, a panel for each technique: red wrongly lit, blue wrongly dark, yellow another object",
+     "compare shadow techniques with rays instead: pixels, time, memory; goes with --keys, --size, --threads, --json "
+     "and --heatmap, a panel for each technique: red wrongly lit, blue wrongly dark, yellow another object",
      TO(shadows)},
-    {"technique", 0, OPTION_TEXT, SHADOW_TECHNIQUES, "only this one", TO(technique)},
-    {"light", 0, OPTION_NUMBER, "N", "only light N of the scene, from 1", TO(light), .min = 1, .max = COUNT_MAX},
-    {"best-of", 0, OPTION_NUMBER, "N", "times are the least of N frames (default 3)", TO(best_of), .min = 1,
+    {"technique", 0, OPTION_TEXT, SHADOW_TECHNIQUES, "compare only this technique", TO(technique)},
+    {"light", 0, OPTION_NUMBER, "N", "compare only light N of the scene, counted from 1", TO(light), .min = 1,
+     .max = COUNT_MAX},
+    {"best-of", 0, OPTION_NUMBER, "N", "report the shortest time of N frames (default 3)", TO(best_of), .min = 1,
      .max = COUNT_MAX},
     OPTION_END};
 
@@ -67,7 +65,7 @@ static const struct command command = {
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 a bound is not met or something failed, 2 wrong usage.\n"};
+    "Exit status: 0 success, 1 a limit is exceeded or something failed, 2 usage error.\n"};
 
 static int mistake(const char *what, const char *why)
 {
@@ -87,7 +85,7 @@ static int check_shadows(struct options *options)
     if (!options->shadows && options->technique)
         return mistake("--technique", "needs --shadows");
     if (options->shadows && others)
-        return mistake("--shadows", "goes with no option for arithmetics");
+        return mistake("--shadows", "cannot be combined with options for arithmetics");
     if (options->shadows && options->scene_count == 0)
         return mistake("--shadows", "needs a SCENE");
     options->best_of = options->best_of ? options->best_of : 3;

@@ -46,31 +46,32 @@ static const char *add_size(void *context, char *value)
 #define TO(member) OPTION_TO(struct request, member)
 
 static const struct option_row rows[] = {
-    {"output", 'o', OPTION_TEXT, "FILE.c", "- is standard output", TO(output)},
+    {"output", 'o', OPTION_TEXT, "FILE.c", "the file to write; - is standard output", TO(output)},
     {"memory", 0, OPTION_TEXT, "FILE.h",
-     "how many bytes it takes to draw the scene, as macros: SYMBOL_VIEW and, for each size, SYMBOL_HITS_320x240 and "
+     "write the memory sizes of the scene as macros: SYMBOL_VIEW and, for each size, SYMBOL_HITS_320x240 and "
      "SYMBOL_VIEWER_320x240",
      TO(memory)},
-    {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "of a picture or a tile; again for more", .parse = add_size,
+    {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "the size of a picture or a tile; up to 16 times", .parse = add_size,
      .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
-    {"lights", 0, OPTION_NUMBER, "N", "at most so many at once; default: the scene's, and one for each key", TO(lights),
-     .min = 1, .max = LIGHTS_MOST},
+    {"lights", 0, OPTION_NUMBER, "N", "the maximum number of lights; default: the scene's, plus one for each key line",
+     TO(lights), .min = 1, .max = LIGHTS_MOST},
     {"name", 0, OPTION_PARSED, "SYMBOL", "default: scene", .parse = set_name,
      .rule = "not a name in C, of less than 64 letters"},
-    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "when the scene's name does not say", TO(format)},
-    {"strict", 0, OPTION_FLAG, NULL, "refuse what is only warned of otherwise", TO(strict)},
+    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
+     TO(format)},
+    {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
     OPTION_END};
 
 static const struct command command = {
     "tia-compile",
     "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\n"
     "       tia-compile SCENE --memory FILE.h [--name SYMBOL] [--lights N] [-s WIDTHxHEIGHT]...\n"
-    "Writes a scene as C: const tables, all that is in it and its hierarchy of boxes, as\n"
-    "`const struct tia_scene SYMBOL`. It needs nothing but tia's public headers.\n"
+    "Writes a scene as C: const tables, with its bounding volume hierarchy, as\n"
+    "`const struct tia_scene SYMBOL`. The file needs only tia's public headers.\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n"};
+    "Exit status: 0 success, 1 failure, 2 usage error or invalid scene.\n"};
 
 /* A hierarchy of so few objects is a single box around them all: a waste of flash. */
 #define FEW 4

@@ -92,11 +92,12 @@ static int check(struct join *join, int parts)
 }
 
 static const struct option_row rows[] = {{"output", 'o', OPTION_TEXT, "FILE",
-                                          "a picture (.png .ppm .bmp .565), a film (.y4m, or a picture a frame with "
-                                          "%04d in its name), a part (.tiapart), or "
+                                          "a picture (.png .ppm .bmp .565), a film (.y4m, or one picture per frame "
+                                          "with %04d in its name), a part (.tiapart), or "
                                           "- for standard output",
                                           OPTION_TO(struct join, output)},
-                                         {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "when FILE's name does not say",
+                                         {"format", 0, OPTION_CHOICE, IMAGE_FORMATS,
+                                          "the format of FILE, if its name has no such extension",
                                           OPTION_TO(struct join, format), .min = IMAGE_PNG},
                                          OPTION_END};
 
@@ -108,7 +109,7 @@ static const struct command command = {
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 the file cannot be written, 2 wrong usage or parts that do not fit together.\n"};
+    "Exit status: 0 success, 1 the file cannot be written, 2 usage error or parts that do not fit.\n"};
 
 int main(int argc, char **argv)
 {

@@ -40,7 +40,7 @@ static const char *set_eye(struct eye *eye, const char *text)
     double at[3];
 
     if (!parse_reals(text, at, 3) || fabs(at[0]) >= 32768 || fabs(at[1]) >= 32768 || at[2] >= 32768 || at[2] <= 0)
-        return "not a place before the screen (X,Y,Z like 0.1,0,2.5; Z above 0)";
+        return "not a position in front of the screen (X,Y,Z like 0.1,0,2.5; Z above 0)";
     *eye = (struct eye){at[0], at[1], at[2]};
     return NULL;
 }
@@ -65,36 +65,44 @@ static const char *set_two(void *request, char *value)
 #define TO(member) OPTION_TO(struct request, member)
 
 static const struct option_row rows[] = {
-    {"eye", 'e', OPTION_PARSED, "X,Y,Z", "where the eye is, in the scene's unit", .parse = set_from,
+    {"eye", 'e', OPTION_PARSED, "X,Y,Z", "the position of the eye, in the scene's unit", .parse = set_from,
      .given = offsetof(struct request, has_eye)},
     {"output", 'o', OPTION_TEXT, "FILE",
-     "a picture (.png .ppm .bmp .565) or, of a moving eye, a film (.y4m, or a picture a frame with %04d in its name)",
+     "a picture (.png .ppm .bmp .565) or, for a moving eye, a film (.y4m, or one picture per frame with %04d in its "
+     "name)",
      TO(output)},
-    {"views", 0, OPTION_NUMBER, "N", "the pictures are of N views", TO(views), .min = 1, .max = MODULES_MAX},
-    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]", "of M projectors, as tia was told", TO(modules)},
+    {"views", 0, OPTION_NUMBER, "N", "PICTURES are N views", TO(views), .min = 1, .max = MODULES_MAX},
+    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]",
+     "PICTURES are those of M projectors; the values given to tia", TO(modules)},
     {"lenticular", 0, OPTION_TEXT, "KEYS",
-     "a panel's: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert", TO(lenticular)},
-    {"calibration", 0, OPTION_TEXT, "FILE", "a panel's, by visual.json", TO(calibration)},
-    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "of what an eye sees; default that of a view or of the panel",
+     "PICTURES is that of a panel: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert",
+     TO(lenticular)},
+    {"calibration", 0, OPTION_TEXT, "FILE", "PICTURES is that of the panel of this visual.json", TO(calibration)},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT",
+     "the size of the written picture; default that of a view or of the panel",
      OPTION_PAIR(struct request, width, height), .max = TIA_SIZE_MAX},
-    {"two", 0, OPTION_PARSED, "DISTANCE", "two eyes, so far apart, side by side", .parse = set_two,
-     .rule = "not how far eyes are apart (above 0, like 0.065)"},
-    {"anaglyph", 0, OPTION_FLAG, NULL, "both in one picture, for red and cyan glasses", TO(observation.anaglyph)},
-    {"to", 0, OPTION_PARSED, "X,Y,Z", "the eye moves there", .parse = set_to, .given = offsetof(struct request, moves)},
-    {"frames", 'n', OPTION_NUMBER, "N", "in so many frames, default 25", TO(frames), .min = 1, .max = FRAMES_MAX},
+    {"two", 0, OPTION_PARSED, "DISTANCE", "show two eyes side by side, DISTANCE apart", .parse = set_two,
+     .rule = "not a distance of two eyes (above 0, like 0.065)"},
+    {"anaglyph", 0, OPTION_FLAG, NULL, "combine both eyes in one picture, for red and cyan glasses",
+     TO(observation.anaglyph)},
+    {"to", 0, OPTION_PARSED, "X,Y,Z", "move the eye to this position", .parse = set_to,
+     .given = offsetof(struct request, moves)},
+    {"frames", 'n', OPTION_NUMBER, "N", "the number of frames of that movement (default 25)", TO(frames), .min = 1,
+     .max = FRAMES_MAX},
     OPTION_END};
 
 static const struct command command = {
     "tia-observe",
     "Usage: tia-observe [options] --eye X,Y,Z -o FILE SCENE PICTURES\n"
-    "Shows what an eye sees of the display of SCENE's camera lightfield, from PICTURES that tia drew:\n"
-    "a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or what a panel with\n"
-    "lenses shows, with --lenticular or --calibration as tia was told. The screen fills the picture.\n"
-    "The eye is X right of the screen's middle, Y above it and Z before it.\n"
+    "Shows the view of an eye in front of the display of SCENE's camera lightfield. PICTURES, which\n"
+    "tia has drawn, is a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or the\n"
+    "picture of a lenticular panel, with the --lenticular or --calibration of tia. The screen fills\n"
+    "the written picture from edge to edge.\n"
+    "The eye is X to the right of the screen's middle, Y above it and Z in front of it.\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 a file cannot be read or written, 2 wrong usage, scene or pictures.\n"};
+    "Exit status: 0 success, 1 a file cannot be read or written, 2 usage error, wrong scene or pictures.\n"};
 
 static int check(const struct request *r, int arguments)
 {

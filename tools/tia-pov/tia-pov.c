@@ -6,20 +6,21 @@
 #define TO(member) OPTION_TO(struct request, member)
 
 static const struct option_row rows[] = {
-    {"output", 'o', OPTION_TEXT, "FILE.pov", "- is standard output, without pictures", TO(output)},
-    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "when the scene's name does not say", TO(format)},
-    {"strict", 0, OPTION_FLAG, NULL, "refuse what is only warned of otherwise", TO(strict)},
+    {"output", 'o', OPTION_TEXT, "FILE.pov", "the file to write; - is standard output, without images", TO(output)},
+    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
+     TO(format)},
+    {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
     OPTION_END};
 
 static const struct command command = {
     "tia-pov",
     "Usage: tia-pov SCENE -o FILE.pov\n"
-    "Writes a scene in POV-Ray's language, version 3.7. What that cannot say is a comment\n"
-    "there and a line on standard error. Pictures become FILE-N.ppm or .pgm beside it.\n"
+    "Writes a scene in POV-Ray's language, version 3.7. Whatever POV-Ray cannot express is a comment\n"
+    "in the file and a line on standard error. Images become FILE-N.ppm or .pgm beside it.\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 failed, 2 wrong usage or no scene.\n"};
+    "Exit status: 0 success, 1 failure, 2 usage error or invalid scene.\n"};
 
 static int write_pov(const struct request *request, const struct tia_scene *scene, char *why)
 {

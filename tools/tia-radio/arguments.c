@@ -151,52 +151,56 @@ static const char *set_material(void *context, char *text)
 #define GIVEN(member) .given = offsetof(struct options, member)
 
 static const struct option_row rows[] = {
-    {"tx", 0, OPTION_PARSED, "X,Y,Z", "a transmitter; up to 16 of them", .parse = add_tx},
-    {"rx", 0, OPTION_PARSED, "X,Y,Z", "a receiver; up to 16 of them", .parse = add_rx},
-    {"frequency", 'f', OPTION_PARSED, "FREQUENCY", "in hertz, or with k, M or G: 2.4G", .parse = set_frequency,
-     .rule = "not a frequency from 1M to 1000G (2.4G)"},
-    {"reflections", 0, OPTION_NUMBER, "N", "at most so many, # (default 2)", TO(order), .max = TIA_RADIO_ORDER_MAX},
-    {"transmissions", 0, OPTION_NUMBER, "N", "goes through at most so many walls, # (default 0)", TO(walls),
+    {"tx", 0, OPTION_PARSED, "X,Y,Z", "the position of a transmitter; up to 16 times", .parse = add_tx},
+    {"rx", 0, OPTION_PARSED, "X,Y,Z", "the position of a receiver; up to 16 times", .parse = add_rx},
+    {"frequency", 'f', OPTION_PARSED, "FREQUENCY", "the frequency in hertz, or with k, M or G: 2.4G",
+     .parse = set_frequency, .rule = "not a frequency from 1M to 1000G (2.4G)"},
+    {"reflections", 0, OPTION_NUMBER, "N", "the maximum number of reflections, # (default 2)", TO(order),
+     .max = TIA_RADIO_ORDER_MAX},
+    {"transmissions", 0, OPTION_NUMBER, "N", "the maximum number of walls on a path, # (default 0)", TO(walls),
      .max = TIA_RADIO_WALLS_MAX},
-    {"method", 0, OPTION_CHOICE, "image|sbr|hybrid", "default image", TO(method), .min = METHOD_IMAGE},
-    {"density", 0, OPTION_NUMBER, "N", "rays of sbr and hybrid: 10 N^2 + 2, N # (default 64)", TO(density), .min = 1,
+    {"method", 0, OPTION_CHOICE, "image|sbr|hybrid", "the method (default image)", TO(method), .min = METHOD_IMAGE},
+    {"density", 0, OPTION_NUMBER, "N", "10 N^2 + 2 rays for sbr and hybrid, N # (default 64)", TO(density), .min = 1,
      .max = TIA_RADIO_DENSITY_MAX},
     {"material", 0, OPTION_PARSED, "[NAME=]WHAT",
-     "what the scene's material NAME is, or all materials: a material of ITU-R P.2040-3 or "
+     "the properties of the scene's material NAME, or of all materials: a material of ITU-R P.2040-3 or "
      "permittivity:E,conductivity:S; then ,thickness:M",
      .parse = set_material, .rule = "not [NAME=]MATERIAL[,thickness:M] or [NAME=]permittivity:E,conductivity:S"},
-    {"materials", 0, OPTION_FLAG, NULL, "lists those materials and their frequencies", TO(lists)},
-    {"up", 0, OPTION_CHOICE, "y|z", "what is vertical (default y)", TO(up), .min = 1},
-    {"polarization", 0, OPTION_CHOICE, "vertical|horizontal", "of maps (default vertical)", TO(horizontal)},
-    {"json", 0, OPTION_FLAG, NULL, "JSON instead of a table", TO(json)},
+    {"materials", 0, OPTION_FLAG, NULL, "list those materials and their frequencies", TO(lists)},
+    {"up", 0, OPTION_CHOICE, "y|z", "the vertical axis (default y)", TO(up), .min = 1},
+    {"polarization", 0, OPTION_CHOICE, "vertical|horizontal", "the polarisation of maps (default vertical)",
+     TO(horizontal)},
+    {"json", 0, OPTION_FLAG, NULL, "print JSON instead of a table", TO(json)},
     {"output", 'o', OPTION_TEXT, "FILE",
-     "the scene with its paths, or the map, as a picture (.png .ppm .bmp .565; a part of a map .tiapart)", TO(output)},
-    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "of the picture or map (default 640x480)",
+     "write the scene with its paths, or the map, as a picture (.png .ppm .bmp .565; a part of a map .tiapart)",
+     TO(output)},
+    {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the size of the picture or map (default 640x480)",
      OPTION_PAIR(struct options, width, height), GIVEN(has_size), .max = TIA_SIZE_MAX},
     {"map", 0, OPTION_PARSED, "AXIS=AT", "a map of the gain across AXIS, x, y or z", .parse = set_map,
      .rule = "not x=, y= or z= and a number (y=1.5)"},
     {"area", 0, OPTION_PARSED, "A0,B0,A1,B1",
-     "of the map along the other two axes (default: what boxes and triangles take up)", .parse = set_area,
+     "the area of the map along the other two axes (default: the extent of all objects but planes)", .parse = set_area,
      GIVEN(has_area), .rule = "not A0,B0,A1,B1 in metres, rising, within 32767"},
-    {"csv", 0, OPTION_TEXT, "FILE", "the map's numbers; - is standard output", TO(csv)},
-    {"range", 0, OPTION_PARSED, "LOW,HIGH", "of the map's colours in dB (default -140,-40)", .parse = set_range,
-     .rule = "not LOW,HIGH in dB (-120,-60)"},
-    {"best-server", 0, OPTION_FLAG, NULL, "paints which transmitter is best, not how good it is", TO(best_server)},
-    {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST",
-     "draws these rows of the map alone; tia-join joins such .tiapart files",
+    {"csv", 0, OPTION_TEXT, "FILE", "write the map's values; - is standard output", TO(csv)},
+    {"range", 0, OPTION_PARSED, "LOW,HIGH", "the range of the map's colours in dB (default -140,-40)",
+     .parse = set_range, .rule = "not LOW,HIGH in dB (-120,-60)"},
+    {"best-server", 0, OPTION_FLAG, NULL, "colour the map by the best transmitter instead of the gain",
+     TO(best_server)},
+    {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST", "draw only these rows of the map, into a .tiapart file for tia-join",
      OPTION_PAIR(struct options, first_row, last_row), GIVEN(has_rows), .max = TIA_SIZE_MAX - 1},
-    {"threads", 'j', OPTION_NUMBER, "N", "# (default: one a processor)", TO(threads), .min = 1, .max = THREADS_MAX},
+    {"threads", 'j', OPTION_NUMBER, "N", "the number of threads, # (default: one per processor)", TO(threads), .min = 1,
+     .max = THREADS_MAX},
     OPTION_END};
 
 static const struct command command = {
     "tia-radio",
     "Usage: tia-radio SCENE --tx X,Y,Z --rx X,Y,Z --frequency HZ [OPTION...]\n"
     "       tia-radio SCENE --tx X,Y,Z --map y=HEIGHT --frequency HZ [OPTION...]\n"
-    "Finds the paths of radio waves by reflection at flat faces, and what arrives. Lengths are in metres.\n"
+    "Finds the paths of radio waves by reflection at flat faces, and their fields. Lengths are in metres.\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 fine, 1 failure, 2 wrong usage or a scene that will not do.\n"};
+    "Exit status: 0 success, 1 failure, 2 usage error or a scene that is not usable.\n"};
 
 static int list_materials(void)
 {
