@@ -162,7 +162,7 @@ LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
 
-.PHONY: all run check check-quick bench deps install uninstall size lint clean help tests FORCE
+.PHONY: all run check check-quick test bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
@@ -339,6 +339,14 @@ check-quick: all tests
 check: all tests
 	@$(on_all_cores) $(SLOW) $(QUICK)
 
+# One test, make test T=NAME, or one case of it, C=CASE. Of the test programs those are built that it is or names.
+.PHONY: test-built
+test-built: $(TESTED) $(if $(filter tests/%,$(TESTED)),all) $(if $(filter tests/slow/vm,$(TESTED)),$(BUILD)/vm/probe)
+	@:
+test:
+	@tested=$$(tests/choose '$(T)') && $(MAKE) --no-print-directory test-built TESTED="$$tested" && \
+	$(run_tests) $(if $(C),-c '$(C)') $${tested%% *}
+
 # Real kernel drivers in guests, also what takes long; the table of what they said comes last.
 .PHONY: check-vm
 $(BUILD)/vm/probe: tests/vm/probe.c $(BUILD)/made-with/host
@@ -375,6 +383,7 @@ help:
 	@echo "deps               installs what a build can use (Debian 12); deps run: what run needs;"
 	@echo "                   deps check: what the tests use as well"
 	@echo "check-quick        the tests that take seconds; check: all of them"
+	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"

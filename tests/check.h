@@ -4,7 +4,7 @@
  *     TEST(square_root_of_4) { CHECK(root(4) == 2); CHECK_EQ(root(5), 2); }
  *     int main(void) { RUN(square_root_of_4); return check_status(); }
  *
- * The first CHECK of a case that fails is reported; the case goes on.
+ * The first CHECK of a case that fails is reported; the case goes on. `PROGRAM NAME` runs one case, see check_case.h.
  */
 #ifndef TESTS_CHECK_H
 #define TESTS_CHECK_H
@@ -13,6 +13,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "check_case.h"
 
 /* With -fsanitize=address: OSMesa itself loses about 100 bytes with every context. */
 #if defined __SANITIZE_ADDRESS__ || defined __clang__
@@ -43,16 +45,28 @@ static char check_why[500];
         CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                         \
     } while (0)
 
+/* Whether this is make check-quick, in which tests leave out what takes long. */
+static inline bool check_is_quick(void)
+{
+    return getenv("CHECK_QUICK") != NULL;
+}
+
 /* How many random cases a test tries, of a full run's: in make check-quick a quarter. */
 static inline unsigned check_count(unsigned full)
 {
-    return getenv("CHECK_QUICK") ? (full + 3) / 4 : full;
+    return check_is_quick() ? (full + 3) / 4 : full;
 }
 
 static inline void check_run(const char *name, void (*test)(void))
 {
+    bool asked = check_is_asked(name);
+
+    if (!asked && (!check_ordered || check_found))
+        return;
     check_failed = 0;
     test();
+    if (!asked)
+        return;
     if (check_failed > 0) {
         check_failures++;
         printf("FAIL %s: %s\n", name, check_why);
@@ -68,7 +82,7 @@ static inline void check_run(const char *name, void (*test)(void))
 
 static inline int check_status(void)
 {
-    return check_failures != 0;
+    return check_failures ? 1 : check_unmet();
 }
 
 #endif

@@ -13,6 +13,8 @@ import zlib
 from array import array
 from contextlib import contextmanager
 
+from cases import chosen
+
 QUICK = "CHECK_QUICK" in os.environ  # make check-quick: fewer cases of those that take long
 TIA = os.path.abspath(os.path.join(os.environ.get("BUILD", "build"), "tia"))
 # What a script starts in the background, or nohup, has signals ignored; the command leaves that so.
@@ -261,7 +263,8 @@ def same_png(name, other):
 def run_cases(cases):
     """Each case, a function, runs in an empty directory of its own. Names on the command line choose."""
     failed = False
-    for case in [case for case in cases if case.__name__ in sys.argv[1:] or len(sys.argv) == 1]:
+    names = chosen([case.__name__ for case in cases])
+    for case in [case for case in cases if case.__name__ in names]:
         directory, home = tempfile.mkdtemp(prefix="tia-"), os.getcwd()
         os.chmod(directory, 0o755)
         os.chdir(directory)

@@ -1,9 +1,12 @@
-/* random.h - what a test draws by chance, the same in every run: SplitMix64, which draws the corpus too. */
+/* random.h - what a test draws by chance, the same in every run: SplitMix64, which draws the corpus too. A case alone
+ * takes the numbers that it takes among the others. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 
+#include "check.h"
 #include "common/corpus/dice.h"
 
+static bool check_ordered = true;
 static uint64_t random_state = 1;
 
 static inline uint64_t random_bits(void)

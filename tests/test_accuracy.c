@@ -102,10 +102,8 @@ TEST(they_dither_like_the_oracle)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1)
-        scene_count = (unsigned)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        seed = strtoull(argv[2], NULL, 10);
+    scene_count = (unsigned)check_number(argc, argv, 1, scene_count);
+    seed = check_number(argc, argv, 2, seed);
     pool = threads_create(threads_processors());
     RUN(they_draw_what_the_oracle_draws);
     RUN(they_dither_like_the_oracle);

@@ -206,6 +206,12 @@ static unsigned side_of_slopes(void)
     return times > 1 ? 32 : 8;
 }
 
+/* 16, 32 ... 1024 samples; in make check-quick 512. */
+static unsigned steps_of_slopes(void)
+{
+    return check_is_quick() ? STEPS - 1 : STEPS;
+}
+
 /* The root of the mean variance of pixels between seeds: of an estimate without bias, its RMSE. */
 struct spread {
     double sum[STEPS][PIXELS_MAX * 3], square[STEPS][PIXELS_MAX * 3];
@@ -234,7 +240,7 @@ static double rmse(unsigned step, unsigned numbers, unsigned seeds)
     return sqrt(sum / numbers);
 }
 
-/* RMSE with 16, 32 ... 1024 samples. */
+/* RMSE of each step. */
 static void measure(struct tia_integration how, unsigned seeds, double result[STEPS])
 {
     const unsigned side = side_of_slopes(), numbers = side * side * 3;
@@ -243,25 +249,26 @@ static void measure(struct tia_integration how, unsigned seeds, double result[ST
     for (how.seed = 1; how.seed <= seeds; how.seed++) {
         struct drawing d = open_box(how, side);
         memset(slope_sums, 0, sizeof slope_sums);
-        for (unsigned step = 0; step < STEPS; step++) {
+        for (unsigned step = 0; step < steps_of_slopes(); step++) {
             uint32_t spp = (uint32_t)LEAST << step;
             sample_box(&d, side, step ? spp / 2 : 0, spp, slope_sums);
             count_step(step, numbers, spp);
         }
         free(d.memory);
     }
-    for (unsigned step = 0; step < STEPS; step++)
+    for (unsigned step = 0; step < steps_of_slopes(); step++)
         result[step] = rmse(step, numbers, seeds);
 }
 
 /* Of the line through log RMSE over log samples. */
 static double slope(const char *name, const double result[STEPS])
 {
+    const int steps = (int)steps_of_slopes();
     double sum = 0, weight = 0;
 
     printf("# %s: RMSE", name);
-    for (int step = 0; step < STEPS; step++) {
-        double x = step - (STEPS - 1) / 2.0;
+    for (int step = 0; step < steps; step++) {
+        double x = step - (steps - 1) / 2.0;
         printf(" %.5f", result[step]);
         sum += x * log2(result[step]);
         weight += x * x;
@@ -304,7 +311,7 @@ static double rmse_of_plain_numbers(struct tia_integration how, unsigned count)
         count_step(0, side * side * 3, 1);
         free(d.memory);
     }
-    return rmse(0, side * side * 3, count) / sqrt(LEAST << (STEPS - 1));
+    return rmse(0, side * side * 3, count) / sqrt(LEAST << (steps_of_slopes() - 1));
 }
 
 TEST(paths_converge_faster_than_plain_numbers)
@@ -314,14 +321,15 @@ TEST(paths_converge_faster_than_plain_numbers)
 
     measure(how, times > 1 ? 8 : 4, result);
     (void)slope("paths", result);
-    plain = rmse_of_plain_numbers(how, 1024);
-    printf("# with 1024 plain random numbers: RMSE %.5f\n", plain);
-    CHECK_MSG(result[STEPS - 1] <= 0.8 * plain, "%f, plain numbers %f", result[STEPS - 1], plain);
+    plain = rmse_of_plain_numbers(how, check_count(1024));
+    printf("# with plain random numbers: RMSE %.5f\n", plain);
+    CHECK_MSG(result[steps_of_slopes() - 1] <= 0.8 * plain, "%f, plain numbers %f", result[steps_of_slopes() - 1],
+              plain);
 }
 
 int main(int argc, char **argv)
 {
-    times = argc > 1 ? (unsigned)strtoul(argv[1], NULL, 10) : 1;
+    times = (unsigned)check_number(argc, argv, 1, 1);
     read_box();
     RUN(measurements_are_those_published);
     RUN(means_are_those_of_the_oracle);

@@ -311,8 +311,7 @@ TEST(wild_scenes_in_f64)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1)
-        wild_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    wild_scenes = (unsigned)check_number(argc, argv, 1, wild_scenes);
     pool = threads_create(threads_processors());
     RUN(eye_inside_a_ball);
     RUN(eye_inside_a_ball_whose_centre_is_behind);

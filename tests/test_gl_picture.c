@@ -219,14 +219,14 @@ TEST(portrait)
     check_state(243, 321);
 }
 
-/* In make check-quick the second library, which is Mesa as well, draws but two of the states. */
+/* In make check-quick each library, and both are Mesa, draws but two of the states. */
 static void run_all(const char *name)
 {
-    size_t count = library ? check_count(8) : sizeof states / sizeof states[0];
+    size_t count = check_count(sizeof states / sizeof states[0]);
     char title[64];
 
     library = name;
-    for (size_t i = 0; i < count && i < sizeof states / sizeof states[0]; i++) {
+    for (size_t i = 0; i < count; i++) {
         state = &states[i];
         (void)snprintf(title, sizeof title, "%s_%s", name, state->name);
         check_run(title, landscape);
@@ -238,7 +238,7 @@ static void run_all(const char *name)
 
 int main(int argc, char **argv)
 {
-    directory = argc > 1 ? argv[1] : NULL;
+    directory = argc > 1 && !check_is_word(argv[1]) ? argv[1] : NULL;
     /* Mesa would keep compiled shaders in the user's home. */
     (void)setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 #ifdef TIA_HAVE_EGL

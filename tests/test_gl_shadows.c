@@ -319,7 +319,6 @@ static void by_softpipe(void)
 int main(void)
 {
     make_ring();
-    int failed = gl_in_process("llvmpipe", by_llvmpipe);
-    return gl_in_process("softpipe", by_softpipe) || failed;
+    return gl_in_both(by_llvmpipe, by_softpipe);
 }
 #endif

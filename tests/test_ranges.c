@@ -114,8 +114,7 @@ TEST(found_scenes_keep_their_ranges)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1)
-        scene_count = (unsigned)strtoul(argv[1], NULL, 10);
+    scene_count = (unsigned)check_number(argc, argv, 1, scene_count);
     RUN(thesis_scene_keeps_its_ranges);
     RUN(random_scenes_keep_their_ranges);
     RUN(random_general_scenes_keep_their_ranges);

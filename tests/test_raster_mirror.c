@@ -250,7 +250,7 @@ TEST(the_traced_mirror_in_double)
 
 int main(int argc, char **argv)
 {
-    directory = argc > 1 ? argv[1] : NULL;
+    directory = argc > 1 && !check_is_word(argv[1]) ? argv[1] : NULL;
     if (directory)
         RUN(pictures_are_left);
     RUN(the_traced_mirror_in_integers);

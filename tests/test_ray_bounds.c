@@ -294,8 +294,7 @@ int main(int argc, char **argv)
         RUN(many_rays);
         return check_status();
     }
-    if (argc > 1)
-        random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    random_scenes = (unsigned)check_number(argc, argv, 1, random_scenes);
     RUN(scene_files);
     RUN(random_corpus);
     return check_status();

@@ -123,12 +123,9 @@ TEST(q16_draws_holes_as_f64_does)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1)
-        scene_count = (unsigned)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        seed = strtoull(argv[2], NULL, 10);
-    if (argc > 3)
-        width = (unsigned)strtoul(argv[3], NULL, 10);
+    scene_count = (unsigned)check_number(argc, argv, 1, scene_count);
+    seed = check_number(argc, argv, 2, seed);
+    width = (unsigned)check_number(argc, argv, 3, width);
     pool = threads_create(threads_processors());
     RUN(f64_draws_what_the_oracle_draws);
     RUN(f64_draws_holes_as_the_oracle_does);

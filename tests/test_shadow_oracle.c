@@ -113,7 +113,7 @@ TEST(corpus)
     static struct corpus_rays scene;
     struct tally t = {0};
 
-    for (unsigned i = 0; i < SCENES; i++) {
+    for (unsigned i = 0; i < check_count(SCENES); i++) {
         corpus_random_flat(&scene, 21, i);
         scene.scene.shadows = TIA_SHADOWS_RAYS;
         CHECK_EQ(tia_scene_check(&scene.scene, NULL), TIA_OK);

@@ -312,8 +312,7 @@ int main(int argc, char **argv)
 {
     const char *path = "scenes/nff/balls_2.nff";
 
-    if (argc > 1)
-        random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    random_scenes = (unsigned)check_number(argc, argv, 1, random_scenes);
     if (scene_open(&balls, path, scene_format_of(path), false))
         return EXIT_FAILURE;
     for (unsigned i = 0; tia_simd_at(i); i++)

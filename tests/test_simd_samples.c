@@ -317,10 +317,8 @@ int main(int argc, char **argv)
     static const struct sure_kernels here = {.trace = trace, .occlude = occlude, .walk = walk_paths};
 
     (void)here;
-    if (argc > 1)
-        random_scenes = (unsigned)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        first_extreme = (unsigned)strtoul(argv[2], NULL, 10);
+    random_scenes = (unsigned)check_number(argc, argv, 1, random_scenes);
+    first_extreme = (unsigned)check_number(argc, argv, 2, first_extreme);
     for (unsigned i = 0; tia_simd_at(i); i++)
         run_all(tia_simd_at(i));
     return check_status();

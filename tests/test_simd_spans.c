@@ -232,8 +232,8 @@ int main(int argc, char **argv)
 {
     static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
 
-    if (argc > 1) {
-        edge_scenes = (unsigned)strtoul(argv[1], NULL, 10);
+    if (argc > 1 && !check_is_word(argv[1])) {
+        edge_scenes = (unsigned)check_number(argc, argv, 1, 0);
         random_scenes = edge_scenes / 100;
     }
     RUN(names_of_levels);

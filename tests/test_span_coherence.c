@@ -204,6 +204,7 @@ static void try_bounds(const struct tia_view *view, const struct shaded_span *sp
 #define GUARDS 8
 
 static unsigned long compared, left;
+static bool check_ordered = true; /* the last cases look at what all have compared */
 
 static void try_pixels(const struct tia_view *view, const struct shaded_span *span)
 {

@@ -128,8 +128,8 @@ TEST(f64_light_far_from_the_eye)
 int main(int argc, char **argv)
 {
     if (argc > 2) {
-        width = (unsigned)strtoul(argv[1], NULL, 10);
-        height = (unsigned)strtoul(argv[2], NULL, 10);
+        width = (unsigned)check_number(argc, argv, 1, width);
+        height = (unsigned)check_number(argc, argv, 2, height);
     }
     pool = threads_create(threads_processors());
     RUN(the_scene);

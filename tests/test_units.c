@@ -82,6 +82,8 @@ TEST(five_units_are_the_same_picture)
 
     for (unsigned c = 0; c < sizeof cameras / sizeof *cameras; c++)
         for (unsigned i = 0; i < sizeof renderers / sizeof *renderers; i++) {
+            if (check_is_quick() && (c + i) % 2) /* in make check-quick every second */
+                continue;
             (void)snprintf(text, sizeof text, "%s%s" STREET LAMP, cameras[c], renderers[i]);
             if (!strstr(renderers[i], "constant")) {
                 check_units(text);

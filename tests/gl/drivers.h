@@ -26,8 +26,9 @@ static inline struct gl_raster *gl_opened(const char *driver, unsigned width, un
     return gl;
 }
 
-/* Each driver has a process of its own, which must have chosen it before the library is loaded. */
-static inline int gl_in_process(const char *driver, void (*run)(void))
+/* Each driver has a process of its own, which must have chosen it before the library is loaded. When the process before
+ * had no case of the name that was asked for, and this one has none either, it says so. */
+static inline int gl_in_process(const char *driver, void (*run)(void), int before)
 {
     int status = 1;
 
@@ -38,11 +39,23 @@ static inline int gl_in_process(const char *driver, void (*run)(void))
         (void)setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
         run();
         (void)fflush(stdout);
+        if (!check_failures && check_asked[0] && !check_found && before != 2)
+            _exit(2);
         _exit(check_status());
     }
-    if (child < 0 || waitpid(child, &status, 0) != child || status)
+    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
         return 1;
-    return 0;
+    return WEXITSTATUS(status);
+}
+
+/* The status of a test beside both drivers. */
+static inline int gl_in_both(void (*by_llvmpipe)(void), void (*by_softpipe)(void))
+{
+    int first = gl_in_process("llvmpipe", by_llvmpipe, 0), second = gl_in_process("softpipe", by_softpipe, first);
+
+    if (first == 1 || second == 1)
+        return 1;
+    return first && second ? 2 : 0;
 }
 
 #endif

@@ -8,7 +8,6 @@ and names each figure that is another one today: "ok NAME", "FAIL NAME: WHY" or 
 what takes minutes. Compilers give other instructions by version, so figures are of Debian 12's; with another one, or
 without one, a name is left as it is."""
 import argparse
-import ast
 import functools
 import glob
 import importlib.machinery
@@ -276,10 +275,10 @@ def frames(_):
 
 
 def mutants(_):
-    with open(os.path.join(ROOT, "tests/mutate"), encoding="utf-8") as file:
-        tree = ast.parse(file.read())
-    names = next([mutant.elts[0].value for mutant in node.value.elts] for node in tree.body
-                 if isinstance(node, ast.Assign) and node.targets[0].id == "MUTANTS")
+    names = []
+    for path in glob.glob(os.path.join(ROOT, "tests/mutants/*.txt")):
+        with open(path, encoding="utf-8") as file:
+            names += [line for line in file if re.match(r"  \S", line)]
     return words({"at a time, {} times": (len(names),),
                   "shrinks each of {} bounds to a fourth": (sum("fourth" in name for name in names),)})
 
