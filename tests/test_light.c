@@ -95,6 +95,28 @@ TEST(below_a_point)
     CHECK(fabs(world_mean(1, 16) - 0.5 * 0.8 / (0.125 * 25)) < 1e-6);
 }
 
+/* Attenuation means nothing infinitely far away, and paths look for no ambient light. */
+TEST(below_the_sun)
+{
+    floor_below(TIA_PATHS);
+    struct tia_light *l = world_light(TIA_DIRECTIONAL_LIGHT, 0, 0, 0);
+    l->direction = (struct tia_dir3){TIA_Q30(-0.6), 0, TIA_Q30(-0.8)};
+    l->constant = TIA_Q16(4);
+    world_light(TIA_AMBIENT_LIGHT, 0, 0, 0);
+    CHECK(fabs(world_mean(1, 16) - 0.5 * 0.8) < 1e-6);
+}
+
+/* The cosine is half-way between those of the cones, within what Q16.16 has of their degrees. */
+TEST(below_a_spot)
+{
+    floor_below(TIA_PATHS);
+    struct tia_light *l = world_light(TIA_SPOT_LIGHT, 0, 0, 2);
+    l->direction = (struct tia_dir3){TIA_Q30(0.8), 0, TIA_Q30(-0.6)};
+    l->inner = TIA_Q16(45.572996); /* cosine 0.7 */
+    l->outer = TIA_Q16(60);
+    CHECK(fabs(world_mean(1, 16) - 0.5 * 0.5) < 1e-5);
+}
+
 /* ---- furnaces and cavities ---- */
 
 /* A picture all around which all is 1 shows nothing else, in every sample. */
@@ -283,6 +305,8 @@ int main(void)
     RUN(below_a_rectangle_by_scattering_alone);
     RUN(below_a_disc_and_a_rectangle_and_a_point);
     RUN(below_a_point);
+    RUN(below_the_sun);
+    RUN(below_a_spot);
     RUN(furnace_with_lambert);
     RUN(furnace_with_a_mirror);
     RUN(furnace_with_glass);

@@ -260,9 +260,11 @@ static void light(enum tia_light_kind kind)
 /* Each kind, then fading, then seen from before and in a mirror. */
 TEST(lights_one_by_one)
 {
-    static const char *const names[] = {"point", "direction", "ambient", "spot", "rectangle", "disc", "sphere"};
+#define NAME(KIND, name, what, traits) #name,
+    static const char *const names[] = {TIA_LIGHTS(NAME)};
+#undef NAME
 
-    for (int kind = TIA_POINT_LIGHT; kind <= TIA_SPHERE_LIGHT; kind++) {
+    for (int kind = 0; kind < TIA_LIGHT_KINDS; kind++) {
         light((enum tia_light_kind)kind);
         draw(names[kind]);
         lights[0].constant = TIA_Q16(0.5);

@@ -12,6 +12,7 @@
 #include "reading.h"
 #include "simd/rays/sure.h"
 #include "simd_frames.h"
+#include "simd_lights.h"
 #include "with_hierarchy.h"
 
 static const struct tia_simd *simd;
@@ -170,6 +171,34 @@ TEST(ambient_light_is_hindered)
     read_end(&reading);
 }
 
+static void compare_light(const struct tia_scene *scene, unsigned number)
+{
+    samples = unsure = 0;
+    compare(light_lines[number], number, scene, 40, 30, false);
+    CHECK_MSG(samples && unsure * 4 < samples, "%s: %lu of %lu samples are unsure", light_lines[number], unsure,
+              samples);
+}
+
+/* A scene with a light of a kind without TIA_LIGHT_SIMD. */
+static void compare_other(const struct tia_scene *scene, unsigned number)
+{
+    struct simd_frames f;
+
+    samples = 0;
+    CHECK(simd_frames_open(&f, simd, scene, 40, 30));
+    tia_sure_scene(f.simd)->fixed_only = true;
+    CHECK_MSG(simd_frames_differ(&f, true, false) == 0, "%s %u", simd->name, number);
+    CHECK_EQ(samples, 0);
+    simd_frames_close(&f);
+}
+
+TEST(kinds_of_lights)
+{
+    for (unsigned i = 0; i < LIGHT_LINES; i++)
+        with_light(i, compare_light);
+    with_light(0, compare_other);
+}
+
 /* What is asked for beside pixels is the same too. */
 TEST(objects_hashes_and_lights)
 {
@@ -300,6 +329,7 @@ static void run_all(const struct tia_simd *tested)
     RUN_SIMD(far_out);
     RUN_SIMD(tiles_and_turned_surfaces);
     RUN_SIMD(ambient_light_is_hindered);
+    RUN_SIMD(kinds_of_lights);
     RUN_SIMD(objects_hashes_and_lights);
     RUN_SIMD(lights_move);
     simd = tested; /* threads do not count */

@@ -15,6 +15,7 @@
 #include "one_lane.h"
 #include "simd/rays/walk_paths_tmpl.h"
 #include "simd_frames.h"
+#include "simd_lights.h"
 #include "with_hierarchy.h"
 
 static const struct tia_simd *simd;
@@ -240,6 +241,42 @@ TEST(scenes_for_one_bound_are_the_same)
     }
 }
 
+static void compare_light(const struct tia_scene *scene, unsigned number)
+{
+    struct tia_scene sampled = *scene;
+
+    sampled.integration.integrator = TIA_PATHS;
+    samples = unsure = 0;
+    compare(light_lines[number], number, &sampled, false);
+    CHECK_MSG(samples && unsure * 4 < samples, "%s: %lu of %lu samples are unsure", light_lines[number], unsure,
+              samples);
+}
+
+/* A scene with a light of a kind without TIA_LIGHT_SIMD. */
+static void gather_other(const struct tia_scene *scene, unsigned number)
+{
+    static struct gathered want, got;
+    struct tia_scene sampled = *scene;
+    struct simd_frames f;
+
+    sampled.integration.integrator = TIA_PATHS;
+    samples = 0;
+    CHECK(simd_frames_open(&f, simd, &sampled, W, H));
+    tia_sure_scene(f.simd)->fixed_only = true;
+    gather(f.plain, false, &want);
+    gather(f.simd, false, &got);
+    CHECK_MSG(memcmp(want.sums, got.sums, sizeof want.sums) == 0, "%s %u", simd->name, number);
+    CHECK_EQ(samples, 0);
+    simd_frames_close(&f);
+}
+
+TEST(kinds_of_lights)
+{
+    for (unsigned i = 0; i < LIGHT_LINES; i++)
+        with_light(i, compare_light);
+    with_light(0, gather_other);
+}
+
 /* Scenes of files, and the most of their samples, in hundredths, that may be unsure. */
 static const struct {
     const char *path;
@@ -307,6 +344,7 @@ static void run_all(const struct tia_simd *tested)
     RUN_SIMD(extreme_scenes_are_the_same);
     RUN_SIMD(scenes_for_one_bound_are_the_same);
     RUN_SIMD(scene_files);
+    RUN_SIMD(kinds_of_lights);
     RUN_SIMD(pixels_hashes_and_moved_lights);
     if (tested == tia_simd_at(0))
         RUN_SIMD(bounds_hold);

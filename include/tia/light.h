@@ -21,16 +21,80 @@
 extern "C" {
 #endif
 
-enum tia_light_kind {
-    TIA_POINT_LIGHT,       /* shines from its centre; looks like a sphere of its radius */
-    TIA_DIRECTIONAL_LIGHT, /* infinitely far away, shines along `direction` */
-    TIA_AMBIENT_LIGHT,     /* the same everywhere, from all directions, without shadows */
-    TIA_SPOT_LIGHT,        /* from its centre, along `direction`: full inside the inner cone, none outside
-                              the outer cone, between them (cos a - cos outer)/(cos inner - cos outer) */
-    TIA_RECTANGLE_LIGHT,   /* samples the points centre + s side[0] + t side[1], |s|, |t| <= 1 */
-    TIA_DISC_LIGHT,        /* samples the disc around its centre with its normal along `direction` */
-    TIA_SPHERE_LIGHT       /* samples the disc through the centre that faces the lit point */
+/* The place of a kind of light, its fields in struct tia_light, its surface, and the code that draws it. */
+enum tia_light_trait {
+    TIA_LIGHT_FAR = 1,              /* infinitely far away, along `direction` */
+    TIA_LIGHT_EVERYWHERE = 1 << 1,  /* the same at every point, without shadows; others arrive along rays */
+    TIA_LIGHT_DIRECTION = 1 << 2,   /* has `direction` */
+    TIA_LIGHT_CONE = 1 << 3,        /* has `inner` and `outer` */
+    TIA_LIGHT_RADIUS = 1 << 4,      /* has `radius` */
+    TIA_LIGHT_SIDES = 1 << 5,       /* has `side`, which is within the surface's plane */
+    TIA_LIGHT_SAMPLED = 1 << 6,     /* has `samples` */
+    TIA_LIGHT_AREA = 1 << 7,        /* its samples are points of an area; others have one sample, their centre */
+    TIA_LIGHT_BALL = 1 << 8,        /* its surface is a ball, and an area the disc in it that faces the lit point */
+    TIA_LIGHT_DISC = 1 << 9,        /* its surface is a disc, with its normal along `direction` */
+    TIA_LIGHT_PATHS = 1 << 10,      /* TIA_PATHS looks for it */
+    TIA_LIGHT_TECHNIQUES = 1 << 11, /* taken by techniques for shadows, see shadow.h; TIA_FILTER_PCSS takes all */
+    TIA_LIGHT_SPANS = 1 << 12,      /* drawn where spheres are drawn without tracing rays */
+    TIA_LIGHT_SIMD = 1 << 13        /* drawn by vector units; scenes with others are for the fixed-point path */
 };
+
+/* Without a place, and so without attenuation; with a surface. */
+#define TIA_LIGHT_PLACELESS (TIA_LIGHT_FAR | TIA_LIGHT_EVERYWHERE)
+#define TIA_LIGHT_SURFACE (TIA_LIGHT_SIDES | TIA_LIGHT_BALL | TIA_LIGHT_DISC)
+
+/* Every kind of light: its name, its word in scene files, its name in messages, and its traits. Tables and switches of
+ * kinds are made of this list: a new kind goes to its end, see docs/architecture.md.
+ *
+ *     point        shines from its centre; looks like a sphere of its radius
+ *     directional  infinitely far away, shines along `direction`
+ *     ambient      the same everywhere, from all directions, without shadows
+ *     spot         from its centre, along `direction`: full inside the inner cone, none outside the outer cone, between
+ *                  them (cos a - cos outer)/(cos inner - cos outer)
+ *     rectangle    samples the points centre + s side[0] + t side[1], |s|, |t| <= 1
+ *     disc         samples the disc around its centre with its normal along `direction`
+ *     sphere       samples the disc through the centre that faces the lit point */
+#define TIA_LIGHTS(LIGHT)                                                                                              \
+    LIGHT(TIA_POINT_LIGHT, point, "a point light",                                                                     \
+          TIA_LIGHT_RADIUS | TIA_LIGHT_BALL | TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SPANS |               \
+              TIA_LIGHT_SIMD)                                                                                          \
+    LIGHT(TIA_DIRECTIONAL_LIGHT, directional, "a directional light",                                                   \
+          TIA_LIGHT_FAR | TIA_LIGHT_DIRECTION | TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SIMD)               \
+    LIGHT(TIA_AMBIENT_LIGHT, ambient, "an ambient light",                                                              \
+          TIA_LIGHT_EVERYWHERE | TIA_LIGHT_RADIUS | TIA_LIGHT_SAMPLED | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SIMD)         \
+    LIGHT(TIA_SPOT_LIGHT, spot, "a spot light",                                                                        \
+          TIA_LIGHT_DIRECTION | TIA_LIGHT_CONE | TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SIMD)              \
+    LIGHT(TIA_RECTANGLE_LIGHT, rectangle, "a rectangle light",                                                         \
+          TIA_LIGHT_SIDES | TIA_LIGHT_SAMPLED | TIA_LIGHT_AREA | TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES |              \
+              TIA_LIGHT_SIMD)                                                                                          \
+    LIGHT(TIA_DISC_LIGHT, disc, "a disc light",                                                                        \
+          TIA_LIGHT_DIRECTION | TIA_LIGHT_RADIUS | TIA_LIGHT_SAMPLED | TIA_LIGHT_AREA | TIA_LIGHT_DISC |               \
+              TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SIMD)                                                 \
+    LIGHT(TIA_SPHERE_LIGHT, sphere, "a sphere light",                                                                  \
+          TIA_LIGHT_RADIUS | TIA_LIGHT_SAMPLED | TIA_LIGHT_AREA | TIA_LIGHT_BALL | TIA_LIGHT_PATHS | TIA_LIGHT_SIMD)
+
+#define TIA_LIGHT_KIND(KIND, name, what, traits) KIND,
+enum tia_light_kind { TIA_LIGHTS(TIA_LIGHT_KIND) };
+#undef TIA_LIGHT_KIND
+
+#define TIA_LIGHT_ONE(KIND, name, what, traits) +1
+enum { TIA_LIGHT_KINDS = TIA_LIGHTS(TIA_LIGHT_ONE) };
+#undef TIA_LIGHT_ONE
+
+/* Compilers for size would call it, which takes more than the few comparisons that are left of it. */
+#ifdef __GNUC__
+#define TIA_LIGHT_INLINE static inline __attribute__((always_inline))
+#else
+#define TIA_LIGHT_INLINE static inline
+#endif
+
+/* Returns true for a kind with one of these traits; false for a number that is no kind. */
+TIA_LIGHT_INLINE bool tia_light_has(enum tia_light_kind kind, unsigned traits)
+{
+#define TIA_LIGHT_HAS(KIND, name, what, has) || (kind == KIND && (traits & (has)))
+    return false TIA_LIGHTS(TIA_LIGHT_HAS);
+#undef TIA_LIGHT_HAS
+}
 
 #define TIA_LIGHT_SAMPLES 16 /* the default for area lights */
 #define TIA_LIGHT_SAMPLES_MAX 256

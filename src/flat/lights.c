@@ -4,9 +4,9 @@
 
 unsigned tia_flat_light_samples(const struct tia_light *light)
 {
-    if (light->kind == TIA_AMBIENT_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         return 0;
-    if (light->kind != TIA_RECTANGLE_LIGHT && light->kind != TIA_DISC_LIGHT)
+    if (!tia_light_has(light->kind, TIA_LIGHT_SIDES | TIA_LIGHT_DISC))
         return 1;
     return light->samples ? light->samples : TIA_LIGHT_SAMPLES;
 }
@@ -93,7 +93,7 @@ void tia_flat_light_centre(const struct tia_flat_scene *flat, const struct tia_l
     int64_t at[3];
 
     centre(light, at);
-    if (light->kind == TIA_DIRECTIONAL_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_FAR))
         from_direction(flat, back, out);
     else
         from_point(flat, light, at, out);
@@ -104,12 +104,12 @@ void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light
 {
     int64_t at[3];
 
-    if (light->kind != TIA_RECTANGLE_LIGHT && light->kind != TIA_DISC_LIGHT) {
+    if (!tia_light_has(light->kind, TIA_LIGHT_SIDES | TIA_LIGHT_DISC)) {
         tia_flat_light_centre(flat, light, out);
         return;
     }
     centre(light, at);
-    if (light->kind == TIA_RECTANGLE_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_SIDES))
         on_rectangle(light, i, at);
     else
         on_disc(light, i, at);

@@ -80,7 +80,7 @@ uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsig
 
 static bool has_place(const struct tia_light *light)
 {
-    return light->kind != TIA_AMBIENT_LIGHT && light->kind != TIA_DIRECTIONAL_LIGHT;
+    return !tia_light_has(light->kind, TIA_LIGHT_PLACELESS);
 }
 
 static bool is_flat(const struct tia_reach *reach)
@@ -106,9 +106,9 @@ static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light
         const int64_t s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
         int64_t at[3];
         for (int k = 0; k < 3; k++)
-            at[k] = (centre[k] + (light->kind == TIA_RECTANGLE_LIGHT ? s[0] * a[k] + s[1] * b[k]
-                                  : light->kind == TIA_DISC_LIGHT    ? s[k] * light->radius
-                                                                     : 0)) *
+            at[k] = (centre[k] + (tia_light_has(light->kind, TIA_LIGHT_SIDES)  ? s[0] * a[k] + s[1] * b[k]
+                                  : tia_light_has(light->kind, TIA_LIGHT_DISC) ? s[k] * light->radius
+                                                                               : 0)) *
                     65536;
         most = larger(most, tia_eye_range(eye, at));
     }
@@ -122,7 +122,7 @@ static bool is_far(const struct tia_reach *reach, unsigned range)
 
 bool tia_reach_is_direction(const struct tia_reach *reach, const struct tia_light *light)
 {
-    return light->kind == TIA_DIRECTIONAL_LIGHT ||
+    return tia_light_has(light->kind, TIA_LIGHT_FAR) ||
            (has_place(light) && is_far(reach, range_of_light(reach->eye, light)));
 }
 

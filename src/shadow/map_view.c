@@ -11,10 +11,9 @@
 
 unsigned tia_map_views(const struct tia_light *light)
 {
-    return light->kind == TIA_DIRECTIONAL_LIGHT ||
-                   (light->kind == TIA_SPOT_LIGHT && light->outer <= TIA_Q16(TIA_SPOT_MAP))
-               ? 1
-               : TIA_CUBE_VIEWS;
+    bool narrow = tia_light_has(light->kind, TIA_LIGHT_CONE) && light->outer <= TIA_Q16(TIA_SPOT_MAP);
+
+    return narrow || tia_light_has(light->kind, TIA_LIGHT_FAR) ? 1 : TIA_CUBE_VIEWS;
 }
 
 /* ---- axes ---- */

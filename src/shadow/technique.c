@@ -23,6 +23,6 @@ unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_ligh
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
 
     if (technique->is_whole && technique->is_whole(scene))
-        return light->kind != TIA_AMBIENT_LIGHT;
+        return !tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE);
     return tia_flat_light_samples(light);
 }

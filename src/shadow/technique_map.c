@@ -32,7 +32,8 @@ struct demand {
 static void add_light(struct demand *demand, const struct tia_scene *scene, const struct tia_light *light)
 {
     struct tia_map_look look;
-    unsigned samples = is_whole(scene) ? light->kind != TIA_AMBIENT_LIGHT : tia_flat_light_samples(light);
+    unsigned samples =
+        is_whole(scene) ? !tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE) : tia_flat_light_samples(light);
 
     tia_map_look_init(&look, scene);
     demand->samples += samples;
@@ -105,9 +106,9 @@ static int64_t radius_of(const struct tia_light *light)
     const int64_t b[3] = {light->side[1].x, light->side[1].y, light->side[1].z};
     int64_t unit[2][3], normal[3];
 
-    if (light->kind == TIA_DISC_LIGHT || light->kind == TIA_SPHERE_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_AREA) && tia_light_has(light->kind, TIA_LIGHT_RADIUS))
         return (int64_t)light->radius << (TIA_WORLD_BITS - 16);
-    if (light->kind != TIA_RECTANGLE_LIGHT || !wide_normalise(a, unit[0]) || !wide_normalise(b, unit[1]))
+    if (!tia_light_has(light->kind, TIA_LIGHT_SIDES) || !wide_normalise(a, unit[0]) || !wide_normalise(b, unit[1]))
         return 0;
     tia_axes_cross(unit[0], unit[1], normal);
     int64_t sine = wide_sqrt(wide_dot(normal, normal));                                              /* Q1.62 */

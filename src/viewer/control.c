@@ -94,16 +94,17 @@ static void pause(struct loop *loop)
     loop->covered = true;
 }
 
-/* The next one that is not ambient, and round again. */
+/* The next one that keys move, and round again. */
 static bool choose_light(struct loop *loop)
 {
+    const struct tia_light *lights = loop->viewer->lights;
     uint32_t count = loop->state.light_count, from = loop->state.light < count ? loop->state.light : 0;
 
-    while (from + 1 < count && loop->viewer->lights[from].kind == TIA_AMBIENT_LIGHT)
+    while (from + 1 < count && tia_light_has(lights[from].kind, TIA_LIGHT_EVERYWHERE))
         from++;
     for (uint32_t i = 1; i <= count; i++) {
         uint32_t next = (from + i) % count;
-        if (loop->viewer->lights[next].kind != TIA_AMBIENT_LIGHT) {
+        if (!tia_light_has(lights[next].kind, TIA_LIGHT_EVERYWHERE)) {
             loop->state.light = next;
             loop->covered = true;
             return true;

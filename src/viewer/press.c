@@ -68,8 +68,8 @@ static int move_light(const struct tia_scene *scene, struct tia_light *light, co
 
     if (tia_scene_check(&alone, NULL))
         return 0;
-    if (light->kind == TIA_DIRECTIONAL_LIGHT ? !rotate(&moved.direction, move)
-                                             : !move_centre(&moved.centre, move, scene->scale_bits))
+    if (tia_light_has(light->kind, TIA_LIGHT_FAR) ? !rotate(&moved.direction, move)
+                                                  : !move_centre(&moved.centre, move, scene->scale_bits))
         return 0;
     if (tia_scene_check(&alone, NULL))
         return 0;
@@ -114,7 +114,7 @@ uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *li
         return binding->light < count ? binding->light : count;
     if (!find_move(key))
         return TIA_NO_LIGHT;
-    while (first < count && lights[first].kind == TIA_AMBIENT_LIGHT)
+    while (first < count && tia_light_has(lights[first].kind, TIA_LIGHT_EVERYWHERE))
         first++;
     return first < count ? first : TIA_NO_LIGHT;
 }

@@ -67,11 +67,9 @@ static unsigned reference_of(const struct tia_scene *scene)
 
 static unsigned samples_of(const struct tia_light *light)
 {
-    bool has_area = light->kind >= TIA_RECTANGLE_LIGHT;
-
-    if (light->kind == TIA_AMBIENT_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         return 0;
-    return !has_area ? 1 : light->samples ? light->samples : TIA_LIGHT_SAMPLES;
+    return !tia_light_has(light->kind, TIA_LIGHT_AREA) ? 1 : light->samples ? light->samples : TIA_LIGHT_SAMPLES;
 }
 
 /* The bits of light number `light`, from 1. */

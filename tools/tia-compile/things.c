@@ -22,9 +22,9 @@ static void write_material(struct unit *unit, const struct tia_material *m)
 
 void unit_light(struct unit *unit, const struct tia_light *l)
 {
-    static const char *const kinds[] = {"TIA_POINT_LIGHT", "TIA_DIRECTIONAL_LIGHT", "TIA_AMBIENT_LIGHT",
-                                        "TIA_SPOT_LIGHT",  "TIA_RECTANGLE_LIGHT",   "TIA_DISC_LIGHT",
-                                        "TIA_SPHERE_LIGHT"};
+#define NAME(KIND, name, what, traits) #KIND,
+    static const char *const kinds[] = {TIA_LIGHTS(NAME)};
+#undef NAME
 
     text_word(&unit->text, "{");
     field_vec3(unit, "centre", l->centre);

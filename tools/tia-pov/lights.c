@@ -67,47 +67,29 @@ static void spot(struct pov *pov, uint32_t index, const struct tia_light *l)
                  index);
 }
 
-static void write_kind(struct pov *pov, uint32_t index)
+static void rectangular_area(struct pov *pov, uint32_t index, const struct tia_light *l)
 {
-    const struct tia_light *l = &pov->scene->lights[index];
-
-    switch (l->kind) {
-    case TIA_SPOT_LIGHT:
-        spot(pov, index, l);
-        break;
-    case TIA_RECTANGLE_LIGHT:
-        area(pov, pov_place(pov, l->side[0]), pov_place(pov, l->side[1]), side_of(l), "");
-        break;
-    case TIA_DISC_LIGHT:
-        round_area(pov, l, pov_dir3(l->direction), "circular");
-        break;
-    case TIA_SPHERE_LIGHT:
-        round_area(pov, l, (struct point){0, 0, 1}, "circular orient");
-        break;
-    default:
-        break;
-    }
+    (void)index;
+    area(pov, pov_place(pov, l->side[0]), pov_place(pov, l->side[1]), side_of(l), "");
 }
 
-static void write_light(struct pov *pov, uint32_t index)
+static void disc_area(struct pov *pov, uint32_t index, const struct tia_light *l)
 {
-    const struct tia_light *l = &pov->scene->lights[index];
-    double distance = 0, factor = 1;
-    int power = 0;
+    (void)index;
+    round_area(pov, l, pov_dir3(l->direction), "circular");
+}
 
-    text_print(&pov->text, "light_source {\n");
-    if (l->kind == TIA_DIRECTIONAL_LIGHT) {
-        pov_triple(pov, "", pov_scaled(pov_dir3(l->direction), -FAR));
-        pov_triple(pov, "rgb", pov_rgb(l->emission));
-        text_word(&pov->text, "parallel point_at 0");
-    } else {
-        factor = fade(l, &distance, &power);
-        pov_triple(pov, "", pov_place(pov, l->centre));
-        pov_triple(pov, "rgb", pov_scaled(pov_rgb(l->emission), factor));
-        write_kind(pov, index);
-        write_fade(pov, index, distance, power);
-    }
-    text_print(&pov->text, "\n}\n");
+static void turned_area(struct pov *pov, uint32_t index, const struct tia_light *l)
+{
+    (void)index;
+    round_area(pov, l, (struct point){0, 0, 1}, "circular orient");
+}
+
+static void no_area(struct pov *pov, uint32_t index, const struct tia_light *l)
+{
+    (void)pov;
+    (void)index;
+    (void)l;
 }
 
 static void rectangle(struct pov *pov, const struct tia_light *l)
@@ -122,25 +104,76 @@ static void rectangle(struct pov *pov, const struct tia_light *l)
     }
 }
 
+static void disc(struct pov *pov, const struct tia_light *l)
+{
+    pov_triple(pov, "disc {", pov_place(pov, l->centre));
+    pov_triple(pov, ",", pov_dir3(l->direction));
+    text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
+}
+
+static void ball(struct pov *pov, const struct tia_light *l)
+{
+    pov_triple(pov, "sphere {", pov_place(pov, l->centre));
+    text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
+}
+
+static void no_surface(struct pov *pov, const struct tia_light *l)
+{
+    (void)pov;
+    (void)l;
+}
+
+struct pov_light {
+    void (*area)(struct pov *pov, uint32_t index, const struct tia_light *l); /* the words of a spot or an area */
+    void (*surface)(struct pov *pov, const struct tia_light *l);              /* the beginning of its object */
+};
+
+/* A row for each of TIA_LIGHTS. */
+#define LIGHT(name, area, surface) static const struct pov_light name##_light = {area, surface}
+LIGHT(point, no_area, ball);
+LIGHT(directional, no_area, no_surface);
+LIGHT(ambient, no_area, no_surface);
+LIGHT(spot, spot, no_surface);
+LIGHT(rectangle, rectangular_area, rectangle);
+LIGHT(disc, disc_area, disc);
+LIGHT(sphere, turned_area, ball);
+
+static const struct pov_light *kind_of(const struct tia_light *l)
+{
+#define ENTRY(KIND, name, what, traits) [KIND] = &name##_light,
+    static const struct pov_light *const kinds[] = {TIA_LIGHTS(ENTRY)};
+#undef ENTRY
+
+    return kinds[l->kind];
+}
+
+static void write_light(struct pov *pov, uint32_t index)
+{
+    const struct tia_light *l = &pov->scene->lights[index];
+    double distance = 0, factor = 1;
+    int power = 0;
+
+    text_print(&pov->text, "light_source {\n");
+    if (tia_light_has(l->kind, TIA_LIGHT_FAR)) {
+        pov_triple(pov, "", pov_scaled(pov_dir3(l->direction), -FAR));
+        pov_triple(pov, "rgb", pov_rgb(l->emission));
+        text_word(&pov->text, "parallel point_at 0");
+    } else {
+        factor = fade(l, &distance, &power);
+        pov_triple(pov, "", pov_place(pov, l->centre));
+        pov_triple(pov, "rgb", pov_scaled(pov_rgb(l->emission), factor));
+        kind_of(l)->area(pov, index, l);
+        write_fade(pov, index, distance, power);
+    }
+    text_print(&pov->text, "\n}\n");
+}
+
 /* Writes the visible surface of a light; it casts no shadow. */
 static void write_seen(struct pov *pov, const struct tia_light *l)
 {
-    bool sides = l->kind == TIA_RECTANGLE_LIGHT;
-
-    if (!sides && l->radius == 0)
+    if (!tia_light_has(l->kind, TIA_LIGHT_SURFACE) || (tia_light_has(l->kind, TIA_LIGHT_RADIUS) && l->radius == 0))
         return;
-    if (l->kind == TIA_DIRECTIONAL_LIGHT || l->kind == TIA_AMBIENT_LIGHT || l->kind == TIA_SPOT_LIGHT)
-        return;
-    if (sides) {
-        rectangle(pov, l);
-    } else if (l->kind == TIA_DISC_LIGHT) {
-        pov_triple(pov, "disc {", pov_place(pov, l->centre));
-        pov_triple(pov, ",", pov_dir3(l->direction));
-        text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
-    } else {
-        pov_triple(pov, "sphere {", pov_place(pov, l->centre));
-        text_word(&pov->text, ", %.10g", pov_length(pov, l->radius));
-    }
+    kind_of(l)->surface(pov, l);
     pov_triple(pov, "no_shadow pigment { rgb", pov_rgb(l->emission));
     text_word(&pov->text, "} finish { emission 1 diffuse 0 } }");
     text_print(&pov->text, "\n");
@@ -149,7 +182,7 @@ static void write_seen(struct pov *pov, const struct tia_light *l)
 void pov_lights(struct pov *pov)
 {
     for (uint32_t i = 0; i < pov->scene->light_count; i++) {
-        if (pov->scene->lights[i].kind == TIA_AMBIENT_LIGHT)
+        if (tia_light_has(pov->scene->lights[i].kind, TIA_LIGHT_EVERYWHERE))
             continue;
         write_light(pov, i);
         write_seen(pov, &pov->scene->lights[i]);

@@ -5,7 +5,7 @@ static struct point ambient(const struct tia_scene *scene)
     struct point sum = {0};
 
     for (uint32_t i = 0; i < scene->light_count; i++)
-        if (scene->lights[i].kind == TIA_AMBIENT_LIGHT)
+        if (tia_light_has(scene->lights[i].kind, TIA_LIGHT_EVERYWHERE))
             sum = pov_sum(sum, pov_rgb(scene->lights[i].emission));
     return sum;
 }

@@ -140,7 +140,7 @@ static void warn_of_darkness(const struct tia_scene *scene)
     for (uint32_t i = 0; i < scene->material_count && !bright; i++)
         bright = shines(&scene->materials[i].emission) || shines(&scene->materials[i].facing);
     for (uint32_t i = 0; i < scene->light_count && !bright; i++)
-        bright = scene->lights[i].kind != TIA_AMBIENT_LIGHT && shines(&scene->lights[i].emission);
+        bright = tia_light_has(scene->lights[i].kind, TIA_LIGHT_PATHS) && shines(&scene->lights[i].emission);
     if (!bright)
         note("--integrator path: nothing shines in this scene: it will be black");
 }

@@ -25,7 +25,7 @@ void light_tell(struct web_frame *frame)
 
     frame->light_count = session.state.light_count;
     frame->light = -1;
-    if (light == TIA_NO_LIGHT || session.lights.array[light].kind == TIA_DIRECTIONAL_LIGHT)
+    if (light == TIA_NO_LIGHT || tia_light_has(session.lights.array[light].kind, TIA_LIGHT_FAR))
         return;
     frame->light = (int32_t)light;
     frame->light_x = frame->light_y = 0;
@@ -46,7 +46,7 @@ bool light_drag(int32_t right, int32_t down)
         return false;
     struct tia_light moved = session.lights.array[light];
     struct tia_scene alone = {.camera = *session_camera(), .lights = &moved, .light_count = 1};
-    if (moved.kind == TIA_DIRECTIONAL_LIGHT)
+    if (tia_light_has(moved.kind, TIA_LIGHT_FAR))
         return false;
     moved.centre =
         projected_dragged(&alone.camera, width, height, moved.centre, right / 65536.0 * width, down / 65536.0 * height);

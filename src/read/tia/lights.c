@@ -47,24 +47,18 @@ struct light_line {
         .offset = offsetof(struct light_line, light.samples)                                                           \
     }
 
-static const struct tia_field point[] = {PLACED, LENGTHS("radius", 1, radius, false)};
-static const struct tia_field directional[] = {NAME, EMISSION, DIRECTION};
-static const struct tia_field ambient[] = {NAME, EMISSION, LENGTHS("occlusion", 1, radius, false), SAMPLES};
-static const struct tia_field spot[] = {PLACED, DIRECTION, NUMBERS("inner", 1, inner, false),
-                                        NUMBERS("outer", 1, outer, true)};
-static const struct tia_field rectangle[] = {PLACED, LENGTHS("sides", 6, side, true), SAMPLES};
-static const struct tia_field disc[] = {PLACED, DIRECTION, LENGTHS("radius", 1, radius, true), SAMPLES};
-static const struct tia_field sphere[] = {PLACED, LENGTHS("radius", 1, radius, true), SAMPLES};
+static const struct tia_field point_fields[] = {PLACED, LENGTHS("radius", 1, radius, false)};
+static const struct tia_field directional_fields[] = {NAME, EMISSION, DIRECTION};
+static const struct tia_field ambient_fields[] = {NAME, EMISSION, LENGTHS("occlusion", 1, radius, false), SAMPLES};
+static const struct tia_field spot_fields[] = {PLACED, DIRECTION, NUMBERS("inner", 1, inner, false),
+                                               NUMBERS("outer", 1, outer, true)};
+static const struct tia_field rectangle_fields[] = {PLACED, LENGTHS("sides", 6, side, true), SAMPLES};
+static const struct tia_field disc_fields[] = {PLACED, DIRECTION, LENGTHS("radius", 1, radius, true), SAMPLES};
+static const struct tia_field sphere_fields[] = {PLACED, LENGTHS("radius", 1, radius, true), SAMPLES};
 
-static const struct tia_form kinds[] = {
-    {"point", "a point light", TIA_POINT_LIGHT, point, TIA_COUNT_OF(point)},
-    {"directional", "a directional light", TIA_DIRECTIONAL_LIGHT, directional, TIA_COUNT_OF(directional)},
-    {"ambient", "an ambient light", TIA_AMBIENT_LIGHT, ambient, TIA_COUNT_OF(ambient)},
-    {"spot", "a spot light", TIA_SPOT_LIGHT, spot, TIA_COUNT_OF(spot)},
-    {"rectangle", "a rectangle light", TIA_RECTANGLE_LIGHT, rectangle, TIA_COUNT_OF(rectangle)},
-    {"disc", "a disc light", TIA_DISC_LIGHT, disc, TIA_COUNT_OF(disc)},
-    {"sphere", "a sphere light", TIA_SPHERE_LIGHT, sphere, TIA_COUNT_OF(sphere)},
-};
+#define FORM(KIND, name, what, traits) {#name, what, KIND, name##_fields, TIA_COUNT_OF(name##_fields)},
+static const struct tia_form kinds[] = {TIA_LIGHTS(FORM)};
+#undef FORM
 
 static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
 {
@@ -81,8 +75,7 @@ static int read_light(struct tia_job *job, struct light_line *line, bool nameabl
     line->light.linear = line->fading.linear;
     line->light.quadratic = line->fading.quadratic;
     line->light.unit_bits = line->fading.unit_bits;
-    bool has_place = kind->kind != TIA_DIRECTIONAL_LIGHT && kind->kind != TIA_AMBIENT_LIGHT;
-    if (!status && has_place && job->pass == TIA_COUNTING)
+    if (!status && !tia_light_has(line->light.kind, TIA_LIGHT_PLACELESS) && job->pass == TIA_COUNTING)
         tia_reach_light(&job->reach, &line->light);
     return status;
 }

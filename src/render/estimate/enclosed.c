@@ -47,9 +47,9 @@ static bool edge_is_inside(const struct ray_view *view, const struct ray_light *
 {
     for (int i = 0; i < 4; i++) {
         struct num_point at = light->centre;
-        if (light->kind == TIA_DISC_LIGHT)
+        if (tia_light_has(light->kind, TIA_LIGHT_DISC))
             at = num_point_at(at, light->axes[i >> 1], i & 1 ? -light->radius : light->radius);
-        for (int s = 0; s < 2 && light->kind == TIA_RECTANGLE_LIGHT; s++)
+        for (int s = 0; s < 2 && tia_light_has(light->kind, TIA_LIGHT_SIDES); s++)
             at = i >> s & 1 ? num_point_sub(at, light->side[s]) : num_point_add(at, light->side[s]);
         if (around(view, at, 0) != object)
             return false;
@@ -61,9 +61,9 @@ uint32_t estimate_enclosing(const struct tia_view *view, uint32_t number)
 {
     const struct ray_view *rays = view->prepared;
     const struct ray_light *light = &rays->lights[number];
-    bool flat = light->kind == TIA_DISC_LIGHT || light->kind == TIA_RECTANGLE_LIGHT;
+    bool flat = tia_light_has(light->kind, TIA_LIGHT_DISC | TIA_LIGHT_SIDES);
 
-    if (light->kind == TIA_DIRECTIONAL_LIGHT || light->kind == TIA_AMBIENT_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_PLACELESS))
         return TIA_NO_OBJECT;
     uint32_t object = around(rays, light->centre, flat ? 0 : light->radius);
     if (object == TIA_NO_OBJECT || (flat && !edge_is_inside(rays, light, object)))

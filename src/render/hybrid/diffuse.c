@@ -74,15 +74,17 @@ static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned
     l->kind = light->kind;
     l->bit = bit;
     emission_of(light, l->emission);
-    if (light->kind == TIA_AMBIENT_LIGHT)
+    if (!tia_light_has(light->kind, TIA_LIGHT_TECHNIQUES))
+        return false;
+    if (tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         return true;
-    if (light->kind == TIA_DIRECTIONAL_LIGHT) {
+    if (tia_light_has(light->kind, TIA_LIGHT_FAR)) {
         direct_light(light, l->at);
         return true;
     }
-    if (light->kind == TIA_SPOT_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_CONE))
         aim_spot(light, l);
-    return light->kind < TIA_RECTANGLE_LIGHT && !light->radius && !light->constant && !light->linear &&
+    return !tia_light_has(light->kind, TIA_LIGHT_AREA) && !light->radius && !light->constant && !light->linear &&
            !light->quadratic && place_light(m, light, l->at);
 }
 
@@ -247,12 +249,12 @@ static int64_t cosine_of(const int64_t normal[3], const int64_t w[3], int64_t di
 
 static int64_t lambert(const struct diffuse *m, const struct diffuse_light *l, const int64_t at[3], int64_t distance)
 {
-    if (l->kind == TIA_DIRECTIONAL_LIGHT) {
+    if (tia_light_has(l->kind, TIA_LIGHT_FAR)) {
         int64_t facing = dot(m->face.normal, l->at);
         return facing > 0 ? facing >> NORMAL_BITS : 0;
     }
     const int64_t w[3] = {l->at[0] - at[0], l->at[1] - at[1], l->at[2] - at[2]};
-    if (l->kind == TIA_SPOT_LIGHT) {
+    if (tia_light_has(l->kind, TIA_LIGHT_CONE)) {
         int64_t c = cosine_of(l->back, w, distance);
         if (c < l->inner)
             return c >= 0 && c <= l->outer ? 0 : -1;
@@ -283,7 +285,7 @@ static bool add_lights(struct diffuse_colour *c, const struct diffuse *m, const 
 {
     for (unsigned n = 0; n < m->light_count; n++) {
         const struct diffuse_light *l = &m->lights[n];
-        if (l->kind == TIA_AMBIENT_LIGHT) {
+        if (tia_light_has(l->kind, TIA_LIGHT_EVERYWHERE)) {
             add(c, m, l, INT64_C(1) << 30, true);
             continue;
         }

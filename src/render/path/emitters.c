@@ -38,19 +38,92 @@ static struct num_density pi(void)
     return num_density_of(num_length_of_q45(PI_Q45));
 }
 
+static struct num_density disc_area(const struct ray_light *l)
+{
+    struct num_density radius = num_density_of(l->radius);
+
+    return num_density_product(pi(), num_density_product(radius, radius));
+}
+
+/* Points need none, and neither do spheres, whose places are chosen by the cone. */
+static struct num_density no_area(const struct ray_light *l)
+{
+    (void)l;
+    return (struct num_density){0};
+}
+
+static struct num_point scaled(struct num_point p, num_unit s)
+{
+    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
+}
+
+static struct num_point place_on_rectangle(const struct ray_light *l, const uint32_t u[2])
+{
+    num_unit s = 2 * (num_unit_of_u32(u[0]) - NUM_UNIT_ONE / 2), t = 2 * (num_unit_of_u32(u[1]) - NUM_UNIT_ONE / 2);
+
+    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
+}
+
+static struct num_point place_on_disc(const struct ray_light *l, const uint32_t u[2])
+{
+    int64_t flat[2];
+
+    tia_sample_disc(u, flat);
+    return num_point_add(l->centre,
+                         num_point_add(num_point_along(l->axes[0], num_times(l->radius, num_unit_of_q62(flat[0]))),
+                                       num_point_along(l->axes[1], num_times(l->radius, num_unit_of_q62(flat[1])))));
+}
+
+static struct num_point place_at_centre(const struct ray_light *l, const uint32_t u[2])
+{
+    (void)u;
+    return l->centre;
+}
+
+struct emitter_light {
+    enum emitter_kind kind;
+    struct num_density (*area)(const struct ray_light *l);                     /* of planes */
+    struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* on planes */
+};
+
+/* A row for each of TIA_LIGHTS. */
+#define EMITTER(name, kind, area, place) static const struct emitter_light name##_emitter = {kind, area, place}
+EMITTER(point, EMITTER_POINT, no_area, place_at_centre);
+EMITTER(directional, EMITTER_POINT, no_area, place_at_centre);
+EMITTER(ambient, EMITTER_POINT, no_area, place_at_centre);
+EMITTER(spot, EMITTER_POINT, no_area, place_at_centre);
+EMITTER(rectangle, EMITTER_PLANE, rectangle_area, place_on_rectangle);
+EMITTER(disc, EMITTER_PLANE, disc_area, place_on_disc);
+EMITTER(sphere, EMITTER_SPHERE, no_area, place_at_centre);
+
+static void set_shape(struct emitter *emitter, const struct ray_light *light)
+{
+#define SHAPE(KIND, name, what, traits)                                                                                \
+    case KIND:                                                                                                         \
+        emitter->kind = name##_emitter.kind;                                                                           \
+        emitter->area = name##_emitter.area(light);                                                                    \
+        break;
+    switch (light->kind) {
+        TIA_LIGHTS(SHAPE)
+    }
+}
+
+static struct num_point place_on_plane(const struct ray_light *l, const uint32_t u[2])
+{
+#define PLACE(KIND, name, what, traits)                                                                                \
+    case KIND:                                                                                                         \
+        return name##_emitter.place(l, u);
+    switch (l->kind) {
+        TIA_LIGHTS(PLACE)
+    }
+    return l->centre;
+}
+
 void emitter_of_light(const struct ray_light *light, const struct tia_light *given, struct emitter *emitter)
 {
-    struct num_density radius = num_density_of(light->radius);
-
     *emitter = (struct emitter){.light = light, .centre = light->centre, .radius = light->radius};
     emitter_radiance(&given->emission, given->emission_bits, emitter->radiance);
-    emitter->kind = light->kind == TIA_SPHERE_LIGHT     ? EMITTER_SPHERE
-                    : light->kind < TIA_RECTANGLE_LIGHT ? EMITTER_POINT
-                                                        : EMITTER_PLANE;
-    if (light->kind == TIA_DISC_LIGHT)
-        emitter->area = num_density_product(pi(), num_density_product(radius, radius));
-    if (light->kind == TIA_RECTANGLE_LIGHT)
-        emitter->area = rectangle_area(light);
+    set_shape(emitter, light);
 }
 
 void emitter_of_sphere(const struct tia_scene *scene, uint32_t sphere, struct emitter *emitter)
@@ -90,14 +163,14 @@ int emitters_prepare(struct emitters *emitters, const struct ray_view *view, voi
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* A light that is dark, without a surface that should have one, or ambient, is none. */
+/* Returns false for a light that is dark, that paths do not look for, or whose area is 0. */
 static bool shines(const struct tia_light *l)
 {
-    if (l->kind == TIA_AMBIENT_LIGHT || colour_is_black(&l->emission))
+    if (!tia_light_has(l->kind, TIA_LIGHT_PATHS) || colour_is_black(&l->emission))
         return false;
-    if (l->kind == TIA_RECTANGLE_LIGHT)
-        return l->side[0].x || l->side[0].y || l->side[0].z;
-    return l->kind < TIA_RECTANGLE_LIGHT || l->radius > 0;
+    if (!tia_light_has(l->kind, TIA_LIGHT_AREA))
+        return true;
+    return tia_light_has(l->kind, TIA_LIGHT_SIDES) ? l->side[0].x || l->side[0].y || l->side[0].z : l->radius > 0;
 }
 
 /* Of 0..2^25. */
@@ -170,25 +243,6 @@ static bool place_on_sphere(const struct emitter *e, struct num_point from, cons
         t = num_point_dot(way, ray.direction);
     *place = num_point_at(from, ray.direction, t);
     return num_normalise(num_point_sub(*place, e->centre), normal);
-}
-
-static struct num_point scaled(struct num_point p, num_unit s)
-{
-    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
-}
-
-static struct num_point place_on_plane(const struct ray_light *l, const uint32_t u[2])
-{
-    int64_t flat[2];
-
-    if (l->kind == TIA_RECTANGLE_LIGHT) {
-        num_unit s = 2 * (num_unit_of_u32(u[0]) - NUM_UNIT_ONE / 2), t = 2 * (num_unit_of_u32(u[1]) - NUM_UNIT_ONE / 2);
-        return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
-    }
-    tia_sample_disc(u, flat);
-    return num_point_add(l->centre,
-                         num_point_add(num_point_along(l->axes[0], num_times(l->radius, num_unit_of_q62(flat[0]))),
-                                       num_point_along(l->axes[1], num_times(l->radius, num_unit_of_q62(flat[1])))));
 }
 
 static bool sample_point(const struct emitter *e, struct num_point from, struct num_dir facing,

@@ -64,10 +64,10 @@ static num_unit weight_of(const struct walk *w, const struct emitter *emitter, n
 
 static void add_light(struct walk *w, const struct hit *hit, const struct emitter *emitter)
 {
-    bool is_point = w->e->view->lights[hit->light].kind == TIA_POINT_LIGHT;
+    bool is_surface = PATH_SURFACES >> w->e->view->lights[hit->light].kind & 1;
 
     estimate_note(w->e, TIA_NO_OBJECT - 1 - hit->light);
-    add(w, emitter->radiance, is_point ? NUM_UNIT_ONE : weight_of(w, emitter, hit->t));
+    add(w, emitter->radiance, is_surface ? weight_of(w, emitter, hit->t) : NUM_UNIT_ONE);
 }
 
 /* How far the eye sees, past mirrors and glass. */

@@ -18,9 +18,12 @@ void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3
 /* The bounces after which paths may end by chance are those from this one on; the first is 0. */
 #define PATH_ROULETTE 3
 
-/* The lights that paths meet as surfaces; and those that are seen, by eye or mirror. */
-#define PATH_SURFACES (1u << TIA_RECTANGLE_LIGHT | 1u << TIA_DISC_LIGHT | 1u << TIA_SPHERE_LIGHT)
-#define PATH_SEEN (PATH_SURFACES | 1u << TIA_POINT_LIGHT)
+/* The kinds of lights that paths meet as surfaces, a bit each; and those that are seen, by eye or mirror. */
+#define PATH_SURFACE(KIND, name, what, traits)                                                                         \
+    | (TIA_LIGHT_AREA & (traits) && TIA_LIGHT_PATHS & (traits) ? 1u << KIND : 0)
+#define PATH_SEEN_KIND(KIND, name, what, traits) | (TIA_LIGHT_SURFACE & (traits) ? 1u << KIND : 0)
+#define PATH_SURFACES (0 TIA_LIGHTS(PATH_SURFACE))
+#define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))
 
 /* The two quads of a bounce: a point of a light, and a direction, which of the first bounce is in the quad before; and
  * which lobe, which light, whether the path goes on, whether glass reflects. */

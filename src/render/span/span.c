@@ -12,7 +12,7 @@ static bool is_matt(const struct tia_material *m)
 
 static bool is_plain_light(const struct tia_light *l)
 {
-    return l->kind == TIA_POINT_LIGHT && !l->constant && !l->linear && !l->quadratic;
+    return tia_light_has(l->kind, TIA_LIGHT_SPANS) && !l->constant && !l->linear && !l->quadratic;
 }
 
 static bool is_plain_camera(const struct tia_camera *c)

@@ -18,8 +18,14 @@ struct ray_light {
     struct num_dir across[2]; /* in its plane, at right angles to the other side */
     num_length constant, linear, quadratic;
     num_unit unit; /* the scene's unit of length in that of its attenuation */
-    bool fades;
+    bool fades;    /* never without a place */
 };
+
+/* True if the samples lie on a disc that faces each point. */
+static inline bool ray_light_turns(const struct ray_light *light)
+{
+    return tia_light_has(light->kind, TIA_LIGHT_AREA) && tia_light_has(light->kind, TIA_LIGHT_BALL);
+}
 
 /* What one sample of a light does to a point. */
 struct ray_sample {
@@ -50,7 +56,7 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
 
-/* Whether it has a surface that rays can meet. */
+/* True if it has a surface that rays can meet. */
 bool ray_light_is_seen(const struct ray_light *light);
 
 /* Where a ray meets the light's surface, 0 <= t < limit. */

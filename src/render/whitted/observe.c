@@ -54,7 +54,7 @@ void observe_shadow(const struct path *path, const struct observed_shadow *shado
 
     if (!ray_light_shadow(light, shadow->sample, shadow->from, &ray, &distance))
         return;
-    if (light->kind == TIA_DIRECTIONAL_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_FAR))
         distance = NUM_LENGTH_ONE;
     struct tia_traced traced = {.ray = TIA_RAY_SHADOW,
                                 .from = vec_of(ray.origin),

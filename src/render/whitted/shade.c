@@ -138,7 +138,7 @@ static void add_light(struct path *path, const struct shading *s, uint32_t n, nu
     num_length mean[3] = {0, 0, 0};
     struct ray_aim aim;
 
-    if (light->kind == TIA_AMBIENT_LIGHT) {
+    if (tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE)) {
         num_length part = ambient_part(path, s, light, n);
         for (int c = 0; c < 3; c++) {
             num_length sent = part < NUM_LENGTH_ONE ? num_product(light->emission[c], part) : light->emission[c];

@@ -1,24 +1,13 @@
 #include "check.h"
 
-static bool is_one_of(enum tia_light_kind kind, unsigned kinds)
-{
-    return kinds >> kind & 1;
-}
-
-#define KIND(name) (1u << TIA_##name##_LIGHT)
-#define EVERYWHERE (KIND(DIRECTIONAL) | KIND(AMBIENT))
-#define WITH_RADIUS (KIND(POINT) | KIND(AMBIENT) | KIND(DISC) | KIND(SPHERE))
-#define WITH_DIRECTION (KIND(DIRECTIONAL) | KIND(SPOT) | KIND(DISC))
-#define WITH_SAMPLES (KIND(AMBIENT) | KIND(RECTANGLE) | KIND(DISC) | KIND(SPHERE))
-
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *l)
 {
     const struct tia_vec3 *c = &l->centre, *s = &l->side[0], *t = &l->side[1];
 
-    if (is_one_of(l->kind, EVERYWHERE))
+    if (tia_light_has(l->kind, TIA_LIGHT_PLACELESS))
         return true;
-    if (l->kind != TIA_RECTANGLE_LIGHT)
-        return tia_check_is_near(check, *c, is_one_of(l->kind, WITH_RADIUS) ? l->radius : 0);
+    if (!tia_light_has(l->kind, TIA_LIGHT_SIDES))
+        return tia_check_is_near(check, *c, tia_light_has(l->kind, TIA_LIGHT_RADIUS) ? l->radius : 0);
     for (int i = 0; i < 4; i++) {
         int64_t a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1;
         const int64_t p[3] = {c->x + a * s->x + b * t->x, c->y + a * s->y + b * t->y, c->z + a * s->z + b * t->z};
@@ -38,15 +27,15 @@ static bool are_sides(const struct tia_vec3 side[2])
 
 static int check_shape_of(const struct check *check, const struct tia_light *l)
 {
-    if (is_one_of(l->kind, WITH_DIRECTION))
+    if (tia_light_has(l->kind, TIA_LIGHT_DIRECTION))
         REQUIRE(tia_check_is_direction(&l->direction), "direction", CHECK_LENGTH);
-    if (l->kind == TIA_SPOT_LIGHT) {
+    if (tia_light_has(l->kind, TIA_LIGHT_CONE)) {
         REQUIRE(tia_check_is_between(l->outer, TIA_Q16_ONE, 90 * TIA_Q16_ONE), "outer", "must be in 1..90 degrees");
         REQUIRE(tia_check_is_between(l->inner, 0, l->outer), "inner", "must be in 0..outer degrees");
     }
-    if (l->kind == TIA_RECTANGLE_LIGHT)
+    if (tia_light_has(l->kind, TIA_LIGHT_SIDES))
         REQUIRE(are_sides(l->side), "side", "the sides must not be on one line, unless both are 0");
-    if (is_one_of(l->kind, WITH_SAMPLES))
+    if (tia_light_has(l->kind, TIA_LIGHT_SAMPLED))
         REQUIRE(l->samples <= TIA_LIGHT_SAMPLES_MAX, "samples", "must be in 1..256");
     return TIA_OK;
 }
@@ -58,12 +47,12 @@ static bool is_attenuation(tia_q16 x)
 
 int tia_check_light(const struct check *check, const struct tia_light *l)
 {
-    REQUIRE((unsigned)l->kind <= TIA_SPHERE_LIGHT, "kind", "must be a kind of light");
-    if (is_one_of(l->kind, WITH_RADIUS))
+    REQUIRE((unsigned)l->kind < TIA_LIGHT_KINDS, "kind", "must be a kind of light");
+    if (tia_light_has(l->kind, TIA_LIGHT_RADIUS))
         REQUIRE(l->radius == 0 || l->radius >= TIA_RADIUS_MIN, "radius", "must be 0 or at least 2^-10");
     REQUIRE(tia_check_is_light_near(check, l), "centre", CHECK_FAR);
     REQUIRE(l->emission.r >= 0 && l->emission.g >= 0 && l->emission.b >= 0, "emission", "each channel must be in 0..2");
-    if (!is_one_of(l->kind, EVERYWHERE))
+    if (!tia_light_has(l->kind, TIA_LIGHT_PLACELESS))
         REQUIRE(is_attenuation(l->constant) && is_attenuation(l->linear) && is_attenuation(l->quadratic), "attenuation",
                 "each term must be in 0..32767");
     return check_shape_of(check, l);

@@ -14,10 +14,10 @@ static int check_light(const struct check *check, const struct tia_light *light,
 {
     bool soft = is_soft(check->scene);
 
-    REQUIRE(soft || light->kind != TIA_SPHERE_LIGHT, "kind", "must be no sphere light with these shadows");
-    if (!soft && (light->kind == TIA_RECTANGLE_LIGHT || light->kind == TIA_DISC_LIGHT))
+    REQUIRE(soft || tia_light_has(light->kind, TIA_LIGHT_TECHNIQUES), "kind", "must be one that these shadows take");
+    if (!soft && tia_light_has(light->kind, TIA_LIGHT_AREA))
         *samples += light->samples ? light->samples : TIA_LIGHT_SAMPLES;
-    else if (light->kind != TIA_AMBIENT_LIGHT)
+    else if (!tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         *samples += 1;
     REQUIRE(*samples <= TIA_SHADOW_SAMPLES, "samples", "must be at most 64 of all lights and keys with these shadows");
     return TIA_OK;

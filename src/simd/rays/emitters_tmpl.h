@@ -80,7 +80,7 @@ static void see_plane(const struct sure_scene *s, const struct sure_light *l, co
 {
     vd x, y, cosine, ecosine;
 
-    if (l->from->kind == TIA_RECTANGLE_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_SIDES)) {
         x = 2 * vu_unit(u[0]) - 1;
         y = 2 * vu_unit(u[1]) - 1;
     } else {
@@ -161,13 +161,13 @@ static void see_point(const struct sure_light *l, struct v3 from, vd efrom, stru
     a->edistance = vset(0);
     a->to = v3_neg(v3_set(l->normal));
     a->eto = vset(P2M(51));
-    if (l->from->kind != TIA_DIRECTIONAL_LIGHT) {
+    if (!tia_light_has(l->from->kind, TIA_LIGHT_FAR)) {
         struct v3 way = v3_sub(v3_set(l->at), from);
         vd e = efrom + (v3_sum(way) + v3_sum(from)) * P2M(51);
         a->to = v3_unit(way, e, &a->eto);
         a->distance = v3_dot(way, a->to);
         a->edistance = e + a->distance * P2M(49) + UNIT;
-        if (l->from->kind == TIA_SPOT_LIGHT)
+        if (tia_light_has(l->from->kind, TIA_LIGHT_CONE))
             spot_falloff(l, a->to, a->eto, &f);
         if (l->from->fades)
             attenuate(l, a->distance, a->edistance, &f);
@@ -184,10 +184,10 @@ static void see_emitter(const struct sure_scene *s, const struct sure_emitter *e
 
     if (!l)
         see_ball(s, s->object[e->sphere].at, s->object[e->sphere].radius, from, efrom, u, a);
-    else if (l->from->kind == TIA_SPHERE_LIGHT)
-        see_ball(s, l->at, l->radius, from, efrom, u, a);
-    else if (l->from->kind < TIA_RECTANGLE_LIGHT)
+    else if (!tia_light_has(l->from->kind, TIA_LIGHT_AREA))
         see_point(l, from, efrom, a);
+    else if (tia_light_has(l->from->kind, TIA_LIGHT_BALL))
+        see_ball(s, l->at, l->radius, from, efrom, u, a);
     else
         see_plane(s, l, e->shine, from, efrom, u, a);
     if (!e->shine->known)

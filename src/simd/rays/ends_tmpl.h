@@ -61,9 +61,9 @@ static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, con
     struct ve weight = {vset(1), vset(0)}, chosen;
     vm fine = mnot(mnone());
 
-    if ((lanes & ~p->specular) && l->from->kind != TIA_POINT_LIGHT) {
+    if ((lanes & ~p->specular) && tia_light_has(l->from->kind, TIA_LIGHT_AREA)) {
         vd ed = q->e + 4 * UNIT + vabs(q->t) * P2M(49) + p->r.p.eo;
-        if (l->from->kind == TIA_SPHERE_LIGHT)
+        if (tia_light_has(l->from->kind, TIA_LIGHT_BALL))
             chosen = ball_density(l->at, l->radius, p->r.p.o, p->r.p.eo, &fine);
         else
             chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)), p->r.p.ed + P2M(49), &fine);

@@ -116,7 +116,7 @@ LANE_OP void meet_flat_light(struct query *q, const struct sure_light *l)
     struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
 
     f.e = f.e + vabs(f.t) * P2M(50);
-    if (l->from->kind == TIA_RECTANGLE_LIGHT)
+    if (tia_light_has(l->from->kind, TIA_LIGHT_SIDES))
         meet_rectangle(q, l, &f, way);
     else
         round_flat(q, &f, way, l->radius, vset(0));

@@ -115,7 +115,7 @@ static bool is_flat(const struct ray_light *l)
 {
     num_length off = 0;
 
-    for (int i = 0; l->kind == TIA_RECTANGLE_LIGHT && i < 2; i++) {
+    for (int i = 0; tia_light_has(l->kind, TIA_LIGHT_SIDES) && i < 2; i++) {
         num_length side = num_point_dot(l->side[i], l->direction);
         off += side < 0 ? -side : side;
     }

@@ -36,7 +36,7 @@ static void aim_at(const struct sure_light *l, const struct shade *h, struct aim
     a->e = vset(P2M(50));
     a->axes[0] = v3_set(l->axes[0]);
     a->axes[1] = v3_set(l->axes[1]);
-    if (l->from->kind == TIA_SPHERE_LIGHT)
+    if (ray_light_turns(l->from))
         aim_at_sphere(l, h, a);
 }
 
@@ -85,9 +85,9 @@ struct sample {
 static void find_falloff(const struct sure_light *l, struct sample *s)
 {
     s->falloff = (struct falloff){vset(1), vset(0), mnone()};
-    if (l->from->kind == TIA_SPOT_LIGHT)
+    if (tia_light_has(l->from->kind, TIA_LIGHT_CONE))
         spot_falloff(l, s->to, s->eto, &s->falloff);
-    if (l->from->fades && l->from->kind != TIA_DIRECTIONAL_LIGHT) {
+    if (l->from->fades) {
         vd distance = v3_dot(s->way, s->to);
         attenuate(l, distance, s->ew + distance * P2M(49) + UNIT, &s->falloff);
     }
@@ -125,14 +125,14 @@ LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, 
 static __attribute__((noinline)) void sample_of(const struct sure_light *l, const struct aim *a, const struct shade *h,
                                                 const struct picked *pick, struct sample *s)
 {
-    if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_FAR)) {
         s->way = s->to = v3_neg(v3_set(l->normal));
         s->ew = s->eto = vset(P2M(51));
         return;
     }
     s->way = v3_sub(v3_set(l->at), h->point);
     s->ew = h->ep + (v3_sum(s->way) + v3_sum(h->point)) * P2M(51);
-    if (l->from->kind >= TIA_RECTANGLE_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_AREA)) {
         vd x, y;
         find_places(l, pick, &x, &y);
         s->way = v3_add(s->way, v3_add(v3_scale(a->axes[0], x), v3_scale(a->axes[1], y)));
@@ -153,7 +153,7 @@ static void aim_shadow(const struct sure_scene *scene, const struct sure_light *
     shadow->p.ed = s->eto;
     shadow->distance = vset(131072);
     shadow->edistance = vset(0);
-    if (l->from->kind == TIA_DIRECTIONAL_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_FAR)) {
         shadow->p.from = leaving(h, s->to, s->eto, 1, 0);
         return;
     }
@@ -302,7 +302,8 @@ LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apa
 {
     unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
 
-    return LANES > 1 && l->from->kind >= TIA_RECTANGLE_LIGHT && (apart ? 4 * packets <= 5 * n : 2 * packets <= n);
+    return LANES > 1 && tia_light_has(l->from->kind, TIA_LIGHT_AREA) &&
+           (apart ? 4 * packets <= 5 * n : 2 * packets <= n);
 }
 
 static void add_light(const struct sure_scene *s, uint32_t n, const struct shade *h, vm lanes, bool apart,
@@ -311,7 +312,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     const struct sure_light *l = &s->lights[n];
     struct aim *aim = &sum->room->aim;
 
-    if (l->from->kind == TIA_AMBIENT_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_EVERYWHERE)) {
         if (l->radius > 0) /* how much of it gets there is for the integers, see `occluded` of the scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)

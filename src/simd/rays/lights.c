@@ -5,20 +5,13 @@
 static void set_area(struct sure_light *to, const struct ray_light *l)
 {
     for (int i = 0; i < 2; i++) {
-        if (l->kind == TIA_RECTANGLE_LIGHT)
+        if (tia_light_has(l->kind, TIA_LIGHT_SIDES))
             sure_point(to->axes[i], l->side[i]);
         else
             sure_dir(to->axes[i], l->axes[i]);
         sure_dir(to->across[i], l->across[i]);
         to->reach[i] = __builtin_fabs(sure_length(num_point_dot(l->side[i], l->across[i])));
     }
-}
-
-static bool is_seen(const struct ray_light *l)
-{
-    bool round = l->kind == TIA_POINT_LIGHT || l->kind == TIA_SPHERE_LIGHT || l->kind == TIA_DISC_LIGHT;
-
-    return l->kind == TIA_RECTANGLE_LIGHT || (round && l->radius > 0);
 }
 
 static void set_light(struct sure_light *to, const struct ray_light *l)
@@ -30,14 +23,14 @@ static void set_light(struct sure_light *to, const struct ray_light *l)
     to->brightest = sure_most3(to->emission);
     sure_point(to->at, l->centre);
     sure_dir(to->normal, l->direction);
-    to->seen = is_seen(l);
+    to->seen = ray_light_is_seen(l);
     to->inner = sure_cosine(l->inner);
     to->outer = sure_cosine(l->outer);
     to->constant = sure_length(l->constant);
     to->linear = sure_length(l->linear);
     to->quadratic = sure_length(l->quadratic);
     to->unit = sure_cosine(l->unit);
-    if (l->kind >= TIA_RECTANGLE_LIGHT)
+    if (tia_light_has(l->kind, TIA_LIGHT_AREA))
         set_area(to, l);
 }
 
@@ -61,7 +54,7 @@ void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, doub
     double u = (double)((32 * i + 16 + 2 * n * class) % (32 * n)) / (32 * n);
     unsigned v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
 
-    if (l->from->kind == TIA_RECTANGLE_LIGHT) {
+    if (tia_light_has(l->from->kind, TIA_LIGHT_SIDES)) {
         at[0] = u * 2 - 1;
         at[1] = ((double)v - 128) / 128;
         return;
@@ -75,7 +68,7 @@ void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, doub
 static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
 {
     l->place = NULL;
-    if (!places || l->from->kind < TIA_RECTANGLE_LIGHT || l->from->samples > SURE_PLACES)
+    if (!places || !tia_light_has(l->from->kind, TIA_LIGHT_AREA) || l->from->samples > SURE_PLACES)
         return;
     for (unsigned class = 0; class < 16; class ++)
         for (unsigned i = 0; i < SURE_PLACES; i++) {
@@ -146,10 +139,12 @@ void tia_sure_set_lights(struct tia_view *view)
     struct sure_scene *s = tia_sure_scene(view);
 
     s->light_count = s->view->light_count;
-    s->occluded = false;
+    s->occluded = s->fixed_only = false;
     for (uint32_t i = 0; i < s->light_count; i++) {
         set_light(&s->lights[i], &s->view->lights[i]);
-        s->occluded = s->occluded || (s->view->lights[i].kind == TIA_AMBIENT_LIGHT && s->lights[i].radius > 0);
+        enum tia_light_kind kind = s->view->lights[i].kind;
+        s->occluded = s->occluded || (tia_light_has(kind, TIA_LIGHT_EVERYWHERE) && s->lights[i].radius > 0);
+        s->fixed_only = s->fixed_only || !tia_light_has(kind, TIA_LIGHT_SIMD);
         set_places(&s->lights[i], i < SURE_AREAS ? s->places[i] : NULL);
     }
     set_brightest(s);

@@ -38,7 +38,7 @@ static void find_sights(struct path_state *f, unsigned lanes, const uint32_t whi
         for (int c = 0; c < 3; c++)
             radiance[c] =
                 left == lanes ? vset(e->shine->radiance[c]) : vsel(mof(same), vset(e->shine->radiance[c]), radiance[c]);
-        if (e->light == TIA_NO_OBJECT || s->lights[e->light].from->kind >= TIA_RECTANGLE_LIGHT)
+        if (e->light == TIA_NO_OBJECT || tia_light_has(s->lights[e->light].from->kind, TIA_LIGHT_AREA))
             *surface |= same;
     }
 }

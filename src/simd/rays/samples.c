@@ -116,7 +116,7 @@ static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t f
 {
     struct drawing *d = memory;
 
-    if (gathered->guides) {
+    if (gathered->guides || tia_sure_scene(view)->fixed_only) {
         view->renderer->sample(view, tile, first, end, gathered);
         return;
     }

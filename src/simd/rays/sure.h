@@ -160,6 +160,7 @@ struct sure_scene {
     double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
+    bool fixed_only;                     /* a light is of a kind without TIA_LIGHT_SIMD: then doubles draw nothing */
     bool occluded;                       /* objects hinder an ambient light: then doubles know nothing of any point */
     double brightest[TIA_DEPTH_MAX + 1]; /* after so many bounces no ray has a colour above that */
     double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */

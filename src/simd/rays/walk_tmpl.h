@@ -235,7 +235,7 @@ static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint3
 
 LANE_OP void meet_light(const struct sure_light *l, struct query *q)
 {
-    if (l->from->kind == TIA_POINT_LIGHT || l->from->kind == TIA_SPHERE_LIGHT)
+    if (tia_light_has(l->from->kind, TIA_LIGHT_BALL))
         meet_sphere(q, l->at, l->radius);
     else
         meet_flat_light(q, l);

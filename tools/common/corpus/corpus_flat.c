@@ -35,13 +35,15 @@ static void flatten_light(struct tia_light *light)
 {
     static const struct tia_vec3 sides[2] = {TIA_VEC3(0.5, 0, 0), TIA_VEC3(0, 0.2, 0.5)};
 
-    if (light->kind == TIA_DISC_LIGHT || light->kind == TIA_SPHERE_LIGHT) {
-        light->kind = TIA_RECTANGLE_LIGHT;
+    if (!tia_light_has(light->kind, TIA_LIGHT_AREA))
+        return;
+    if (!tia_light_has(light->kind, TIA_LIGHT_SIDES)) {
         light->radius = 0;
         light->side[0] = sides[0];
         light->side[1] = sides[1];
     }
-    if (light->kind == TIA_RECTANGLE_LIGHT && (!light->samples || light->samples > SAMPLES))
+    light->kind = TIA_RECTANGLE_LIGHT;
+    if (!light->samples || light->samples > SAMPLES)
         light->samples = SAMPLES;
 }
 

@@ -107,7 +107,7 @@ static void random_area(uint64_t *state, struct tia_light *light)
     tia_q16 a = dice_between(state, TIA_Q16(0.4), TIA_Q16(2)), b = dice_between(state, TIA_Q16(-1), TIA_Q16(1));
 
     light->samples = samples[dice_next(state) % (sizeof samples / sizeof samples[0])];
-    if (light->kind == TIA_RECTANGLE_LIGHT) {
+    if (tia_light_has(light->kind, TIA_LIGHT_SIDES)) {
         light->side[0] = (struct tia_vec3){a, 0, b};
         light->side[1] = (struct tia_vec3){-b, dice_between(state, TIA_Q16(-1), TIA_Q16(1)), a};
     } else {
@@ -119,16 +119,18 @@ void parts_random_light(uint64_t *state, struct tia_light *light)
 {
     static const struct tia_vec3 range[2] = {TIA_VEC3(-10, 4, -10), TIA_VEC3(10, 14, 10)};
 
-    light->kind = (enum tia_light_kind)(dice_next(state) % (TIA_SPHERE_LIGHT + 1));
+    light->kind = (enum tia_light_kind)(dice_next(state) % TIA_LIGHT_KINDS);
     light->centre = dice_vec3(state, range[0], range[1]);
-    light->emission = light->kind == TIA_AMBIENT_LIGHT ? dice_rgb(state, 5, 30) : dice_rgb(state, 20, 100);
+    light->emission =
+        tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE) ? dice_rgb(state, 5, 30) : dice_rgb(state, 20, 100);
     light->direction = direction_of(parts_moved((struct tia_vec3){0, 0, 0}, light->centre, -1));
     light->inner = dice_between(state, TIA_Q16(5), TIA_Q16(20));
     light->outer = light->inner + dice_between(state, 0, TIA_Q16(25));
     light->outer = light->outer < TIA_Q16_ONE ? TIA_Q16_ONE : light->outer;
-    if (light->kind == TIA_POINT_LIGHT && dice_one_in(state, 2))
+    if (tia_light_has(light->kind, TIA_LIGHT_BALL) && !tia_light_has(light->kind, TIA_LIGHT_AREA) &&
+        dice_one_in(state, 2))
         light->radius = dice_between(state, TIA_Q16(0.25), TIA_Q16(1));
-    if (light->kind >= TIA_RECTANGLE_LIGHT)
+    if (tia_light_has(light->kind, TIA_LIGHT_AREA))
         random_area(state, light);
     if (dice_one_in(state, 3)) {
         light->constant = dice_between(state, 0, TIA_Q16(0.5));
